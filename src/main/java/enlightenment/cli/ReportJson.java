@@ -129,6 +129,7 @@ final class ReportJson {
         }
         json.writeBooleanProperty("heavyTail", light.heavyTail());
         json.writeNumberProperty("lostSamples", light.lostSamples());
+        json.writeNumberProperty("leftToChance", light.leftToChance());
     }
 
     private static void phases(JsonGenerator json, RenderReport report) {

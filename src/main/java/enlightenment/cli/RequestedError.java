@@ -17,10 +17,11 @@ final class RequestedError {
         }
         RenderReport.Sampling sampling = report.sampling();
         double asked = report.settings().budget().error().getAsDouble();
+        double left = sampling.leftToChance();
         OptionalDouble samples = result.samplesForError();
         throw CliException.failed(String.format(
                 Locale.ROOT,
-                "the error is about %.4g and may be %.4g, more than --error %s; decided by %s%s%s",
+                "the error is about %.4g and may be %.4g, more than --error %s; decided by %s%s%s%s",
                 Math.hypot(sampling.estimatedError(), sampling.rounding()),
                 sampling.errorInFile(),
                 DecimalNumber.plain(asked),
@@ -28,6 +29,12 @@ final class RequestedError {
                 samples.isPresent() ? "; try --samples " + DecimalNumber.plain(samples.getAsDouble()) + " or more" : "",
                 2 * sampling.rounding() > sampling.errorInFile()
                         ? "; much of it is the file's rounding: --depth 16 or a .pfm file has less"
+                        : "",
+                left > asked
+                        ? String.format(
+                                Locale.ROOT,
+                                "; %.4g of it is light that this method leaves to chance: try another one",
+                                left)
                         : ""));
     }
 }

@@ -99,7 +99,7 @@ public final class DividedRender implements UnitSource {
                 phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images, stopped));
         Planner planner = new Planner(compiled, settings, stopped);
         RenderPlan plan = phases.run("plan", () -> isLast ? planner.planOnce(time) : planner.plan(time, 0));
-        Rounds rounds = new Rounds(settings.budget());
+        Rounds rounds = Rounds.of(settings, compiled);
         return new DividedRender(scene.name(), compiled, settings, plan, phases, planner, rounds, 1, time);
     }
 

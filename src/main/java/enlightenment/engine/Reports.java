@@ -72,7 +72,9 @@ public final class Reports {
             return Optional.empty();
         }
         return Optional.of(error.linear()
-                .map(e -> new RenderReport.Light(e.relative(), e.kurtosis(), e.hasHeavyTail(), film.lostSamples()))
-                .orElse(new RenderReport.Light(Double.NaN, Double.NaN, false, film.lostSamples())));
+                .map(e -> new RenderReport.Light(
+                        e.relative(), e.kurtosis(), e.hasHeavyTail(), film.lostSamples(), error.leftToChance()))
+                .orElse(new RenderReport.Light(
+                        Double.NaN, Double.NaN, false, film.lostSamples(), error.leftToChance())));
     }
 }

@@ -56,8 +56,11 @@ public final class ErrorEstimate {
     /** Of a film of linear light, or null. */
     private final LinearError linear;
 
+    /** The part of the mean square that the samples do not tell. */
+    private final double shortfall;
+
     private ErrorEstimate(float[] variances, double meanSquare, double least, double most, double unseen, long pixels) {
-        this(variances, meanSquare, least, most, unseen, pixels, null);
+        this(variances, meanSquare, least, most, unseen, pixels, null, 0);
     }
 
     private ErrorEstimate(
@@ -67,7 +70,8 @@ public final class ErrorEstimate {
             double most,
             double unseen,
             long pixels,
-            LinearError linear) {
+            LinearError linear,
+            double shortfall) {
         this.variances = variances;
         this.meanSquare = meanSquare;
         this.least = least;
@@ -75,6 +79,7 @@ public final class ErrorEstimate {
         this.unseen = unseen;
         this.pixels = pixels;
         this.linear = linear;
+        this.shortfall = shortfall;
     }
 
     /** The same where some light is left to chance: the samples tell of it only where it was found. */
@@ -94,12 +99,13 @@ public final class ErrorEstimate {
                 Math.max(meanSquare * most, meanSquare + chance.most()) / told,
                 unseen,
                 pixels,
-                light);
+                light,
+                chance.shortfall());
     }
 
     /** The same with what is told of linear light. */
     ErrorEstimate with(LinearError light) {
-        return new ErrorEstimate(variances, meanSquare, least, most, unseen, pixels, light);
+        return new ErrorEstimate(variances, meanSquare, least, most, unseen, pixels, light, shortfall);
     }
 
     /** What is told of linear light; empty for display-referred pictures, and where it is not known. */
@@ -319,6 +325,11 @@ public final class ErrorEstimate {
     /** The estimated root mean square error over all finished pixels and components, in displayed units, at least 0. */
     public double rmse() {
         return Math.sqrt(meanSquare);
+    }
+
+    /** The part of {@link #rmse} that the samples do not tell, as they lack light: the root of the difference of squares. */
+    public double leftToChance() {
+        return Math.sqrt(shortfall);
     }
 
     /** The lower end of a 95 % confidence interval for the true RMSE, in displayed units. */

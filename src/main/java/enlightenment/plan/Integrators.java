@@ -200,9 +200,9 @@ public final class Integrators {
         }
         if (RefractingMedia.areLitBySmallLights(scene)) {
             all.add(
-                    "light of lamps as small as these is found by chance inside of media whose border refracts: a picture"
-                            + " with too few samples lacks it, and its estimated error does not tell; "
-                            + BuiltInMethod.BIDIRECTIONAL.word() + " finds more of it, but for the sun's");
+                    "light of lamps as small as these is found by chance inside of media whose border refracts, and that"
+                            + " of points never: a picture with too few samples lacks it, which its estimated error"
+                            + " tells; " + BuiltInMethod.BIDIRECTIONAL.word() + " finds more of it, but for the sun's");
         }
         return all;
     }
@@ -212,10 +212,21 @@ public final class Integrators {
      * chance what others of theirs do not.
      */
     public static ChanceError chance(RenderPlan plan, CompiledScene scene) {
-        Set<ChanceLights.Kind> kinds = leftToChance(plan.method());
-        return scene.physical == null || kinds.isEmpty()
-                ? ChanceError.NONE
-                : LightPaths.leftToChance(scene).error(kinds, scene.display, plan.samples());
+        return chance(plan.method(), scene, plan.samples());
+    }
+
+    /** The same of a picture of a method with so many samples per pixel. */
+    static ChanceError chance(Method method, CompiledScene scene, double samples) {
+        Set<ChanceLights.Kind> kinds = leftToChance(method);
+        if (scene.physical == null || kinds.isEmpty()) {
+            return ChanceError.NONE;
+        }
+        // What a path of a chain has found, all pixels of a block are shown.
+        double together = method == BuiltInMethod.METROPOLIS
+                ? Math.min(scene.camera.columns, MetropolisSettings.BLOCK_SIDE)
+                        * Math.min(scene.camera.rows, MetropolisSettings.BLOCK_SIDE)
+                : 1;
+        return LightPaths.leftToChance(scene).error(kinds, scene.display, together * samples);
     }
 
     /** Which light a method leaves to chance. */
@@ -227,8 +238,11 @@ public final class Integrators {
             case RAYTRACE, CLUSTER -> EnumSet.allOf(ChanceLights.Kind.class);
             // Connects points of media; but paths from the sun are not connected.
             case BIDIRECTIONAL -> EnumSet.of(ChanceLights.Kind.SURFACES, ChanceLights.Kind.SUN_IN_MEDIA);
-            // Chains find lamps from paths that found them, but points no path finds.
-            case METROPOLIS -> EnumSet.of(ChanceLights.Kind.POINTS_IN_MEDIA);
+            case METROPOLIS ->
+                EnumSet.of(
+                        ChanceLights.Kind.POINTS_IN_MEDIA,
+                        ChanceLights.Kind.LAMPS_IN_MEDIA,
+                        ChanceLights.Kind.SUN_IN_MEDIA);
             case LIGHT -> Set.of();
         };
     }

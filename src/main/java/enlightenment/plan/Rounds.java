@@ -1,7 +1,9 @@
 package enlightenment.plan;
 
+import enlightenment.compiled.CompiledScene;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
 import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.Optional;
@@ -46,6 +48,9 @@ public final class Rounds {
 
     private final Budget budget;
 
+    /** What no number of samples mends that is tried. */
+    private final LastingError lasting;
+
     /** Of the first round that tells something; 0 before that. */
     private double firstSamples;
 
@@ -60,9 +65,25 @@ public final class Rounds {
     private double error;
     private boolean isLimited;
 
-    /** The rounds of one render with this budget. */
+    /** Whether only light that is left to chance keeps the error from being as asked. */
+    private boolean isLeftToChance;
+
+    /** The rounds of one render with this budget, whose method finds all light. */
     public Rounds(Budget budget) {
+        this(budget, LastingError.NONE);
+    }
+
+    private Rounds(Budget budget, LastingError lasting) {
         this.budget = budget;
+        this.lasting = lasting;
+    }
+
+    /** The rounds of a render of this scene. */
+    public static Rounds of(RenderSettings settings, CompiledScene scene) {
+        Budget budget = settings.budget();
+        return new Rounds(
+                budget,
+                budget.error().isPresent() ? LastingError.of(settings.method(), scene, TOO_MANY) : LastingError.NONE);
     }
 
     /**
@@ -80,13 +101,14 @@ public final class Rounds {
         // What cannot be reached is come as near to as other limits allow.
         boolean isEndless =
                 !(aim > 0) && budget.samples().isEmpty() && budget.seconds().isEmpty();
-        if (isMet(outcome) || !(n < most) || isEndless) {
+        double high = high(outcome);
+        if (isMet(outcome) || isAllButChanceMet(high, aim) || !(n < most) || isEndless) {
             return OptionalDouble.empty();
         }
-        if (budget.samples().isEmpty() && budget.seconds().isEmpty() && isOutOfReach(n, outcome.errorHigh(), aim)) {
+        if (budget.samples().isEmpty() && budget.seconds().isEmpty() && isOutOfReach(n, high, aim)) {
             return OptionalDouble.empty();
         }
-        double next = samplesFor(n, outcome.errorHigh(), aim);
+        double next = samplesFor(n, high, aim);
         if (outcome.method() != report.settings().method()) {
             // The error of the method that is used for few samples tells little of that of the other: it may be far
             // smaller.
@@ -96,7 +118,7 @@ public final class Rounds {
                     Integrators.traits(report.settings().method(), isPhysical).first());
         }
         samples = n;
-        error = outcome.errorHigh();
+        error = high;
         if (budget.seconds().isPresent()) {
             double left = PLANNED_TIME * (budget.seconds().getAsDouble() - now);
             double affordable = n * left / took;
@@ -121,9 +143,28 @@ public final class Rounds {
             return OptionalDouble.empty();
         }
         double aim = new Rounds(Budget.NONE.withError(asked.getAsDouble())).aim(outcome.rounding());
+        if (outcome.leftToChance() > aim) {
+            return OptionalDouble.empty();
+        }
         double least = LEAST_FACTOR * outcome.plannedSamples();
         double n = Math.max(asIndependent(outcome.plannedSamples(), outcome.errorHigh(), aim), least);
         return aim > 0 && n <= Budget.MAX_SAMPLES ? OptionalDouble.of(Tidy.of(n)) : OptionalDouble.empty();
+    }
+
+    /** What samples can mend of the upper end of the interval. */
+    private double high(RenderReport.Sampling outcome) {
+        double high = outcome.errorHigh();
+        if (!(lasting.square() > 0)) {
+            return high;
+        }
+        double left = Math.min(outcome.leftToChance(), Math.sqrt(lasting.square()));
+        return Math.sqrt(Math.max(high * high - left * left, 0));
+    }
+
+    /** Whether the rest of the error is as asked where light that is left to chance keeps all of it from ever being so. */
+    private boolean isAllButChanceMet(double high, double aim) {
+        isLeftToChance = budget.error().isPresent() && lasting.square() > aim * aim && high <= Math.max(aim, 0);
+        return isLeftToChance;
     }
 
     /** How many samples would make the error as small as this if they were independent. */
@@ -151,6 +192,13 @@ public final class Rounds {
 
     /** Why nothing more is tried though the error is not kept; empty if there is no such reason. */
     public Optional<String> resignation() {
+        if (isLeftToChance) {
+            return Optional.of(String.format(
+                    Locale.ROOT,
+                    "about %.3g of the error is light that more samples hardly find: %s",
+                    Math.sqrt(lasting.square()),
+                    lasting.why()));
+        }
         if (outOfReach == 0) {
             return Optional.empty();
         }

@@ -59,7 +59,7 @@ final class RenderRounds {
 
     /** The last picture that became whole; if not even the first did, what there is of it. */
     RenderResult run(RenderPlan first) {
-        Rounds rounds = new Rounds(settings.budget());
+        Rounds rounds = Rounds.of(settings, scene);
         RenderResult best = null;
         RenderPlan plan = first;
         for (int round = 1; ; round++) {

@@ -100,6 +100,11 @@ public record RenderReport(
                     Optional.empty());
         }
 
+        /** {@link Light#leftToChance}; 0 for a display-referred picture. */
+        public double leftToChance() {
+            return light.map(Light::leftToChance).orElse(0.0);
+        }
+
         /** The error that is to be counted on, with that of rounding: the upper end of the interval. */
         public double errorInFile() {
             return Math.hypot(errorHigh, rounding);
@@ -132,8 +137,16 @@ public record RenderReport(
      *     all, within blocks of 32 × 32 pixels; NaN where it is not known
      * @param heavyTail whether few bright samples carry the error, so that it may be underestimated
      * @param lostSamples how many samples were infinite or no numbers, and taken for black; more than none is a fault of the program
+     * @param leftToChance the part of {@link Sampling#estimatedError} that samples do not tell, as they lack light which paths find by
+     *     chance only: root mean square, in display units, the root of the difference of squares; 0 if nothing is known to be left so
      */
-    public record Light(double relativeError, double kurtosis, boolean heavyTail, long lostSamples) {}
+    public record Light(
+            double relativeError, double kurtosis, boolean heavyTail, long lostSamples, double leftToChance) {
+        /** Where nothing is left to chance. */
+        public Light(double relativeError, double kurtosis, boolean heavyTail, long lostSamples) {
+            this(relativeError, kurtosis, heavyTail, lostSamples, 0);
+        }
+    }
 
     /** How many samples were infinite or no numbers: if there are any, the picture is not to be trusted. */
     public long lostSamples() {

@@ -15,6 +15,9 @@ public final class ChanceLight {
     /** Where more find it in the mean, the halves of the samples tell what there is to tell. */
     private static final double ENOUGH = 2;
 
+    /** The same of all pixels that share what they find: with fewer, most of it hangs on one or two. */
+    private static final double ENOUGH_TOGETHER = 8;
+
     /** Of so many in the mean one of 4,000 times more find it than this. */
     private static final int MOST = 8;
 
@@ -80,6 +83,27 @@ public final class ChanceLight {
         }
         double pixels = parts.length / (double) NUMBERS;
         return new ChanceError(shortfall / pixels, (sum + ONE_IN_40 * Math.sqrt(Math.max(variance, 0))) / pixels);
+    }
+
+    /**
+     * What it does to the error of a picture whose pixels show together what any of them has found: all of it is lacking, and nothing tells
+     * of it, or in the mean enough samples find it.
+     *
+     * @param together how many pixels do so
+     */
+    public ChanceError error(DisplayCurve curve, double samples, double together) {
+        double found = 0;
+        double sum = 0;
+        double[] square = new double[2];
+        for (int at = 0; at < parts.length; at += NUMBERS) {
+            found += parts[at + 6];
+            squared(curve, at, 0, square);
+            sum += square[0];
+        }
+        double pixels = parts.length / (double) NUMBERS;
+        return samples * together * found / pixels < ENOUGH_TOGETHER
+                ? new ChanceError(sum / pixels, sum / pixels)
+                : ChanceError.NONE;
     }
 
     /**

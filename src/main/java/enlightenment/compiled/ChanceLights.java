@@ -2,7 +2,6 @@ package enlightenment.compiled;
 
 import enlightenment.color.DisplayCurve;
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 
@@ -52,10 +51,14 @@ public final class ChanceLights {
         return sum;
     }
 
-    /** Of which kinds there are some. */
-    public Set<Kind> kinds() {
-        Set<Kind> kinds = EnumSet.noneOf(Kind.class);
-        all.forEach(part -> kinds.add(part.kind));
-        return kinds;
+    /** The same of a picture of which so many pixels show together what one of them has found. */
+    public ChanceError error(Set<Kind> kinds, DisplayCurve curve, double samples, double together) {
+        ChanceError sum = ChanceError.NONE;
+        for (Part part : all) {
+            if (kinds.contains(part.kind)) {
+                sum = sum.plus(part.light.error(curve, samples, together));
+            }
+        }
+        return sum;
     }
 }

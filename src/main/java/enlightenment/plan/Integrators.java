@@ -221,12 +221,16 @@ public final class Integrators {
         if (scene.physical == null || kinds.isEmpty()) {
             return ChanceError.NONE;
         }
-        // What a path of a chain has found, all pixels of a block are shown.
-        double together = method == BuiltInMethod.METROPOLIS
-                ? Math.min(scene.camera.columns, MetropolisSettings.BLOCK_SIDE)
-                        * Math.min(scene.camera.rows, MetropolisSettings.BLOCK_SIDE)
-                : 1;
-        return LightPaths.leftToChance(scene).error(kinds, scene.display, together * samples);
+        ChanceLights light = LightPaths.leftToChance(scene);
+        return method == BuiltInMethod.METROPOLIS
+                // What one path has found, chains show to all pixels of a block.
+                ? light.error(kinds, scene.display, samples, pixelsOfBlock(scene))
+                : light.error(kinds, scene.display, samples);
+    }
+
+    private static double pixelsOfBlock(CompiledScene scene) {
+        return Math.min(scene.camera.columns, MetropolisSettings.BLOCK_SIDE)
+                * Math.min(scene.camera.rows, MetropolisSettings.BLOCK_SIDE);
     }
 
     /** Which light a method leaves to chance. */

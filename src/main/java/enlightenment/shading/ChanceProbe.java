@@ -28,7 +28,7 @@ public final class ChanceProbe {
     private static final int LEAST = 8;
 
     /** From this event on not all of a path's places in media are looked at: of twice as many every second one, and so on. */
-    private static final int LONG = 32;
+    private static final int LONG = 16;
 
     /** The first group of what is found: light on surfaces; the others are those of {@link MediumBeams}. */
     private static final int SURFACES = 0;

@@ -5,7 +5,10 @@ import enlightenment.compiled.HomogeneousMedium;
 /** A beam of {@link MediumBeams}: straight light from the border of a medium on. */
 final class MediumBeam {
     /** Of what is dimmed by a factor of e to this power nothing is left. */
-    private static final double GONE = 12;
+    private static final double GONE = 6;
+
+    /** What has less of its path's power left is of no matter. */
+    private static final double FAINT = 0x1p-9;
 
     final HomogeneousMedium medium;
 
@@ -51,6 +54,9 @@ final class MediumBeam {
     /** Of the disk of the border that it is spread over. */
     private double radius;
 
+    /** How far it goes with any effect. */
+    private double reach;
+
     MediumBeam(HomogeneousMedium medium, int group, double[] start, double dx, double dy, double dz) {
         this.medium = medium;
         this.group = group;
@@ -80,13 +86,17 @@ final class MediumBeam {
         bounces = events;
     }
 
-    boolean isUsable() {
-        return cosine > 0 && Math.max(red, Math.max(green, blue)) > 0;
+    /** @param most of what its path began with */
+    boolean isUsable(double most) {
+        return cosine > 0 && Math.max(red, Math.max(green, blue)) > FAINT * most;
     }
 
     /** Spreads it over a disk of this radius; it is one of so many paths. */
     void spreadBy(double r, int paths) {
         radius = r;
+        double least = Math.min(medium.extinctionR, Math.min(medium.extinctionG, medium.extinctionB));
+        double visible = least > 0 ? GONE / least : Double.POSITIVE_INFINITY;
+        reach = Math.min(length + radius, visible);
         red /= paths;
         green /= paths;
         blue /= paths;
@@ -94,9 +104,7 @@ final class MediumBeam {
 
     /** How far it reaches with any effect, from its start on. */
     double reach() {
-        double least = Math.min(medium.extinctionR, Math.min(medium.extinctionG, medium.extinctionB));
-        double visible = least > 0 ? GONE / least : Double.POSITIVE_INFINITY;
-        return Math.min(length + radius, visible);
+        return reach;
     }
 
     double radius() {
@@ -109,10 +117,13 @@ final class MediumBeam {
         double ey = py - y;
         double ez = pz - z;
         double deep = (ex * nx + ey * ny + ez * nz) / cosine;
+        if (!(deep >= 0 && deep <= reach)) {
+            return -1;
+        }
         double ax = ex - deep * dx;
         double ay = ey - deep * dy;
         double az = ez - deep * dz;
-        return ax * ax + ay * ay + az * az <= radius * radius && deep <= length + radius ? deep : -1;
+        return ax * ax + ay * ay + az * az <= radius * radius ? deep : -1;
     }
 
     /** The inverse of its area, perpendicular to its direction. */

@@ -24,7 +24,7 @@ final class MediumBeams extends LightWalker {
     /** These paths are no part of any picture, and the same for all of a scene. */
     private static final long SEED = 0x6265616d73L;
 
-    private static final int PATHS = 1 << 13;
+    private static final int PATHS = 1 << 12;
 
     /** Of light that is found by chance: its lamps by the share of a hemisphere that they are seen under, in classes of this factor. */
     private static final double CLASS = 8;
@@ -120,7 +120,7 @@ final class MediumBeams extends LightWalker {
         MediumBeam beam = new MediumBeam(medium, group, start, ray.dx * scale, ray.dy * scale, ray.dz * scale);
         beam.leaves(at.nx, at.ny, at.nz);
         beam.carries(red, green, blue, radiance(), path.bounces());
-        return beam.isUsable() ? beam : null;
+        return beam.isUsable(Math.max(source.red, Math.max(source.green, source.blue))) ? beam : null;
     }
 
     /** How bright the light is that the path began at; 0 of a point. */
@@ -165,17 +165,14 @@ final class MediumBeams extends LightWalker {
      */
     void look(HomogeneousMedium medium, Scattering s, Hit at, PathValue value, double weight, int bounces) {
         tree.at(at.px, at.py, at.pz, beam -> {
-            if (beam.medium == medium && beam.bounces + bounces < physical.maxBounces) {
-                add(beam, s, at, value, weight);
+            double deep = beam.depth(at.px, at.py, at.pz);
+            if (deep >= 0 && beam.medium == medium && beam.bounces + bounces < physical.maxBounces) {
+                add(beam, deep, s, value, weight);
             }
         });
     }
 
-    private void add(MediumBeam beam, Scattering s, Hit at, PathValue value, double weight) {
-        double deep = beam.depth(at.px, at.py, at.pz);
-        if (!(deep >= 0)) {
-            return;
-        }
+    private void add(MediumBeam beam, double deep, Scattering s, PathValue value, double weight) {
         s.ix = -beam.dx;
         s.iy = -beam.dy;
         s.iz = -beam.dz;

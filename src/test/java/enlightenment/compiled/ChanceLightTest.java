@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayCurve;
+import java.util.EnumSet;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -73,5 +74,53 @@ class ChanceLightTest {
         ChanceLight.Builder parts = new ChanceLight.Builder(2);
         parts.set(0, OTHER, new double[3], 0);
         assertNull(parts.build());
+    }
+
+    private static ChanceLight neverFound() {
+        ChanceLight.Builder parts = new ChanceLight.Builder(2);
+        parts.set(0, OTHER, LIGHT, 0);
+        parts.set(1, OTHER, new double[3], 0);
+        return parts.build();
+    }
+
+    /** Half of the picture lacks it, whatever the number of samples, and they agree. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 64, 1 << 20})
+    void lightThatNoneEverFindsIsLackingForEver(double samples) {
+        double square = 0;
+        for (int c = 0; c < 3; c++) {
+            double d = DisplayCurve.SRGB.of(OTHER[c] + LIGHT[c]) - DisplayCurve.SRGB.of(OTHER[c]);
+            square += d * d / 6;
+        }
+        ChanceError error = neverFound().error(DisplayCurve.SRGB, samples);
+        assertEquals(square, error.shortfall(), 0.01 * square);
+        assertEquals(square, error.most(), 0.01 * square);
+    }
+
+    /** 64 parts and 1000 pixels: with 5 samples of each 5 of all find it, with 10 there are 10. */
+    @Test
+    void pixelsThatShareWhatTheyFindLackAllOfItOrNothing() {
+        ChanceError never = neverFound().error(DisplayCurve.SRGB, 1);
+        ChanceError few = light().error(DisplayCurve.SRGB, 5, 1000);
+        assertEquals(2 * never.most(), few.shortfall(), 1e-6);
+        assertEquals(few.shortfall(), few.most());
+        assertEquals(ChanceError.NONE, light().error(DisplayCurve.SRGB, 10, 1000));
+        assertEquals(
+                never.most(),
+                neverFound().error(DisplayCurve.SRGB, 1 << 20, 1000).most(),
+                1e-9);
+    }
+
+    @Test
+    void theErrorsOfSeveralKindsAddUp() {
+        ChanceLights none = ChanceLights.NONE.and(ChanceLights.Kind.SURFACES, null);
+        ChanceLights both =
+                none.and(ChanceLights.Kind.SURFACES, light()).and(ChanceLights.Kind.POINTS_IN_MEDIA, neverFound());
+        EnumSet<ChanceLights.Kind> all = EnumSet.allOf(ChanceLights.Kind.class);
+        assertEquals(ChanceError.NONE, none.error(all, DisplayCurve.SRGB, 64));
+        ChanceError one = both.error(EnumSet.of(ChanceLights.Kind.POINTS_IN_MEDIA), DisplayCurve.SRGB, 64);
+        ChanceError two = both.error(all, DisplayCurve.SRGB, 64);
+        assertEquals(neverFound().error(DisplayCurve.SRGB, 64), one);
+        assertEquals(one.shortfall() + light().error(DisplayCurve.SRGB, 64).shortfall(), two.shortfall());
     }
 }

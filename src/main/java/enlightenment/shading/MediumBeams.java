@@ -26,6 +26,9 @@ final class MediumBeams extends LightWalker {
 
     private static final int PATHS = 1 << 12;
 
+    /** Fewer paths are enough where each is reflected to and fro in a clear medium. */
+    private static final int MOST = 1 << 14;
+
     /** Of light that is found by chance: its lamps by the share of a hemisphere that they are seen under, in classes of this factor. */
     private static final double CLASS = 8;
 
@@ -58,10 +61,11 @@ final class MediumBeams extends LightWalker {
                 1,
                 1,
                 new RayCounters(scene.kindNames.size()));
-        for (int k = 0; k < PATHS; k++) {
-            follow(k);
+        int paths = 0;
+        while (paths < PATHS && found.size() < MOST) {
+            follow(paths++);
         }
-        tree = found.isEmpty() ? null : new BeamTree(found, PATHS);
+        tree = found.isEmpty() ? null : new BeamTree(found, paths);
     }
 
     /** Those of a scene with a pass of caustics; null if there are none. */

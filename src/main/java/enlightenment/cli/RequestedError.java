@@ -17,7 +17,6 @@ final class RequestedError {
         }
         RenderReport.Sampling sampling = report.sampling();
         double asked = report.settings().budget().error().getAsDouble();
-        double left = sampling.leftToChance();
         OptionalDouble samples = result.samplesForError();
         throw CliException.failed(String.format(
                 Locale.ROOT,
@@ -30,11 +29,11 @@ final class RequestedError {
                 2 * sampling.rounding() > sampling.errorInFile()
                         ? "; much of it is the file's rounding: --depth 16 or a .pfm file has less"
                         : "",
-                left > asked
+                sampling.lacksLight()
                         ? String.format(
                                 Locale.ROOT,
                                 "; %.4g of it is light that this method leaves to chance: try another one",
-                                left)
+                                sampling.leftToChance())
                         : ""));
     }
 }

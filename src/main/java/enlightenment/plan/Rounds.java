@@ -139,13 +139,10 @@ public final class Rounds {
     public static OptionalDouble samplesForError(RenderReport report) {
         OptionalDouble asked = report.settings().budget().error();
         RenderReport.Sampling outcome = report.sampling();
-        if (asked.isEmpty() || report.isErrorMet()) {
+        if (asked.isEmpty() || report.isErrorMet() || outcome.lacksLight()) {
             return OptionalDouble.empty();
         }
         double aim = new Rounds(Budget.NONE.withError(asked.getAsDouble())).aim(outcome.rounding());
-        if (outcome.leftToChance() > aim) {
-            return OptionalDouble.empty();
-        }
         double least = LEAST_FACTOR * outcome.plannedSamples();
         double n = Math.max(asIndependent(outcome.plannedSamples(), outcome.errorHigh(), aim), least);
         return aim > 0 && n <= Budget.MAX_SAMPLES ? OptionalDouble.of(Tidy.of(n)) : OptionalDouble.empty();

@@ -70,6 +70,9 @@ public record RenderReport(
             double rounding,
             int rounds,
             Optional<Light> light) {
+        /** A share of squared errors. */
+        private static final double LACKING = 0.75;
+
         /** How it was sampled, for a display-referred picture. */
         public Sampling(
                 Method method,
@@ -103,6 +106,14 @@ public record RenderReport(
         /** {@link Light#leftToChance}; 0 for a display-referred picture. */
         public double leftToChance() {
             return light.map(Light::leftToChance).orElse(0.0);
+        }
+
+        /**
+         * Whether nearly all of the upper end of the interval is light that is left to chance, and sure to be lacking: more samples hardly
+         * mend that.
+         */
+        public boolean lacksLight() {
+            return leftToChance() * leftToChance() > LACKING * errorHigh * errorHigh;
         }
 
         /** The error that is to be counted on, with that of rounding: the upper end of the interval. */

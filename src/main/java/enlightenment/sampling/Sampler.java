@@ -35,7 +35,11 @@ public interface Sampler {
         /** {@link #FLIGHT} of a path from a light. */
         LIGHT_FLIGHT,
         /** Which vertices of two paths are connected, where there are too many. */
-        CONNECTION
+        CONNECTION,
+        /** Which lamp a flight in a medium gathers light of, and at which of its points; counted as {@link #FLIGHT}. */
+        FLIGHT_LAMP,
+        /** {@link #LIGHT} of that lamp. */
+        FLIGHT_LIGHT
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */

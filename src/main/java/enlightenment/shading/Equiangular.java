@@ -9,7 +9,25 @@ import enlightenment.primitive.Ray;
  * 2012, section 4.1). A mutable work object, one per thread.
  */
 final class Equiangular {
-    private final Vec3 from;
+    private double fromX;
+    private double fromY;
+    private double fromZ;
+
+    /** How far aside of the point its place is taken, squared. */
+    private double aside;
+
+    private double length;
+
+    /** Of the segment's start, measured along the ray from the foot of the perpendicular. */
+    private double start;
+
+    /** Of the line, from the point; and squared. */
+    private double height;
+
+    private double square;
+
+    /** Between the segment's ends, as seen from the point. */
+    private double angle;
 
     /** How far along the segment the point lies, in lengths of the frame. */
     double distance;
@@ -19,7 +37,20 @@ final class Equiangular {
 
     /** @param from the point that the segments are seen from, in the frame */
     Equiangular(Vec3 from) {
-        this.from = from;
+        see(from.x(), from.y(), from.z(), 0);
+    }
+
+    /**
+     * Sets the point that the segments are seen from.
+     *
+     * @param radius distances from it are those from a place that lies so far aside of the plane of point and segment: no density grows
+     *     beyond what that leaves
+     */
+    void see(double x, double y, double z, double radius) {
+        fromX = x;
+        fromY = y;
+        fromZ = z;
+        aside = radius * radius;
     }
 
     /**
@@ -31,30 +62,66 @@ final class Equiangular {
      *     leaves no angle
      */
     boolean sample(Ray ray, double length, double u) {
+        place(ray);
+        aim(length);
+        return sample(u);
+    }
+
+    /** Looks at a segment of the ray that was placed, from where that starts. */
+    void aim(double length) {
+        this.length = length;
+        height = Math.sqrt(square);
+        // The angle as that of the vectors to both ends: nothing cancels however far away they are.
+        angle = length == Double.POSITIVE_INFINITY
+                ? StrictMath.atan2(height, start)
+                : StrictMath.atan2(height * length, Math.fma(start, start + length, square));
+    }
+
+    /** Sees where a ray is. */
+    void place(Ray ray) {
         double scale = 1 / Math.sqrt(ray.dd);
         double dx = ray.dx * scale;
         double dy = ray.dy * scale;
         double dz = ray.dz * scale;
-        double x = from.x() - Math.fma(ray.tMin, ray.dx, ray.ox);
-        double y = from.y() - Math.fma(ray.tMin, ray.dy, ray.oy);
-        double z = from.z() - Math.fma(ray.tMin, ray.dz, ray.oz);
-        // Of the start, measured from the foot of the perpendicular: a; of the line, from the point: h.
-        double a = -Math.fma(x, dx, Math.fma(y, dy, z * dz));
-        double px = Math.fma(a, dx, x);
-        double py = Math.fma(a, dy, y);
-        double pz = Math.fma(a, dz, z);
-        double hh = px * px + py * py + pz * pz;
-        double h = Math.sqrt(hh);
-        // The angle as that of the vectors to both ends: nothing cancels however far away they are.
-        double angle = length == Double.POSITIVE_INFINITY
-                ? StrictMath.atan2(h, a)
-                : StrictMath.atan2(h * length, Math.fma(a, a + length, hh));
+        double x = fromX - Math.fma(ray.tMin, ray.dx, ray.ox);
+        double y = fromY - Math.fma(ray.tMin, ray.dy, ray.oy);
+        double z = fromZ - Math.fma(ray.tMin, ray.dz, ray.oz);
+        start = -Math.fma(x, dx, Math.fma(y, dy, z * dz));
+        double px = Math.fma(start, dx, x);
+        double py = Math.fma(start, dy, y);
+        double pz = Math.fma(start, dz, z);
+        square = px * px + py * py + pz * pz + aside;
+    }
+
+    /** Samples a point of the segment that was looked at, as {@link #sample(Ray, double, double)} does. */
+    boolean sample(double u) {
         double sine = StrictMath.sin(u * angle);
         double cosine = StrictMath.cos(u * angle);
-        double t = sine * Math.fma(a, a, hh) / (h * cosine - a * sine);
+        double t = sine * Math.fma(start, start, square) / (height * cosine - start * sine);
         distance = Math.min(Math.max(t, 0), Math.min(length, Double.MAX_VALUE));
-        double along = a + distance;
-        density = h / (angle * Math.fma(along, along, hh));
+        density = density(distance);
         return density > 0 && density < Double.POSITIVE_INFINITY;
+    }
+
+    /** The density with which this point of the segment is sampled; not a positive number if there is none. */
+    double density(double at) {
+        double along = start + at;
+        return height / (angle * Math.fma(along, along, square));
+    }
+
+    /** The integral over the segment of the inverse square of the distance. */
+    double integral() {
+        return angle / height;
+    }
+
+    /** The squared distance from the start of the ray that was placed. */
+    double squareAtStart() {
+        return Math.fma(start, start, square);
+    }
+
+    /** The least squared distance from a segment of the ray that was placed. */
+    double leastSquare(double length) {
+        double along = start >= 0 ? start : Math.min(start + length, 0);
+        return Math.fma(along, along, square);
     }
 }

@@ -75,6 +75,24 @@ final class FreeFlight {
         shareB = Math.fma(b, scale, least);
     }
 
+    /** The probability density, per length, of flights that end so far away. */
+    double density(double flown) {
+        HomogeneousMedium m = medium;
+        if (m.isGrey) {
+            return m.extinctionR * transmittance(m.extinctionR, flown);
+        }
+        return shareR * m.extinctionR * transmittance(m.extinctionR, flown)
+                + shareG * m.extinctionG * transmittance(m.extinctionG, flown)
+                + shareB * m.extinctionB * transmittance(m.extinctionB, flown);
+    }
+
+    /** Sets the weights of light that is scattered so far away, per length: of whatever comes there along the flight, for sure. */
+    void scatterAt(double flown) {
+        weightR = medium.scatteringR * transmittance(medium.extinctionR, flown);
+        weightG = medium.scatteringG * transmittance(medium.extinctionG, flown);
+        weightB = medium.scatteringB * transmittance(medium.extinctionB, flown);
+    }
+
     /** Whether the flight leaves everything behind. */
     boolean isEndless() {
         return length > FAR;

@@ -110,6 +110,7 @@ final class GlassTracer {
     /** The ray is at no surface now. */
     void leaveSurfaces() {
         coincident.clear();
+        next = NONE;
     }
 
     /** Starts a ray in the medium that another one is in, or behind the rough border that that came to. */
@@ -119,6 +120,15 @@ final class GlassTracer {
             nextHit.set(other.nextHit);
         }
         inside.set(isBeyond ? other.beyond : other.inside);
+        if (wavelength != null) {
+            wavelength.set(other.wavelength);
+        }
+    }
+
+    /** Starts a ray in the medium that another one is flying through, whatever that has come to. */
+    void beginOnTheWay(GlassTracer other) {
+        next = NONE;
+        inside.set(other.inside);
         if (wavelength != null) {
             wavelength.set(other.wavelength);
         }

@@ -6,6 +6,8 @@ import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.LightSample;
 import enlightenment.emitter.ParallelogramLight;
 import enlightenment.emitter.SphereLight;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 
 /** A light as a vertex sees it: the directions to it, and a point of it that is sampled. One per thread. */
@@ -45,12 +47,17 @@ final class LightView {
      */
     void draw(int index, Sampler sampler, int address) {
         if (index <= 0) {
-            sampler.pair(address, Sampler.Purpose.LIGHT, pair);
+            draw(Sampler.Purpose.LIGHT, sampler, address);
         } else {
             sampler.lightPoints(index, address, 1);
             pair[0] = sampler.lightX(0);
             pair[1] = sampler.lightY(0);
         }
+    }
+
+    /** Draws the numbers of a point of the light that have this purpose. */
+    void draw(Sampler.Purpose purpose, Sampler sampler, int address) {
+        sampler.pair(address, purpose, pair);
     }
 
     // Asking for the common form first lets the just-in-time compiler inline it.
@@ -76,6 +83,32 @@ final class LightView {
         } else {
             form.sample(sample, pair[0], pair[1]);
         }
+    }
+
+    /**
+     * Looks from a vertex at a light, and samples the point of it that was drawn.
+     *
+     * @return its density per solid angle; of a point light the squared distance; 0 if there is none
+     */
+    double look(PhysicalLight l, double x, double y, double z) {
+        if (l.isPoint) {
+            aimAtPoint(l, x, y, z);
+            return cone.distance * cone.distance;
+        }
+        aim(l, x, y, z);
+        sample(l.form);
+        return sample.pdf;
+    }
+
+    /** The density per solid angle with which the vertex (x, y, z) would sample the point of the light that a ray has hit. */
+    double density(AreaLight form, Ray ray, Hit hit, double x, double y, double z) {
+        double dx = hit.px - x;
+        double dy = hit.py - y;
+        double dz = hit.pz - z;
+        double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double scale = 1 / Math.sqrt(ray.dd);
+        double cosine = -(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz) * scale;
+        return form.pdf(sample, ray.dx * scale, ray.dy * scale, ray.dz * scale, distance, cosine);
     }
 
     /**

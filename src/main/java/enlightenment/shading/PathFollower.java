@@ -132,6 +132,12 @@ final class PathFollower {
         }
     }
 
+    /** Starts a shadow ray in the medium that a path is flying through, whatever that has come to. */
+    void beginShadowOnTheWay(PathFollower from) {
+        glass.beginOnTheWay(from.glass);
+        begin(1);
+    }
+
     private void begin(int left) {
         key = 0;
         surfaces = left;

@@ -62,6 +62,9 @@ final class PathLight {
     /** The density per solid angle with which the path left it. */
     private double pdf;
 
+    /** What may have found light of a point in a medium as well, along the flight that ended there; null at surfaces. */
+    private FlightLight along;
+
     /** The tint of what passes, at a rough border; null elsewhere. */
     private double[] through;
 
@@ -86,9 +89,15 @@ final class PathLight {
         shadow = new ShadowRays(scene, counters, path, cone);
     }
 
+    /** Whether light is taken from all of so many lights, rather than from one that is chosen, at a vertex that is the first or not. */
+    static boolean takesAll(int lights, boolean isFirst) {
+        return lights <= 1 || isFirst && lights <= ALL_AT_FIRST;
+    }
+
     private void begin(boolean matte, boolean isFirst) {
         isMatte = matte;
-        tookAll = lights.length <= 1 || isFirst && lights.length <= ALL_AT_FIRST;
+        tookAll = takesAll(lights.length, isFirst);
+        along = null;
         double facing = hit.side;
         vertexId = path.id;
         x = hit.px;
@@ -159,21 +168,12 @@ final class PathLight {
         isByChance |= shadow.isFiltered;
         if (e > 0) {
             double f = e / (Math.PI * probability);
-            add(l, f, f, f);
+            shadow.add(l, f, f, f, gathered);
             if (!isByChance) {
                 gathered.addCertain(l, f);
             }
         }
         gathered.note(isByChance, e > 0);
-    }
-
-    /** Adds what arrives of a light's radiance or intensity, if nothing absorbs, times these. */
-    private void add(PhysicalLight l, double r, double g, double b) {
-        if (shadow.isFiltered) {
-            gathered.add(l, r * shadow.rgb[0], g * shadow.rgb[1], b * shadow.rgb[2]);
-        } else {
-            gathered.add(l, r, g, b);
-        }
     }
 
     private boolean choose(Sampler sampler, int address) {
@@ -263,6 +263,13 @@ final class PathLight {
         gatherAll(bsdf, s, sampler, address, isFirst);
     }
 
+    /** The same at a point of a medium, where the flight ended that light was looked for along. */
+    void gatherInMedium(Bsdf phase, Scattering s, FlightLight flight, Sampler sampler, int address, boolean isFirst) {
+        begin(false, isFirst);
+        along = flight;
+        gatherAll(phase, s, sampler, address, isFirst);
+    }
+
     /**
      * Gathers the light on both sides of the rough border of two media that the path is at.
      *
@@ -306,11 +313,13 @@ final class PathLight {
             shadow.beginAtBorder(Optics.turn(s, through));
         }
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
-            double f = (l.isPoint ? 1 : PowerHeuristic.weight(s.pdf, probability * density)) / (probability * density);
+            double own = probability * density;
+            double onTheWay = along == null ? 0 : along.ratio(index) * density;
+            double f = PowerHeuristic.weight(l.isPoint ? 0 : s.pdf, onTheWay, own) / own;
             if (through != null && path.glass.wavelength != null) {
                 path.glass.wavelength.color(s);
             }
-            add(l, f * s.valueR, f * s.valueG, f * s.valueB);
+            shadow.add(l, f * s.valueR, f * s.valueG, f * s.valueB, gathered);
         }
     }
 
@@ -321,14 +330,10 @@ final class PathLight {
         }
         shadow.isFiltered = false;
         counters.lightSamples++;
-        if (l.isPoint) {
-            view.aimAtPoint(l, x, y, z);
-            return cone.distance * cone.distance;
+        if (!l.isPoint) {
+            view.draw(tookAll ? index : -1, sampler, address);
         }
-        view.aim(l, x, y, z);
-        view.draw(tookAll ? index : -1, sampler, address);
-        view.sample(l.form);
-        return sample.pdf;
+        return view.look(l, x, y, z);
     }
 
     /**
@@ -346,7 +351,7 @@ final class PathLight {
         double density = sample(l, 0, sampler, address);
         double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
         if (density > 0 && cosine > 0 && isVisible(l)) {
-            add(l, 1, 1, 1);
+            shadow.add(l, 1, 1, 1, gathered);
             out.set(sample, tookAll ? density : choice.probability * density, !l.isPoint, gathered);
         }
     }
@@ -370,17 +375,12 @@ final class PathLight {
         if (isMatte && isClosed(l)) {
             return Double.POSITIVE_INFINITY;
         }
-        double dx = hit.px - x;
-        double dy = hit.py - y;
-        double dz = hit.pz - z;
-        double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        double scale = 1 / Math.sqrt(ray.dd);
-        double cosine = -(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz) * scale;
-        double density = l.form.pdf(sample, ray.dx * scale, ray.dy * scale, ray.dz * scale, distance, cosine);
+        double density = view.density(l.form, ray, hit, x, y, z);
         if (!(density > 0)) {
             return 0;
         }
-        return tookAll ? density : picker.probability(index, x, y, z, nx, ny, nz, choice) * density;
+        double probability = tookAll ? 1 : picker.probability(index, x, y, z, nx, ny, nz, choice);
+        return (along == null ? probability : PowerHeuristic.both(probability, along.ratio(index))) * density;
     }
 
     /** Whether the vertex, a matte one, has all of the light from its closed form. */

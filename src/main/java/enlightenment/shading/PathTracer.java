@@ -66,7 +66,7 @@ public final class PathTracer extends EyePathTracer {
             value.wavelength = null;
         }
         hasCausticPass = leavesOut;
-        walk = RandomWalk.of(physical, path, value, isAlbedo);
+        walk = RandomWalk.of(scene, counters, path, value, part);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
     }
 
@@ -153,7 +153,7 @@ public final class PathTracer extends EyePathTracer {
     private boolean step(Ray ray, Sampler sampler) {
         value.disperse();
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
-        PathFollower.Event event = walk == null ? path.next(ray) : walk.next(ray, medium, sampler);
+        PathFollower.Event event = walk == null ? path.next(ray) : walk.next(ray, medium, history, sampler);
         if (event == null) {
             return inMedium(ray, sampler);
         }

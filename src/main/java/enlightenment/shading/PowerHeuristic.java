@@ -16,4 +16,16 @@ final class PowerHeuristic {
         double ratio = other / own;
         return 1 / (1 + ratio * ratio);
     }
+
+    /** The same if two others find it. */
+    static double weight(double other, double another, double own) {
+        double ratio = another / own;
+        double first = other / own;
+        return 1 / (1 + first * first + ratio * ratio);
+    }
+
+    /** The density that weighs as much as two others do. */
+    static double both(double one, double other) {
+        return other == 0 ? one : Math.sqrt(Math.fma(one, one, other * other));
+    }
 }

@@ -1,8 +1,10 @@
 package enlightenment.shading;
 
 import enlightenment.bsdf.Scattering;
+import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.HomogeneousMedium;
 import enlightenment.compiled.PhysicalScene;
+import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
@@ -16,10 +18,14 @@ final class RandomWalk {
     private final PhysicalScene physical;
     private final PathFollower path;
     private final PathValue value;
+    private final FlightLight along;
     private final double[] pair = new double[2];
 
     /** How many flights the path has begun: the address of the next one's numbers. */
     private int flights;
+
+    /** How often media have scattered the path since it left the last surface, or the eye. */
+    private int scatterings;
 
     /** The medium that the path is in. */
     private HomogeneousMedium medium;
@@ -35,19 +41,20 @@ final class RandomWalk {
 
     private final double[] white = {1, 1, 1};
 
-    /** Whether a path is worth the share of light that is scattered where it is scattered first. */
-    private final boolean isAlbedo;
+    /** What is wanted of paths. */
+    private final PathPart part;
 
-    private RandomWalk(PhysicalScene physical, PathFollower path, PathValue value, boolean isAlbedo) {
-        this.isAlbedo = isAlbedo;
-        this.physical = physical;
+    private RandomWalk(CompiledScene scene, RayCounters counters, PathFollower path, PathValue value, PathPart part) {
+        physical = scene.physical;
         this.path = path;
         this.value = value;
+        this.part = part;
+        along = new FlightLight(scene, counters, path);
     }
 
     /** What follows a thread's paths through the media of a scene; null if it has none that scatter light. */
-    static RandomWalk of(PhysicalScene physical, PathFollower path, PathValue value, boolean isAlbedo) {
-        return physical.hasScattering ? new RandomWalk(physical, path, value, isAlbedo) : null;
+    static RandomWalk of(CompiledScene scene, RayCounters counters, PathFollower path, PathValue value, PathPart part) {
+        return scene.physical.hasScattering ? new RandomWalk(scene, counters, path, value, part) : null;
     }
 
     /**
@@ -56,9 +63,10 @@ final class RandomWalk {
      * @param in the material of that medium, or null in empty space
      * @return what {@link PathFollower#next} says; null if the medium scatters it first: then the path is there
      */
-    PathFollower.Event next(Ray ray, SurfaceMaterial in, Sampler sampler) {
+    PathFollower.Event next(Ray ray, SurfaceMaterial in, PathHistory history, Sampler sampler) {
         if (path.surfaces == 0) {
             flights = 0;
+            scatterings = 0;
             end.begin();
             flight.begin();
         }
@@ -66,7 +74,7 @@ final class RandomWalk {
         if (medium == null) {
             PathFollower.Event found = path.next(ray);
             if (found == PathFollower.Event.SURFACE) {
-                flight.begin();
+                arriveAtSurface();
             }
             if (found == PathFollower.Event.NOTHING && in != null && in == physical.around) {
                 value.absorb(in, Double.MAX_VALUE);
@@ -78,20 +86,54 @@ final class RandomWalk {
         end.depart(value.throughput());
         sampler.pair(flights++, Sampler.Purpose.FLIGHT, pair);
         flight.draw(medium, value.throughputR, value.throughputG, value.throughputB, pair[0], pair[1]);
-        PathFollower.Event found = path.next(ray, flight.length);
-        boolean isNothing = found == PathFollower.Event.NOTHING;
-        if (isNothing && !flight.isEndless()) {
+        boolean looks = gathersOn(history) && along.isWanted(ray, medium, scatterings);
+        PathFollower.Event found = looks ? path.next(ray) : path.next(ray, flight.length);
+        double way = found == PathFollower.Event.NOTHING ? Double.POSITIVE_INFINITY : path.distance(ray);
+        if (looks) {
+            gather(ray, way, history, sampler);
+        }
+        if (flight.length < way && !flight.isEndless()) {
             flight.scatter();
             path.stopAt(ray, flight.length, event);
             found = null;
+            scatterings++;
         } else {
-            flight.pass(isNothing ? Double.POSITIVE_INFINITY : path.distance(ray));
+            flight.pass(way);
         }
         value.filter(flight.weightR, flight.weightG, flight.weightB);
         if (found == PathFollower.Event.SURFACE) {
-            flight.begin();
+            arriveAtSurface();
         }
         return found;
+    }
+
+    private void arriveAtSurface() {
+        flight.begin();
+        scatterings = 0;
+    }
+
+    /** Whether light is gathered where the medium scatters the path. */
+    private boolean gathers() {
+        return index == 1 || physical.lightsLieInGlass;
+    }
+
+    /** Whether light that is scattered once on the flight is wanted. */
+    private boolean gathersOn(PathHistory history) {
+        return gathers()
+                && path.mayScatter()
+                && part != PathPart.ALBEDO
+                && !(part == PathPart.DIRECT && history.scattered);
+    }
+
+    private void gather(Ray ray, double way, PathHistory history, Sampler sampler) {
+        if (along.gather(ray, way, medium, flight, !history.scattered, sampler, flights - 1)) {
+            GatheredLight light = along.gathered;
+            if (history.scattered) {
+                value.addIndirect(light.red, light.green, light.blue, light.ultraviolet);
+            } else {
+                value.add(light);
+            }
+        }
     }
 
     /**
@@ -101,13 +143,14 @@ final class RandomWalk {
      * @return whether the path goes on
      */
     boolean scatter(Ray ray, PathLight light, PathHistory history, Sampler sampler, int address) {
-        if (isAlbedo) {
+        if (part == PathPart.ALBEDO) {
             // The flight has multiplied the throughput by it.
             return value.endsWith(white);
         }
-        boolean gathers = index == 1 || physical.lightsLieInGlass;
+        boolean gathers = gathers();
         if (gathers) {
-            light.gather(medium.phase, event, sampler, address, !history.scattered);
+            along.end();
+            light.gatherInMedium(medium.phase, event, along, sampler, address, !history.scattered);
             value.add(light.gathered);
         }
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);

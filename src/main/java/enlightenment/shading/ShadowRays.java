@@ -44,6 +44,9 @@ final class ShadowRays {
 
     private boolean isBeyond;
 
+    /** Whether the vertex is a point on the way of the path, which has come to something else. */
+    private boolean isOnTheWay;
+
     /** The side that they leave it on. */
     private int side;
 
@@ -79,17 +82,30 @@ final class ShadowRays {
         turn(through);
     }
 
+    /** Begins at a point of the medium that the path is flying through, whatever it has come to. */
+    void beginOnTheWay(double px, double py, double pz) {
+        isBorder = false;
+        isOnTheWay = true;
+        startCount = 0;
+        place(px, py, pz, false);
+    }
+
     private void turn(boolean through) {
-        x = hit.px;
-        y = hit.py;
-        z = hit.pz;
-        isBeyond = through;
+        isOnTheWay = false;
         side = through ? -hit.side : hit.side;
+        place(hit.px, hit.py, hit.pz, through);
+        findStarts();
+    }
+
+    private void place(double px, double py, double pz, boolean through) {
+        x = px;
+        y = py;
+        z = pz;
+        isBeyond = through;
         medium = absorbs ? path.medium(through) : null;
         if (medium != null && !medium.absorbs) {
             medium = null;
         }
-        findStarts();
     }
 
     private void findStarts() {
@@ -114,7 +130,7 @@ final class ShadowRays {
 
     /** What is known without a ray, of all of the light. Comes before {@link #isBlocked}. */
     Tracer.Visibility visibility(PhysicalLight l) {
-        if (Departure.isStopped(path, isBorder, isBeyond)) {
+        if (!isOnTheWay && Departure.isStopped(path, isBorder, isBeyond)) {
             isHidden = true;
             return walk == null ? Tracer.Visibility.NONE : Tracer.Visibility.UNKNOWN;
         }
@@ -147,12 +163,23 @@ final class ShadowRays {
         }
         start(to);
         isFiltered = true;
-        return !walk.reaches(l, ray, to.length, path, isBeyond, rgb);
+        return isOnTheWay
+                ? !walk.reachesFromTheWay(l, ray, to.length, path, rgb)
+                : !walk.reaches(l, ray, to.length, path, isBeyond, rgb);
+    }
+
+    /** Adds what arrives of a light's radiance or intensity, if nothing absorbs, times these. */
+    void add(PhysicalLight l, double r, double g, double b, GatheredLight to) {
+        if (isFiltered) {
+            to.add(l, r * rgb[0], g * rgb[1], b * rgb[2]);
+        } else {
+            to.add(l, r, g, b);
+        }
     }
 
     /** Returns whether something is in its way at once. */
     private boolean start(LightSample to) {
         ray.set(x, y, z, to.dx, to.dy, to.dz, 0);
-        return Departure.from(path, ray, isBorder, isBeyond);
+        return !isOnTheWay && Departure.from(path, ray, isBorder, isBeyond);
     }
 }

@@ -32,9 +32,19 @@ final class ShadowWalk {
      */
     boolean reaches(
             PhysicalLight light, Ray ray, double distance, PathFollower path, boolean isBehind, double[] through) {
+        follower.beginShadow(path, ray, isBehind);
+        return reaches(light, ray, distance, through);
+    }
+
+    /** The same for a ray that leaves a point of the medium that a path is flying through, whatever that has come to. */
+    boolean reachesFromTheWay(PhysicalLight light, Ray ray, double distance, PathFollower path, double[] through) {
+        follower.beginShadowOnTheWay(path);
+        return reaches(light, ray, distance, through);
+    }
+
+    private boolean reaches(PhysicalLight light, Ray ray, double distance, double[] through) {
         Arrays.fill(through, 1);
         boolean isPoint = light == null || light.isPoint;
-        follower.beginShadow(path, ray, isBehind);
         double left = distance;
         while (true) {
             SurfaceMaterial medium = absorbs ? follower.medium() : null;

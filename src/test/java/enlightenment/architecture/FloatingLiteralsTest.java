@@ -96,6 +96,7 @@ class FloatingLiteralsTest {
             new Explained("shading/PathSampler.java", "0x1p-32", "32 bits to 0..1"),
             new Explained("shading/PathValue.java", "0.05", "roulette: a share of a path's throughput, a ratio"),
             new Explained("shading/PathValue.java", "0.99", "roulette: the largest probability to survive"),
+            new Explained("shading/FlightLamps.java", "6", "the mean length of flights over distances that are near"),
             new Explained("shading/FreeFlight.java", "0.1", "the least probability of a band of a flight"),
             new Explained("shading/WalkEnd.java", "4", "units of the frame, in which every coordinate is below 2"),
             new Explained("shading/FreeFlight.java", "0x1p100", "units of the frame: nothing comes back from there"),

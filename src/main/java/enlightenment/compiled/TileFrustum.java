@@ -73,9 +73,12 @@ final class TileFrustum {
         errors[i] = PLANE_ERROR * length * size;
     }
 
-    /** A component of the vector from the origin of corner ray i to the point of ray j at t = 1. */
+    /**
+     * A component of the vector from the point of corner ray i at t = 1 to that of ray j. Both differences cancel to their last digit: of
+     * parallel rays the first may be as small as one likes beside the directions, of rays from one eye it is 0.
+     */
     private double across(int i, int j, int c) {
-        return origins[3 * j + c] + directions[3 * j + c] - origins[3 * i + c];
+        return (origins[3 * j + c] - origins[3 * i + c]) + (directions[3 * j + c] - directions[3 * i + c]);
     }
 
     /** Collects the indices of the boxes that rays of the tile may meet; returns their number. */
@@ -119,10 +122,12 @@ final class TileFrustum {
         double size = 0;
         for (int c = 0; c < 3; c++) {
             double n = normals[3 * plane + c];
-            double corner = n > 0 ? box.max().component(c) : box.min().component(c);
-            double offset = corner - origins[3 * plane + c];
-            distance += n * offset;
-            size += Math.abs(offset) + Math.abs(corner);
+            double min = box.min().component(c);
+            double max = box.max().component(c);
+            double o = origins[3 * plane + c];
+            distance += n * ((n > 0 ? max : min) - o);
+            // Of both corners: where a normal's component is next to 0 its sign says nothing.
+            size += Math.max(Math.abs(min - o), Math.abs(max - o)) + Math.max(Math.abs(min), Math.abs(max));
         }
         return distance < -errors[plane] * size;
     }

@@ -102,7 +102,8 @@ public final class DisplayCurve {
         if (encoding == Encoding.DISPLAY) {
             return value;
         }
-        double light = toned(value * factor);
+        // A fraction of negative light may be anything: it has poles.
+        double light = value > 0 ? toned(value * factor) : 0;
         return light >= 1 ? 1 : light > 0 ? EncodingTable.encode(light) : 0;
     }
 

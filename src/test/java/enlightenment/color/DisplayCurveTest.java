@@ -74,6 +74,17 @@ class DisplayCurveTest {
         assertEquals(1, curve.nearly(Double.POSITIVE_INFINITY));
     }
 
+    /** Dispersion makes colours that no screen has: the fraction of the filmic curve has poles below 0. */
+    @ParameterizedTest
+    @EnumSource(Tone.class)
+    void negativeLightIsBlackByTheTableToo(Tone tone) {
+        DisplayCurve curve = DisplayCurve.of(2, tone);
+        for (double v : new double[] {-1e-300, -0.01, -0.03, -0.05, -0.2, -1, -50, -1e300, Double.NEGATIVE_INFINITY}) {
+            assertEquals(0, curve.of(v), "of " + v);
+            assertEquals(0, curve.nearly(v), "nearly " + v);
+        }
+    }
+
     @Test
     void exposuresThatNobodyCanMeanAreRefused() {
         for (double stops : new double[] {1001, -1001, Double.NaN, Double.POSITIVE_INFINITY}) {

@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
+import enlightenment.color.Tone;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -29,6 +31,21 @@ class ImageTest {
         ImageFiles.toPng(image, png, PngOptions.DEFAULT);
         BufferedImage decoded = ImageIO.read(new ByteArrayInputStream(png.toByteArray()));
         assertArrayEquals(decoded.getRGB(0, 0, 17, 9, null, 0, 17), image.toArgb());
+    }
+
+    /** Light below 0 is of a colour that no screen has; the curve's fraction has poles there, beyond which it is bright. */
+    @Test
+    void negativeLightIsBlackInAFileOfTheFilmicTone() throws IOException {
+        float[] rgb = new float[3 * 64];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = -0.005f * (i + 1);
+        }
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        ImageFiles.toPng(new Image(64, 1, rgb, DisplayCurve.of(2, Tone.FILMIC)), png, PngOptions.DEFAULT);
+        BufferedImage decoded = ImageIO.read(new ByteArrayInputStream(png.toByteArray()));
+        for (int x = 0; x < 64; x++) {
+            assertEquals(0xff000000, decoded.getRGB(x, 0), "pixel " + x);
+        }
     }
 
     @Test

@@ -4,6 +4,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
+import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
@@ -13,6 +14,7 @@ import java.util.Arrays;
  */
 final class ShadowWalk {
     private final PathFollower follower;
+    private final Hit end = new Hit();
     private final boolean absorbs;
 
     ShadowWalk(CompiledScene scene, RayCounters counters) {
@@ -49,13 +51,14 @@ final class ShadowWalk {
         while (true) {
             SurfaceMaterial medium = absorbs ? follower.medium() : null;
             PathFollower.Event event = follower.next(ray);
-            boolean isBeyond = event == PathFollower.Event.NOTHING || isPoint && follower.distance(ray) >= left;
+            boolean isBeyond = event == PathFollower.Event.NOTHING
+                    || follower.distance(ray) >= left && (isPoint || isPast(light, ray, left));
             double length = isBeyond ? left : follower.distance(ray);
             if (medium != null && medium.absorbs) {
                 medium.absorb(length, through);
             }
             if (isBeyond) {
-                return isPoint;
+                return isPoint || light.hidesNothingOfItself;
             }
             left -= length;
             if (event == PathFollower.Event.SURFACE || isPoint) {
@@ -67,6 +70,16 @@ final class ShadowWalk {
                 return false;
             }
         }
+    }
+
+    /**
+     * Whether the ray, which met something no nearer than the point of a light, has passed that: nothing covers the light there, and it did
+     * not meet what the light lies on. It need not meet the light: that may be small beside the rounding of directions.
+     */
+    private boolean isPast(PhysicalLight light, Ray ray, double left) {
+        return light.hidesNothingOfItself
+                && !isOn(light, ray, Math.abs(left - follower.distance(ray)))
+                && !light.lyingOn().isHiddenAtEnd(ray, ray.tMin + left / Math.sqrt(ray.dd), end);
     }
 
     private boolean isOn(PhysicalLight light, Ray ray, double left) {

@@ -13,6 +13,7 @@ import enlightenment.store.StoredSamples;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -67,7 +68,8 @@ final class StoreOptions {
                 settings.height());
         StoreArchive.Render what = new StoreArchive.Render(
                 row,
-                SceneWriter.toJson(scene.withoutAnimation(), Path::toString).getBytes(StandardCharsets.UTF_8),
+                SceneWriter.toJson(scene.withoutAnimation().withInstants(List.of()), Path::toString)
+                        .getBytes(StandardCharsets.UTF_8),
                 planned -> PictureText.of(scene, SettingsLine.replayable(settings, planned, frame)),
                 samples);
         return Optional.of(StoreArchive.open(StoreAccess.address(store), access.login(), what));

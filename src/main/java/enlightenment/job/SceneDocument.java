@@ -17,6 +17,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
@@ -111,7 +112,8 @@ public final class SceneDocument {
     }
 
     private static byte[] json(Scene scene, Function<Path, String> names) {
-        return SceneWriter.toJson(scene.withoutAnimation(), names).getBytes(StandardCharsets.UTF_8);
+        return SceneWriter.toJson(scene.withoutAnimation().withInstants(List.of()), names)
+                .getBytes(StandardCharsets.UTF_8);
     }
 
     /** The bytes; not to be changed. */

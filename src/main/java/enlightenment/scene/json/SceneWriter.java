@@ -15,6 +15,9 @@ import java.util.function.Function;
  * <p>Equal means all that a {@link Scene} holds: numbers are written as the shortest decimals that are exactly what they
  * were. It does not hold what a file may have beside that: comments, and which of several equal materials an object
  * named. A texture that is used but has no name gets one, which then is in the scene that is read.
+ *
+ * <p>A scene with {@link Scene#instants} is refused, which a frame of an animation with an open shutter is: the format can say how things
+ * move over frames, but not what stands where at each moment of one.
  */
 public final class SceneWriter {
     private SceneWriter() {}
@@ -22,7 +25,7 @@ public final class SceneWriter {
     /**
      * Writes a scene to a file, whole or not at all, replacing what is there; paths of textures become relative to the file's folder.
      *
-     * @throws SceneException if the scene holds something that the format cannot say, such as a coordinate of 1e-500
+     * @throws SceneException if the scene holds something that the format cannot say, such as a coordinate of 1e-500 or motion blur
      * @throws UncheckedIOException if the file cannot be written
      */
     public static void write(Scene scene, Path file) {
@@ -52,6 +55,12 @@ public final class SceneWriter {
      * @throws SceneException if the scene holds something that the format cannot say
      */
     public static String toJson(Scene scene, Function<Path, String> fileNames) {
+        if (!scene.instants().isEmpty()) {
+            throw SceneException.of(
+                    "",
+                    "the format cannot say what a frame with motion blur shows: its "
+                            + scene.instants().size() + " moments");
+        }
         String json = JsonPrinter.print(new SceneToJson(scene, fileNames).json());
         if (scene.animation().isPresent()) {
             checkAnimation(json);

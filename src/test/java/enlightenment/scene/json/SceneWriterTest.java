@@ -176,6 +176,13 @@ class SceneWriterTest {
         }
     }
 
+    /** A frame with an open shutter was read at its moments, which the file would not have: the blur would be lost without a word. */
+    @Test
+    void aFrameWithMotionBlurIsRefused() {
+        Scene scene = scene().build();
+        refused("", scene.withInstants(List.of(scene, scene)));
+    }
+
     private void refused(String pointer, Scene scene) {
         SceneException e = assertThrows(SceneException.class, () -> SceneWriter.toJson(scene, folder));
         assertEquals(pointer, e.problems().get(0).pointer());

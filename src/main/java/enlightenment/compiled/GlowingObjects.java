@@ -25,6 +25,8 @@ import java.util.Map;
 
 /** The lights of a scene of physical shading: those with extent become objects with a black surface that glows, the others points. */
 final class GlowingObjects {
+    private static final String ULTRAVIOLET = "ultraviolet";
+
     /** The objects of the scene, then those that lights are. */
     final List<SceneObject> objects;
 
@@ -42,6 +44,7 @@ final class GlowingObjects {
                 double perPower = 1 / (4 * Math.PI * Math.PI) / s.radius() / s.radius();
                 all.add(object(light, i, perPower, true, Sphere.of(s.center(), s.radius())));
             } else if (light instanceof Light.Rectangle q) {
+                checkArea(q, i, frame);
                 Shape shape = new Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight());
                 double sides = q.twoSided() ? 2 : 1;
                 all.add(object(light, i, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
@@ -74,15 +77,35 @@ final class GlowingObjects {
         Rgb radiance = light.emitted();
         double ultraviolet = light.ultraviolet();
         if (light.emission().quantity() == Emission.Quantity.POWER) {
-            ultraviolet = bounded(ultraviolet * perPower, light, index);
+            ultraviolet = bounded(product(ultraviolet, perPower), light, index, ULTRAVIOLET);
+            String key = light.emission().quantity().key();
             radiance = new Rgb(
-                    bounded(radiance.r() * perPower, light, index),
-                    bounded(radiance.g() * perPower, light, index),
-                    bounded(radiance.b() * perPower, light, index));
+                    bounded(product(radiance.r(), perPower), light, index, key),
+                    bounded(product(radiance.g(), perPower), light, index, key),
+                    bounded(product(radiance.b(), perPower), light, index, key));
         }
         Material black = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
         surfaces.put(black, new SurfaceMaterial(black, null, PhysicalSurface.light(radiance, ultraviolet, isTwoSided)));
         return SceneObject.of(shape, black);
+    }
+
+    /**
+     * A rectangle whose corners are the same doubles in the frame cannot be sampled. Of its power nothing would be left; of radiance there is
+     * nothing to speak of.
+     *
+     * @throws InvalidValueException if it is that small and has power
+     */
+    private static void checkArea(Light.Rectangle q, int index, SceneFrame frame) {
+        Vec3 corner = frame.toFrame(q.lowerLeft());
+        Vec3 up = frame.toFrame(q.upperLeft()).minus(corner);
+        Vec3 right = frame.toFrame(q.lowerRight()).minus(corner);
+        Emission.Quantity quantity = q.emission().quantity();
+        if (quantity == Emission.Quantity.POWER && up.cross(right).maxAbs() == 0) {
+            throw new InvalidValueException(
+                    "lights/" + index + "/" + quantity.key(),
+                    "cannot be that of a rectangle of this size so far from the eye: its corners are one point, or lie in one line, in"
+                            + " double precision; a light of type point is the same");
+        }
     }
 
     private static double area(Light.Rectangle q) {
@@ -98,23 +121,24 @@ final class GlowingObjects {
         Rgb c = p.emitted();
         double perPower = isPower ? 1 / (4 * Math.PI) : 1;
         Vec3 position = frame.toFrame(p.position());
+        String key = p.emission().quantity().key();
         return PhysicalLight.point(
                 position,
                 new Rgb(
-                        bounded(intensity(c.r() * perPower, frame), p, index),
-                        bounded(intensity(c.g() * perPower, frame), p, index),
-                        bounded(intensity(c.b() * perPower, frame), p, index)),
-                bounded(intensity(p.ultraviolet() * perPower, frame), p, index));
+                        bounded(intensity(c.r() * perPower, frame), p, index, key),
+                        bounded(intensity(c.g() * perPower, frame), p, index, key),
+                        bounded(intensity(c.b() * perPower, frame), p, index, key)),
+                bounded(intensity(p.ultraviolet() * perPower, frame), p, index, ULTRAVIOLET));
     }
 
     /**
      * Radiance, or intensity in the frame.
      *
+     * @param key what of the light says how much it is
      * @throws InvalidValueException if it is beyond {@link Radiance#LARGEST}, at the place of the light
      */
-    private static double bounded(double value, Light light, int index) {
+    private static double bounded(double value, Light light, int index, String key) {
         if (!(value <= Radiance.LARGEST)) {
-            String key = light.emission().quantity().key();
             throw new InvalidValueException(
                     "lights/" + index + "/" + key,
                     light instanceof Light.Point
@@ -122,6 +146,11 @@ final class GlowingObjects {
                             : "is too much for a light of this size: its radiance must be at most 1e100");
         }
         return value;
+    }
+
+    /** What is 0 stays so, even where a unit of power would be infinite radiance. */
+    private static double product(double power, double perPower) {
+        return power == 0 ? 0 : power * perPower;
     }
 
     private static double intensity(double value, SceneFrame frame) {

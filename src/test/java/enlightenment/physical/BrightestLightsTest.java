@@ -13,6 +13,7 @@ import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
@@ -50,6 +51,33 @@ class BrightestLightsTest {
         assertRefused("lights/0/power", new Light.Sphere(at(0, 2, 0), 1, Rgb.WHITE, Emission.power(Rgb.gray(1e308))));
         assertRefused(
                 "lights/0/intensity", new Light.Point(at(0, 2, 0), Rgb.WHITE, Emission.intensity(Rgb.gray(1e308))));
+    }
+
+    /** Ultraviolet is a key of its own, and the number that is wrong may stand there alone. */
+    @Test
+    void ultravioletThatIsTooMuchIsRefusedAtItsOwnPlace() {
+        assertRefused(
+                "lights/0/ultraviolet",
+                new Light.Sphere(
+                        at(0, 2, 0),
+                        1e-140,
+                        Rgb.WHITE,
+                        Emission.power(Rgb.gray(1e-300)).withUltraviolet(10)));
+        assertRefused(
+                "lights/0/ultraviolet",
+                new Light.Point(
+                        at(0, 2, 0), Rgb.WHITE, Emission.intensity(Rgb.gray(1)).withUltraviolet(1e308)));
+    }
+
+    /** The corners lie 1e-44 apart and 3 from the eye, which are the same doubles: there is no area that could give the power. */
+    @Test
+    void powerOfARectangleWithoutAreaInDoublesIsRefusedAtItsPlace() {
+        Emission ten = Emission.power(Rgb.gray(10));
+        ExactPoint a = ExactPoint.of("0", "2", "0");
+        ExactPoint b = ExactPoint.of("0", "2", "1e-44");
+        ExactPoint c = ExactPoint.of("1e-44", "2", "1e-44");
+        ExactPoint d = ExactPoint.of("1e-44", "2", "0");
+        assertRefused("lights/0/power", new Light.Rectangle(a, b, c, d, Rgb.WHITE, false, ten));
     }
 
     @ParameterizedTest

@@ -186,6 +186,8 @@ final class RenderCommand extends Subcommand {
                     output.file(),
                     new BudgetNotes(display, settings.budget(), terminal),
                     terminal.stop());
+        } catch (CancellationException e) {
+            throw nothingRendered();
         } catch (InvalidValueException e) {
             throw options.blame(e, input.name());
         } catch (SceneException e) {
@@ -198,6 +200,10 @@ final class RenderCommand extends Subcommand {
         }
     }
 
+    private CliException nothingRendered() {
+        return CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
+    }
+
     private void renderPicture(Scene scene, RenderSettings settings, Watch watch) throws IOException {
         RenderResult result;
         try (ArchiveList archives = new ArchiveList(terminal)) {
@@ -208,7 +214,7 @@ final class RenderCommand extends Subcommand {
             throw SceneFailures.inFile(input.name(), e);
         }
         if (result.shownPixels() == 0) {
-            throw CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
+            throw nothingRendered();
         }
         double samples = result.report().sampling().plannedSamples();
         String line = SettingsLine.replayable(settings, samples, frame.number());

@@ -14,6 +14,7 @@ import enlightenment.store.StoredSamples;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -96,6 +97,8 @@ final class ServerCommand extends Subcommand {
                         scene, settings, serverOptions.withArchives(archives.all()), terminal.stop())) {
             serving.announce(server.port(), server.pin(), server.statusPort(), terminal);
             return server.await(display, terminal.stop());
+        } catch (CancellationException e) {
+            throw nothingRendered();
         } catch (InvalidValueException e) {
             throw options.blame(e, input.name());
         } catch (IllegalArgumentException e) {
@@ -107,6 +110,10 @@ final class ServerCommand extends Subcommand {
         }
     }
 
+    private CliException nothingRendered() {
+        return CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
+    }
+
     private ArchiveList archives(Scene scene, RenderSettings settings) throws IOException {
         ArchiveList archives = new ArchiveList(terminal);
         store.open(scene, settings, frame.number(), StoredSamples.NONE).ifPresent(archives::add);
@@ -115,7 +122,7 @@ final class ServerCommand extends Subcommand {
 
     private void finish(RenderResult result, Scene scene, RenderSettings settings) throws IOException {
         if (result.report().pixels() == 0) {
-            throw CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
+            throw nothingRendered();
         }
         double samples = result.report().sampling().plannedSamples();
         String line = SettingsLine.replayable(settings, samples, frame.number());

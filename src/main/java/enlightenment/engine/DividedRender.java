@@ -61,10 +61,10 @@ public final class DividedRender implements UnitSource {
     /**
      * Compiles the scene and plans the render.
      *
-     * @param cancelled asked from several threads at once; once true, or once the calling thread is interrupted, a plan is
-     *     made in haste
+     * @param cancelled asked from several threads at once while it is planned
      * @throws enlightenment.scene.SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
+     * @throws java.util.concurrent.CancellationException if it is cancelled, or the calling thread interrupted, before it is planned
      */
     public static DividedRender prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
         return prepare(scene, settings, new SharedImages(), cancelled);
@@ -114,6 +114,7 @@ public final class DividedRender implements UnitSource {
      *
      * @param result what {@link FilmAssembly#result} gave
      * @param log hears why there is another one
+     * @throws java.util.concurrent.CancellationException if it is cancelled before that one is planned
      */
     public Optional<DividedRender> next(Rendered result, Consumer<String> log) {
         if (planner == null) {

@@ -74,6 +74,7 @@ public final class RenderCourse {
      * @param scene the same scene again
      * @param images is asked for image files
      * @param samples what {@link #next} said
+     * @throws java.util.concurrent.CancellationException if it is cancelled, or the calling thread interrupted, before it is planned
      */
     public DividedRender again(Scene scene, SharedImages images, double samples, BooleanSupplier cancelled) {
         RenderSettings settings = outline.settings();

@@ -50,12 +50,13 @@ public final class EngineJob implements Closeable {
      *
      * @param checkpoint where to keep what is done, and to go on from; null for nowhere
      * @param log hears of what a person may want to know
-     * @param cancelled asked now and then; once true, a plan is made in haste
+     * @param cancelled asked now and then while the render is planned
      * @throws IOException if the checkpoint cannot be used, is in use or is one of another job
      * @throws SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      * @throws IllegalArgumentException if there is a checkpoint for a render that is planned anew each time, or scene and
      *     textures are too large
+     * @throws java.util.concurrent.CancellationException if it is cancelled before the render is planned: the checkpoint is as it was
      */
     public static EngineJob start(
             Scene scene, RenderSettings settings, Path checkpoint, Consumer<String> log, BooleanSupplier cancelled)

@@ -79,7 +79,11 @@ final class FilmQueue {
         }
     }
 
-    /** The job of all frames. */
+    /**
+     * The job of all frames.
+     *
+     * @throws CancellationException if it is cancelled before all of them are planned
+     */
     Round first(List<Integer> numbers) {
         return round(1, numbers, (number, frame) -> {
             if (frame.settings().budget().seconds().isPresent()) {
@@ -90,17 +94,22 @@ final class FilmQueue {
         });
     }
 
-    /** The job of the frames that are not exact enough yet; null if there are none. */
+    /**
+     * The job of the frames that are not exact enough yet; null if there are none.
+     *
+     * @throws CancellationException if it is cancelled before all of them are planned: they are still to be done then
+     */
     Round next(Round before) {
         if (more.isEmpty()) {
             return null;
         }
         Map<Integer, Double> samples = new TreeMap<>(more);
-        more.clear();
-        return round(before.number + 1, List.copyOf(samples.keySet()), (number, frame) -> before.frames
+        Round next = round(before.number + 1, List.copyOf(samples.keySet()), (number, frame) -> before.frames
                 .get(before.numbers.indexOf(number))
                 .course()
                 .again(frame.scene(), images, samples.get(number), cancelled));
+        more.clear();
+        return next;
     }
 
     /** Plans a frame. */

@@ -13,6 +13,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.util.List;
 import java.util.Objects;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 
@@ -70,12 +71,13 @@ public final class FilmServer implements Closeable {
      * @param frames makes a frame; asked on the calling thread for one after the other, and again for frames that take more samples
      *     than their first plan had
      * @param options without a checkpoint: finished frames are what is kept
-     * @param cancelled asked now and then while frames are planned; once true, plans are made in haste
+     * @param cancelled asked now and then while frames are planned
      * @throws IOException if the server cannot listen, or a file of the options cannot be used; the message says why
      * @throws IllegalStateException if the library for CBOR, which is optional, is not there
      * @throws enlightenment.scene.SceneException if the scene of a frame cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      * @throws IllegalArgumentException if there is a checkpoint or a budget of time, or the scenes are too large to be sent
+     * @throws CancellationException if it is cancelled before all frames are planned
      */
     public static FilmServer start(
             List<Integer> numbers, IntFunction<Frame> frames, ServerOptions options, BooleanSupplier cancelled)
@@ -149,7 +151,12 @@ public final class FilmServer implements Closeable {
     }
 
     private ServerRound after(FilmQueue.Round before) {
-        FilmQueue.Round more = queue.next(before);
+        FilmQueue.Round more;
+        try {
+            more = queue.next(before);
+        } catch (CancellationException e) {
+            return null;
+        }
         if (more == null) {
             return null;
         }

@@ -37,6 +37,7 @@ public final class RenderParts {
      * @return whether the part is complete: false where it was cancelled
      * @throws IOException if the file cannot be written
      * @throws IllegalArgumentException if the part's number is out of range
+     * @throws java.util.concurrent.CancellationException if it is cancelled before the render is planned: there is no file then
      */
     public static boolean render(
             Scene scene,

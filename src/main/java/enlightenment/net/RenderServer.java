@@ -32,13 +32,14 @@ public final class RenderServer implements Closeable {
     /**
      * Plans the render, which blocks, and begins to listen. Workers that come are given work from then on.
      *
-     * @param cancelled asked now and then while the render is planned; once true, the plan is made in haste
+     * @param cancelled asked now and then while the render is planned
      * @throws IOException if the server cannot listen, or a file of the options cannot be used; the message says why
      * @throws IllegalStateException if the library for CBOR, which is optional, is not there
      * @throws enlightenment.scene.SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      * @throws IllegalArgumentException if there is a checkpoint for a render that is planned anew each time, a machine to be
      *     pardoned is not expelled, or scene and textures are too large to be sent
+     * @throws java.util.concurrent.CancellationException if it is cancelled before the render is planned: what is kept is as it was
      */
     public static RenderServer start(
             Scene scene, RenderSettings settings, ServerOptions options, BooleanSupplier cancelled) throws IOException {

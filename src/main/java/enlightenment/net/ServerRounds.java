@@ -4,6 +4,7 @@ import enlightenment.engine.DividedRender;
 import enlightenment.engine.Rendered;
 import enlightenment.render.RenderProgress;
 import java.io.IOException;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /** The rounds of a server, each with more samples than the one before, until the picture is as exact as was asked. */
@@ -42,9 +43,7 @@ final class ServerRounds {
     /** Ends the latest round; returns the one that goes on, or null if there is no more to do. */
     private ServerRound after(Rendered result, BooleanSupplier cancelled) {
         ServerRound round = chain.latest();
-        DividedRender more = cancelled.getAsBoolean() || chain.isStopped()
-                ? null
-                : picture.render().next(result, round::say).orElse(null);
+        DividedRender more = cancelled.getAsBoolean() || chain.isStopped() ? null : more(result, round);
         if (more == null) {
             round.end(false);
             return null;
@@ -52,6 +51,15 @@ final class ServerRounds {
         ServedPicture next = picture.with(more);
         picture = next;
         return chain.follow(() -> next.job(round.log()));
+    }
+
+    /** What has to follow; null if nothing has, or it is stopped before that is planned. */
+    private DividedRender more(Rendered result, ServerRound round) {
+        try {
+            return picture.render().next(result, round::say).orElse(null);
+        } catch (CancellationException e) {
+            return null;
+        }
     }
 
     /** Ends the latest round, and no other will follow. */

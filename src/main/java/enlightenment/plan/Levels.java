@@ -5,7 +5,11 @@ interface Levels {
     /** The number of samples itself. */
     Levels SAMPLES = samples -> Math.max(samples, 1);
 
-    /** The level for this number of samples per pixel in the mean. */
+    /**
+     * The level for this number of samples per pixel in the mean.
+     *
+     * @throws java.util.concurrent.CancellationException if it is cancelled before that is known
+     */
     double of(double samples);
 
     /** Works out now what all levels have in common. */

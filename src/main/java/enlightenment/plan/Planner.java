@@ -9,6 +9,7 @@ import enlightenment.work.Stopwatch;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -27,7 +28,7 @@ public final class Planner {
     private final Trial trial;
     private final List<String> notes = new ArrayList<>();
 
-    /** @param cancelled asked from several threads at once; once true, a plan is made in haste */
+    /** @param cancelled asked from several threads at once; once true, nothing is planned any more */
     public Planner(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         this.scene = scene;
         this.settings = settings;
@@ -43,18 +44,28 @@ public final class Planner {
      * @param previewed the share of the samples that is spent on previews, and not on the picture
      * @throws enlightenment.math.InvalidValueException if rounding to the depth of the budget is a greater error than asked for, and
      *     nothing else limits the render
+     * @throws CancellationException if it is cancelled: what trials had told by then is no plan
      */
     public RenderPlan plan(Stopwatch time, double previewed) {
-        return plan(time, previewed, false);
+        return unlessCancelled(plan(time, previewed, false));
     }
 
     /**
      * The same of a picture that is rendered once, however exact it becomes.
      *
      * @throws enlightenment.math.InvalidValueException also if an error is all that limits a method that has no trials
+     * @throws CancellationException if it is cancelled
      */
     public RenderPlan planOnce(Stopwatch time) {
-        return plan(time, 0, true);
+        return unlessCancelled(plan(time, 0, true));
+    }
+
+    /** Trials that are stopped give some number, not that of the budget: kept, it would make another picture of whoever goes on. */
+    private RenderPlan unlessCancelled(RenderPlan plan) {
+        if (cancelled.getAsBoolean()) {
+            throw new CancellationException("stopped before the render was planned");
+        }
+        return plan;
     }
 
     private RenderPlan plan(Stopwatch time, double previewed, boolean isLast) {
@@ -141,17 +152,27 @@ public final class Planner {
         return List.copyOf(notes);
     }
 
-    /** The plan for a preview with this many samples per pixel; empty if the method cannot do with so few. */
+    /** The plan for a preview with this many samples per pixel; empty if the method cannot do with so few, or it is cancelled. */
     public Optional<RenderPlan> preview(double samples) {
-        return plans.isPossible(samples) ? Optional.of(plans.of(samples, "preview")) : Optional.empty();
+        try {
+            return plans.isPossible(samples) ? Optional.of(plans.of(samples, "preview")) : Optional.empty();
+        } catch (CancellationException e) {
+            return Optional.empty();
+        }
     }
 
     /**
      * The plan for this many samples per pixel.
      *
      * @param by which part of the budget was decisive
+     * @throws CancellationException if it is cancelled
      */
     public RenderPlan withSamples(double samples, String by) {
-        return plans.of(samples, by);
+        return unlessCancelled(plans.of(samples, by));
+    }
+
+    /** What there is of a plan where planning was cancelled, for the report of a picture of which nothing is rendered. */
+    public RenderPlan none() {
+        return new RenderPlan(settings.method(), 0, 0, "nothing");
     }
 }

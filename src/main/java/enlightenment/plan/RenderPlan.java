@@ -14,7 +14,7 @@ import java.util.Objects;
  *     antialias²; for {@link Method#CLUSTER} the effort, the inverse of the variance that is worth one more sample
  * @param samples the mean number of camera rays per pixel that this is expected to take; a budget of this many samples leads to
  *     the same plan
- * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
+ * @param decidedBy which part of the budget was decisive: antialias, samples, error or time; nothing if planning was stopped
  * @param lightPaths how many paths that may end anywhere are splatted over what the tiles make, in the whole picture, at least; 0 for
  *     none. (Methods of which all paths are such have {@code samples} per pixel of them.)
  */

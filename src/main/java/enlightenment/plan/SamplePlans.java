@@ -45,6 +45,7 @@ final class SamplePlans {
      * The plan for this many samples per pixel.
      *
      * @param by which part of the budget was decisive
+     * @throws java.util.concurrent.CancellationException if it is cancelled before that is known
      */
     RenderPlan of(double samples, String by) {
         return isPossible(samples)

@@ -12,6 +12,7 @@ import enlightenment.work.Phases;
 import enlightenment.work.Stopwatch;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.concurrent.CancellationException;
 
 /** Renders a planned picture, and again with more samples as long as it is not as exact as was asked. */
 final class RenderRounds {
@@ -66,13 +67,7 @@ final class RenderRounds {
             double before = time.seconds();
             RenderResult result = render(plan, round);
             if (!result.complete()) {
-                if (best == null) {
-                    return result;
-                }
-                request.progress()
-                        .note("stopped: the picture is that of the round before, with "
-                                + Rounds.number(best.report().sampling().plannedSamples()) + " samples per pixel");
-                return best;
+                return best == null ? result : stopped(best);
             }
             best = result;
             double now = time.seconds();
@@ -87,9 +82,20 @@ final class RenderRounds {
             double n = kept == null ? next.getAsDouble() : kept.samples();
             request.progress().note(rounds.note(result.report(), n));
             phases.again();
-            plan = kept != null ? kept : phases.run("plan", () -> planner.withSamples(n, rounds.decidedBy(n)));
+            try {
+                plan = kept != null ? kept : phases.run("plan", () -> planner.withSamples(n, rounds.decidedBy(n)));
+            } catch (CancellationException e) {
+                return stopped(best);
+            }
             request.progress().planned(plan.samples(), plan.decidedBy());
         }
+    }
+
+    private RenderResult stopped(RenderResult best) {
+        request.progress()
+                .note("stopped: the picture is that of the round before, with "
+                        + Rounds.number(best.report().sampling().plannedSamples()) + " samples per pixel");
+        return best;
     }
 
     private LocalRender local(RenderPlan plan) {

@@ -41,8 +41,9 @@ import java.util.function.BooleanSupplier;
  * throws it on.
  *
  * <p><b>Stopping.</b> Once {@code cancelled} is true, or the calling thread is interrupted, the units under way are given up
- * and the render returns with what it has: {@link RenderResult#complete} is false. While a large scene is still prepared there is nothing to
- * return: then it ends by a {@link CancellationException}. An interrupt stays set: whoever goes on with
+ * and the render returns with what it has: {@link RenderResult#complete} is false. While it is planned that is nothing, and no archive
+ * is told of it. While a large scene is still prepared there is nothing to return: then it ends by a {@link CancellationException}. An
+ * interrupt stays set: whoever goes on with
  * what there is, and writes it to a file, has to take it back first ({@link Thread#interrupted}), since channels to files do
  * not work on an interrupted thread. An interrupt of a helper has no effect.
  */
@@ -135,8 +136,15 @@ public final class Renderer {
         Archives archives =
                 request.archives().isEmpty() ? null : new Archives(request.archives(), request.progress()::note);
         Optional<RenderPlan> kept = archives == null ? Optional.empty() : archives.planFor(settings, 1);
-        RenderPlan plan = phases.run("plan", () -> kept.map(planner::known)
-                .orElseGet(() -> planner.plan(time, (previewed ? Preview.SHARE : 0) + parts.share())));
+        RenderRequest stoppable = request.withCancelled(cancelled);
+        RenderPlan plan;
+        try {
+            plan = phases.run("plan", () -> kept.map(planner::known)
+                    .orElseGet(() -> planner.plan(time, (previewed ? Preview.SHARE : 0) + parts.share())));
+        } catch (CancellationException e) {
+            return new RenderRounds(stoppable, scene, planner, null, pass, parts, phases, time, null)
+                    .run(planner.none());
+        }
         PictureMemory.check(settings, images + (plan.lightPaths() > 0 ? PictureMemory.IMAGES_OF_ADDED_SPLATS : 0));
         planner.notes().forEach(request.progress()::note);
         if (kept.isPresent() && settings.budget().seconds().isPresent()) {
@@ -149,7 +157,6 @@ public final class Renderer {
         if (preview != null) {
             phases.run("preview", () -> preview.run(plan, request.progress(), cancelled));
         }
-        RenderRequest stoppable = request.withCancelled(cancelled);
         return new RenderRounds(stoppable, scene, planner, preview, pass, parts, phases, time, archives).run(plan);
     }
 

@@ -43,8 +43,8 @@ public record RenderReport(
      *
      * @param method what made the samples: the method of the settings, or its {@link Method#standIn stand-in} where there were too few
      *     samples for its survey
-     * @param decidedBy which part of the budget was decisive: antialias, samples, error or time
-     * @param plannedSamples camera rays per pixel that were planned; as {@code --samples} this makes the same picture
+     * @param decidedBy which part of the budget was decisive: antialias, samples, error or time; nothing if it was stopped before it was planned
+     * @param plannedSamples camera rays per pixel that were planned; as {@code --samples} this makes the same picture; 0 if it was stopped before
      * @param samplesPerPixel camera rays per pixel that were taken, those of surveys included
      * @param estimatedError root mean square error of the picture as its own samples tell, in display units 0..1
      * @param errorLow lower end of an interval that is to hold the true error in 95 of 100 pictures

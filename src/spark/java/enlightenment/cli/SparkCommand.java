@@ -11,6 +11,7 @@ import enlightenment.scene.SceneException;
 import enlightenment.spark.SparkRender;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
 import picocli.CommandLine;
@@ -88,6 +89,8 @@ public final class SparkCommand extends Subcommand {
         RenderResult result;
         try (EngineJob job = EngineJob.start(scene, settings, checkpoint, terminal::say, terminal.stop())) {
             result = render(job);
+        } catch (CancellationException e) {
+            throw nothingRendered();
         } catch (InvalidValueException e) {
             throw options.blame(e, input.name());
         } catch (SceneException e) {
@@ -116,9 +119,13 @@ public final class SparkCommand extends Subcommand {
         }
     }
 
+    private CliException nothingRendered() {
+        return CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
+    }
+
     private void finish(RenderResult result, Scene scene, RenderSettings settings) throws IOException {
         if (result.report().pixels() == 0) {
-            throw CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
+            throw nothingRendered();
         }
         double samples = result.report().sampling().plannedSamples();
         String line = SettingsLine.replayable(settings, samples, frame.number());

@@ -279,6 +279,17 @@ class RenderCommandTest extends SceneFixture {
     }
 
     @Test
+    void aPartStoppedBeforeItBeganWritesNothing() {
+        Path part = folder.resolve("p.film");
+        ShutdownSignal stop = new ShutdownSignal();
+        stop.request();
+        CliRun run = CliRun.of(stop, "render", scene, "-o", part, "--part", "1/2");
+        assertEquals("enlightenment: stopped before anything was rendered; " + part + " was not written\n", run.err());
+        assertEquals(1, run.code());
+        assertFalse(Files.exists(part));
+    }
+
+    @Test
     void theBarShowsThatAllIsDone() {
         CliRun run = CliRun.of("render", scene, "-o", picture, "--progress", "bar");
         assertEquals(0, run.code());

@@ -60,6 +60,15 @@ class ServerCommandTest extends SceneFixture {
     }
 
     @Test
+    void aServerStoppedBeforeItBeganWritesNothing() {
+        ShutdownSignal stop = new ShutdownSignal();
+        stop.request();
+        CliRun run = CliRun.of(stop, "server", scene, "-o", picture, "--port", 0);
+        String said = "enlightenment: stopped before anything was rendered; " + picture + " was not written\n";
+        assertEquals(new CliRun(1, "", said), run);
+    }
+
+    @Test
     void whatDoesNotGoTogetherIsRefused() {
         Path file = folder.resolve("file");
         assertRefused("--host 0.0.0.0 is beyond this machine: --token-file", "--host", "0.0.0.0");

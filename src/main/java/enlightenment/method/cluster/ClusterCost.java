@@ -11,7 +11,6 @@ import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /** How many camera rays an effort costs, judged by the survey of some blocks spread over the picture. */
@@ -53,7 +52,7 @@ public final class ClusterCost implements EffortCost {
     /**
      * The same, unless it is cancelled.
      *
-     * @param cancelled once true, nothing more is surveyed, and the effort is one that the blocks surveyed so far suggest
+     * @param cancelled once true, nothing more is surveyed, and there is no effort
      */
     public static ClusterCost of(CompiledScene scene, RenderSettings settings, int blocks, BooleanSupplier cancelled) {
         return new ClusterCost(scene, settings, blocks, cancelled);
@@ -92,14 +91,6 @@ public final class ClusterCost implements EffortCost {
      */
     @Override
     public double effort(double samples) {
-        try {
-            return effortFor(samples);
-        } catch (CancellationException e) {
-            return EffortSearch.LEAST_EFFORT;
-        }
-    }
-
-    private double effortFor(double samples) {
         if (seen.share() == 0) {
             return EffortSearch.LEAST_EFFORT;
         }

@@ -8,7 +8,6 @@ import enlightenment.scene.RenderSettings;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /** How many camera rays an effort of {@link PhysicalClusterMethod} costs, judged by some blocks spread over the picture. */
@@ -40,7 +39,7 @@ public final class PhysicalClusterCost implements EffortCost {
     /**
      * Judges by a share of the blocks that show more than background.
      *
-     * @param cancelled once true, nothing more is looked at, and the effort is the least
+     * @param cancelled once true, nothing more is looked at, and there is no effort
      */
     public PhysicalClusterCost(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         this.scene = scene;
@@ -79,19 +78,15 @@ public final class PhysicalClusterCost implements EffortCost {
         if (blocks.isEmpty()) {
             return EffortSearch.LEAST_EFFORT;
         }
-        try {
-            int exponent = Math.max(Math.getExponent(samples), 0);
-            Needed known = needed.computeIfAbsent(exponent, e -> new Needed(samples, false));
-            double effort = known.effort(samples);
-            if (known.isDoubtful(effort, samples)) {
-                return neededSurely
-                        .computeIfAbsent(exponent, e -> new Needed(samples, true))
-                        .effort(samples);
-            }
-            return effort;
-        } catch (CancellationException e) {
-            return EffortSearch.LEAST_EFFORT;
+        int exponent = Math.max(Math.getExponent(samples), 0);
+        Needed known = needed.computeIfAbsent(exponent, e -> new Needed(samples, false));
+        double effort = known.effort(samples);
+        if (known.isDoubtful(effort, samples)) {
+            return neededSurely
+                    .computeIfAbsent(exponent, e -> new Needed(samples, true))
+                    .effort(samples);
         }
+        return effort;
     }
 
     /** What the pixels of the blocks need. */

@@ -2,6 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.file.WholeFile;
 import enlightenment.machine.MachineFacts;
+import enlightenment.numeric.Counts;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
 import java.io.IOException;
@@ -73,7 +74,7 @@ final class FilmReport {
     }
 
     static long rays(Map<Integer, RenderReport> frames) {
-        return frames.values().stream().mapToLong(RenderReport::rays).sum();
+        return Counts.sum(frames.values().stream().mapToLong(RenderReport::rays));
     }
 
     static long pixels(Map<Integer, RenderReport> frames) {

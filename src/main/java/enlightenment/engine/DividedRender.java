@@ -281,7 +281,7 @@ public final class DividedRender implements UnitSource {
         return new Growing() {
             @Override
             public boolean canGrow(int unit, byte[] before) {
-                return form.grows(unit, work, before);
+                return form.canGrow(unit, work, before);
             }
 
             @Override

@@ -67,6 +67,11 @@ abstract class ResultForm {
         return ResultHeader.length(kinds);
     }
 
+    /** Whether {@link #grow} can go on from a result without problems, counters included. */
+    final boolean canGrow(int unit, UnitWork work, byte[] before) {
+        return ResultHeader.hasRoom(before, kinds, units.count()) && grows(unit, work, before);
+    }
+
     /**
      * Why bytes cannot be the result of a unit; empty if they can.
      *

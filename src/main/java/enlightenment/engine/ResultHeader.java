@@ -3,6 +3,7 @@ package enlightenment.engine;
 import enlightenment.compiled.RayCounters;
 import java.nio.ByteBuffer;
 import java.util.Optional;
+import java.util.OptionalLong;
 
 /**
  * What every result begins with: the number of survey rays, the counters, and twice the number of samples that were no
@@ -52,15 +53,29 @@ final class ResultHeader {
         if (result.length < length(kinds)) {
             return Optional.of("it has " + result.length + " bytes, fewer than its header");
         }
-        ByteBuffer in = ByteBuffer.wrap(result);
         long most = MOST_COUNTED / units;
+        return outside(result, kinds, most).stream()
+                .mapToObj(count -> "a counter is " + count + ", outside 0.." + most)
+                .findFirst();
+    }
+
+    /**
+     * Whether what more samples count can be added to the counters of a result without problems: at most half of what one may count is
+     * there.
+     */
+    static boolean hasRoom(byte[] result, int kinds, int units) {
+        return outside(result, kinds, MOST_COUNTED / units / 2).isEmpty();
+    }
+
+    private static OptionalLong outside(byte[] result, int kinds, long most) {
+        ByteBuffer in = ByteBuffer.wrap(result);
         for (int i = 0; i < SCALARS + 2 * kinds; i++) {
             long count = in.getLong();
             if (count < 0 || count > most) {
-                return Optional.of("a counter is " + count + ", outside 0.." + most);
+                return OptionalLong.of(count);
             }
         }
-        return Optional.empty();
+        return OptionalLong.empty();
     }
 
     static RayCounters counters(byte[] result, int kinds) {

@@ -1,5 +1,6 @@
 package enlightenment.report;
 
+import enlightenment.numeric.Counts;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
@@ -216,9 +217,9 @@ public record RenderReport(
                 peakMemoryBytes);
     }
 
-    /** All rays of all kinds. */
+    /** All rays of all kinds; the largest number there is where they are more. */
     public long rays() {
-        return raysByKind.values().stream().mapToLong(Long::longValue).sum();
+        return Counts.sum(raysByKind.values().stream().mapToLong(Long::longValue));
     }
 
     /** Rays per second of the render phase's wall-clock time; 0 where there was none. */

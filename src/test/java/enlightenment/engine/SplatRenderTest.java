@@ -16,6 +16,7 @@ import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
+import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -203,6 +204,25 @@ class SplatRenderTest {
                 assertRefused(render.assembly(), 0, changed, "a counter is " + count);
             }
         }
+    }
+
+    @Test
+    void unitsThatCountAsMuchAsTheyMayMakeNoNegativeNumber() {
+        DividedRender render = divided(SETTINGS);
+        FilmAssembly film = render.assembly();
+        long most = (1L << 62) / film.units();
+        for (int unit = 0; unit < film.units(); unit++) {
+            byte[] result = render.maker().make(unit);
+            for (int at = 0; at < ResultHeader.length(render.outline().kinds().size()); at += Long.BYTES) {
+                ByteBuffer.wrap(result).putLong(at, most);
+            }
+            film.put(unit, result);
+        }
+        RenderReport report = film.result().report();
+        long all = most * film.units();
+        report.raysByKind().values().forEach(n -> assertEquals(all, n));
+        assertEquals(Long.MAX_VALUE, report.rays(), "of four kinds there are more than a number can tell");
+        assertTrue(report.sampling().samplesPerPixel() > 0);
     }
 
     @Test

@@ -220,6 +220,17 @@ class KeptRenderTest {
     }
 
     @Test
+    void aResultThatCountsAsMuchAsItMayIsNotGoneOnFrom() {
+        Kind kind = fire(Method.RAYTRACE);
+        render(kind, 4);
+        long most = (1L << 62) / archive.results.get(0).size();
+        for (byte[] result : archive.results.get(0).values()) {
+            ByteBuffer.wrap(result).putLong(Long.BYTES, most);
+        }
+        assertSame(alone(kind, 16), render(kind, 16));
+    }
+
+    @Test
     void aFullDiskCostsWhatIsKeptAndNotThePicture() {
         Kind kind = fire(Method.RAYTRACE);
         archive.room = 4;

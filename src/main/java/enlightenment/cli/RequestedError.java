@@ -26,14 +26,25 @@ final class RequestedError {
                 DecimalNumber.plain(asked),
                 report.decidedBy(),
                 samples.isPresent() ? "; try --samples " + DecimalNumber.plain(samples.getAsDouble()) + " or more" : "",
-                2 * sampling.rounding() > sampling.errorInFile()
-                        ? "; much of it is the file's rounding: --depth 16 or a .pfm file has less"
-                        : "",
+                rounding(sampling, asked),
                 sampling.lacksLight()
                         ? String.format(
                                 Locale.ROOT,
                                 "; %.4g of it is light that this method leaves to chance: try another one",
                                 sampling.leftToChance())
                         : ""));
+    }
+
+    /** What the file's rounding has to do with it, if it has. */
+    private static String rounding(RenderReport.Sampling sampling, double asked) {
+        if (sampling.rounding() >= asked) {
+            return String.format(
+                    Locale.ROOT,
+                    "; the file's rounding alone makes %.3g of it, whatever the samples: --depth 16 or a .pfm file has less",
+                    sampling.rounding());
+        }
+        return 2 * sampling.rounding() > sampling.errorInFile()
+                ? "; much of it is the file's rounding: --depth 16 or a .pfm file has less"
+                : "";
     }
 }

@@ -8,7 +8,7 @@ import java.util.function.BooleanSupplier;
  * The request to end early. As a shutdown hook it hears SIGINT and SIGTERM, and holds the process until the work under way
  * has been brought to a good end, for a limited time.
  */
-final class ShutdownSignal extends Thread implements BooleanSupplier {
+class ShutdownSignal extends Thread implements BooleanSupplier {
     /** Long enough to write a picture to a slow disk, short enough for the user who waits. */
     private static final long GRACE_SECONDS = 30;
 

@@ -12,7 +12,7 @@ public record ChanceError(double shortfall, double most) {
     public static final ChanceError NONE = new ChanceError(0, 0);
 
     /** That of two kinds of such light, whose errors have nothing to do with each other: {@link #most} is too great rather than too small. */
-    ChanceError plus(ChanceError other) {
+    public ChanceError plus(ChanceError other) {
         return new ChanceError(shortfall + other.shortfall, most + other.most);
     }
 }

@@ -29,18 +29,63 @@ public final class ChanceLight {
 
     private final float[] parts;
 
-    private ChanceLight(float[] parts) {
+    /** How many parts there are beside each other. */
+    private final int across;
+
+    /** What counts, by part: which share of it is within what is rendered; null for all of the picture. */
+    private final double[] shares;
+
+    private ChanceLight(float[] parts, int across, double[] shares) {
         this.parts = parts;
+        this.across = across;
+        this.shares = shares;
+    }
+
+    /**
+     * What is known of a rectangle of the picture.
+     *
+     * @param left as a share of the picture's width, less than {@code right}; and so on, from the top left
+     */
+    ChanceLight within(double left, double top, double right, double bottom) {
+        int down = parts.length / NUMBERS / across;
+        double[] inside = new double[across * down];
+        for (int part = 0; part < inside.length; part++) {
+            inside[part] = overlap(part % across, across, left, right) * overlap(part / across, down, top, bottom);
+        }
+        return new ChanceLight(parts, across, inside);
+    }
+
+    /** Which share of the k-th of n equal pieces of 0..1 lies between two numbers. */
+    private static double overlap(int k, int n, double from, double to) {
+        return Math.max(Math.min(to * n, k + 1) - Math.max(from * n, k), 0);
+    }
+
+    private double share(int part) {
+        return shares == null ? 1 : shares[part];
+    }
+
+    /** How many parts count. */
+    private double size() {
+        double sum = 0;
+        for (int part = 0; part < parts.length / NUMBERS; part++) {
+            sum += share(part);
+        }
+        return sum;
     }
 
     /** Gathers what is known. */
     public static final class Builder {
         private final float[] parts;
+        private final int across;
         private boolean isEmpty = true;
 
-        /** @param parts how many parts of the picture there are, of equal size */
-        public Builder(int parts) {
-            this.parts = new float[NUMBERS * parts];
+        /**
+         * @param across how many parts of the picture there are beside each other, of equal size
+         * @param down how many below each other; they are numbered row by row from the top left
+         */
+        public Builder(int across, int down) {
+            parts = new float[NUMBERS * across * down];
+            this.across = across;
         }
 
         /**
@@ -62,7 +107,7 @@ public final class ChanceLight {
 
         /** What was gathered; null if there is none of such light. */
         public ChanceLight build() {
-            return isEmpty ? null : new ChanceLight(parts);
+            return isEmpty ? null : new ChanceLight(parts, across, null);
         }
     }
 
@@ -74,14 +119,15 @@ public final class ChanceLight {
         double[] square = new double[2];
         for (int at = 0; at < parts.length; at += NUMBERS) {
             double mean = samples * parts[at + 6];
-            if (mean < ENOUGH) {
+            double share = share(at / NUMBERS);
+            if (mean < ENOUGH && share > 0) {
                 squared(curve, at, mean, square);
-                shortfall += Math.max(square[0] - (mean > 0 ? told(curve, at, mean) : 0), 0);
-                sum += square[0];
-                variance += square[1];
+                shortfall += share * Math.max(square[0] - (mean > 0 ? told(curve, at, mean) : 0), 0);
+                sum += share * square[0];
+                variance += share * square[1];
             }
         }
-        double pixels = parts.length / (double) NUMBERS;
+        double pixels = size();
         return new ChanceError(shortfall / pixels, (sum + ONE_IN_40 * Math.sqrt(Math.max(variance, 0))) / pixels);
     }
 
@@ -96,11 +142,12 @@ public final class ChanceLight {
         double sum = 0;
         double[] square = new double[2];
         for (int at = 0; at < parts.length; at += NUMBERS) {
-            found += parts[at + 6];
+            double share = share(at / NUMBERS);
+            found += share * parts[at + 6];
             squared(curve, at, 0, square);
-            sum += square[0];
+            sum += share * square[0];
         }
-        double pixels = parts.length / (double) NUMBERS;
+        double pixels = size();
         return samples * together * found / pixels < ENOUGH_TOGETHER
                 ? new ChanceError(sum / pixels, sum / pixels)
                 : ChanceError.NONE;

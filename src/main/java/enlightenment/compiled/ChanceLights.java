@@ -40,6 +40,19 @@ public final class ChanceLights {
         return new ChanceLights(more);
     }
 
+    /**
+     * What is known of a rectangle of the picture.
+     *
+     * @param left as a share of the picture's width, less than {@code right}; and so on, from the top left
+     */
+    public ChanceLights within(double left, double top, double right, double bottom) {
+        List<Part> inside = new ArrayList<>();
+        for (Part part : all) {
+            inside.add(new Part(part.kind, part.light.within(left, top, right, bottom)));
+        }
+        return new ChanceLights(inside);
+    }
+
     /** What those of some kinds do to the error of a picture with so many samples per pixel. */
     public ChanceError error(Set<Kind> kinds, DisplayCurve curve, double samples) {
         ChanceError sum = ChanceError.NONE;

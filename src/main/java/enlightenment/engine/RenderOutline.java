@@ -52,7 +52,7 @@ public record RenderOutline(
         Integrators.blindSpot(settings.method(), scene).ifPresent(features::add);
         RenderOutline outline = new RenderOutline(sceneName, settings, plan, features, scene.kindNames)
                 .withDisplay(scene.display)
-                .withChance(Integrators.chance(plan, scene));
+                .withChance(Integrators.chance(plan, scene, settings.region()));
         RayCounters nobodys = new RayCounters(scene.kindNames.size());
         WorkUnits units = WorkUnits.forMachines(settings, plan);
         if (units.batches() == 0) {

@@ -23,6 +23,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.RenderSettings.Crop;
 import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -70,6 +71,12 @@ public final class Integrators {
     private static final double FEWEST_OF_METROPOLIS = 8;
 
     private static final double MOST_WITHOUT_METROPOLIS = 7.99;
+
+    /**
+     * Chains take most of the samples of metropolis, and what they find depends on what was found before: of light that is left to chance
+     * they find as much as so many independent paths per sample.
+     */
+    private static final double METROPOLIS_SHARE_OF_SAMPLES = 3.0 / 8;
 
     private Integrators() {}
 
@@ -211,21 +218,32 @@ public final class Integrators {
      * What light that is left to chance does to the error of a picture, as far as is known: of methods whose paths from the eye find by
      * chance what others of theirs do not.
      */
-    public static ChanceError chance(RenderPlan plan, CompiledScene scene) {
-        return chance(plan.method(), scene, plan.samples());
+    public static ChanceError chance(RenderPlan plan, CompiledScene scene, Crop region) {
+        return chance(plan.method(), scene, plan.samples(), region);
     }
 
     /** The same of a picture of a method with so many samples per pixel. */
-    static ChanceError chance(Method method, CompiledScene scene, double samples) {
+    static ChanceError chance(Method method, CompiledScene scene, double samples, Crop region) {
         Set<ChanceLights.Kind> kinds = leftToChance(method);
         if (scene.physical == null || kinds.isEmpty()) {
             return ChanceError.NONE;
         }
-        ChanceLights light = LightPaths.leftToChance(scene);
-        return method == BuiltInMethod.METROPOLIS
-                // What one path has found, chains show to all pixels of a block.
-                ? light.error(kinds, scene.display, samples, pixelsOfBlock(scene))
-                : light.error(kinds, scene.display, samples);
+        double columns = scene.camera.columns;
+        double rows = scene.camera.rows;
+        ChanceLights light = LightPaths.leftToChance(scene)
+                .within(
+                        region.x() / columns,
+                        region.y() / rows,
+                        (region.x() + region.width()) / columns,
+                        (region.y() + region.height()) / rows);
+        if (method != BuiltInMethod.METROPOLIS) {
+            return light.error(kinds, scene.display, samples);
+        }
+        ChanceError onSurfaces = light.error(
+                EnumSet.of(ChanceLights.Kind.SURFACES), scene.display, METROPOLIS_SHARE_OF_SAMPLES * samples);
+        kinds.remove(ChanceLights.Kind.SURFACES);
+        // What one path has found, chains show to all pixels of a block.
+        return light.error(kinds, scene.display, samples, pixelsOfBlock(scene)).plus(onSurfaces);
     }
 
     private static double pixelsOfBlock(CompiledScene scene) {
@@ -239,14 +257,9 @@ public final class Integrators {
             return Set.of();
         }
         return switch (own) {
-            case RAYTRACE, CLUSTER -> EnumSet.allOf(ChanceLights.Kind.class);
+            case RAYTRACE, CLUSTER, METROPOLIS -> EnumSet.allOf(ChanceLights.Kind.class);
             // Connects points of media; but paths from the sun are not connected.
             case BIDIRECTIONAL -> EnumSet.of(ChanceLights.Kind.SURFACES, ChanceLights.Kind.SUN_IN_MEDIA);
-            case METROPOLIS ->
-                EnumSet.of(
-                        ChanceLights.Kind.POINTS_IN_MEDIA,
-                        ChanceLights.Kind.LAMPS_IN_MEDIA,
-                        ChanceLights.Kind.SUN_IN_MEDIA);
             case LIGHT -> Set.of();
         };
     }

@@ -4,6 +4,7 @@ import enlightenment.compiled.ChanceError;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
 
 /**
  * The error of light that a method finds by chance only, or never, which is left after as many samples as are tried for an error.
@@ -15,14 +16,15 @@ record LastingError(double square, String why) {
     /** A method that finds all light. */
     static final LastingError NONE = new LastingError(0, "");
 
-    /** That of a scene by a method. */
-    static LastingError of(Method method, CompiledScene scene, double samples) {
-        ChanceError error = Integrators.chance(method, scene, samples);
+    /** That of a scene by the method of the settings, in the part of the picture that is rendered. */
+    static LastingError of(RenderSettings settings, CompiledScene scene, double samples) {
+        Method method = settings.method();
+        ChanceError error = Integrators.chance(method, scene, samples, settings.region());
         if (!(error.shortfall() > 0)) {
             return NONE;
         }
         boolean isInMedia = method != BuiltInMethod.BIDIRECTIONAL
-                && Integrators.chance(BuiltInMethod.BIDIRECTIONAL, scene, samples)
+                && Integrators.chance(BuiltInMethod.BIDIRECTIONAL, scene, samples, settings.region())
                                 .shortfall()
                         < error.shortfall() / 2;
         return new LastingError(

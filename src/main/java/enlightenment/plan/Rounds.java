@@ -82,8 +82,7 @@ public final class Rounds {
     public static Rounds of(RenderSettings settings, CompiledScene scene) {
         Budget budget = settings.budget();
         return new Rounds(
-                budget,
-                budget.error().isPresent() ? LastingError.of(settings.method(), scene, TOO_MANY) : LastingError.NONE);
+                budget, budget.error().isPresent() ? LastingError.of(settings, scene, TOO_MANY) : LastingError.NONE);
     }
 
     /**

@@ -75,7 +75,7 @@ public final class ChanceProbe {
         PathTracer tracer = PathTracer.probing(scene, new RayCounters(scene.kindNames.size()), this);
         tracer.beginTile(0, 0, 1, 1);
         ChanceLight.Builder[] parts = new ChanceLight.Builder[GROUPS];
-        Arrays.setAll(parts, k -> new ChanceLight.Builder(across * down));
+        Arrays.setAll(parts, k -> new ChanceLight.Builder(across, down));
         SobolSampler sampler = new SobolSampler();
         Ray ray = new Ray();
         double[] color = new double[3];

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -126,14 +127,29 @@ class MergeCommandTest extends SceneFixture {
         assertTrue(run.err().contains("\"rayxrace\""), run.err());
     }
 
+    /** Asked between tiles, and often within each: long after the first there are some left. */
     @Test
     void aPartThatIsStoppedHoldsWhatIsDone() {
-        ShutdownSignal stop = new ShutdownSignal();
-        stop.request();
+        AtomicInteger polls = new AtomicInteger();
+        Path whole = folder.resolve("whole.film");
+        render(polls, Integer.MAX_VALUE, whole);
+        int half = polls.getAndSet(0) / 2;
         Path file = folder.resolve("stopped.film");
-        CliRun run = CliRun.of(stop, "render", scene, "-o", file, "--part", "1/2", "--progress", "none");
-        assertSays(run, 1, "holds only some of part 1/2");
-        assertSays(CliRun.of("merge", file, "-o", merged), 1, "missing: part 1/2, part 2/2");
+        assertSays(render(polls, half, file), 1, "holds only some of part 1/2");
+        CliRun merge = CliRun.of("merge", file, "-o", merged);
+        assertSays(merge, 1, " tiles of part 1/2, part 2/2");
+        assertTrue(merge.err().startsWith("enlightenment: missing: "), merge.err());
+    }
+
+    /** Renders a part until it has been asked so often whether to stop. */
+    private CliRun render(AtomicInteger polls, int most, Path file) {
+        ShutdownSignal stop = new ShutdownSignal() {
+            @Override
+            public boolean getAsBoolean() {
+                return polls.incrementAndGet() > most;
+            }
+        };
+        return CliRun.of(stop, "render", scene, "-o", file, "--part", "1/2", "--threads", "1", "--progress", "none");
     }
 
     /** No part knows the whole picture: whoever puts it together finds out whether it keeps the error. */

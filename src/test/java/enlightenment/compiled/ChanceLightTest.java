@@ -19,7 +19,7 @@ class ChanceLightTest {
     private static final double FOUND = 1e-3;
 
     private static ChanceLight light() {
-        ChanceLight.Builder parts = new ChanceLight.Builder(PARTS);
+        ChanceLight.Builder parts = new ChanceLight.Builder(PARTS / 8, 8);
         for (int k = 0; k < PARTS; k++) {
             parts.set(k, OTHER, LIGHT, FOUND);
         }
@@ -71,13 +71,13 @@ class ChanceLightTest {
 
     @Test
     void withoutSuchLightThereIsNothingToTell() {
-        ChanceLight.Builder parts = new ChanceLight.Builder(2);
+        ChanceLight.Builder parts = new ChanceLight.Builder(2, 1);
         parts.set(0, OTHER, new double[3], 0);
         assertNull(parts.build());
     }
 
     private static ChanceLight neverFound() {
-        ChanceLight.Builder parts = new ChanceLight.Builder(2);
+        ChanceLight.Builder parts = new ChanceLight.Builder(2, 1);
         parts.set(0, OTHER, LIGHT, 0);
         parts.set(1, OTHER, new double[3], 0);
         return parts.build();
@@ -109,6 +109,28 @@ class ChanceLightTest {
                 never.most(),
                 neverFound().error(DisplayCurve.SRGB, 1 << 20, 1000).most(),
                 1e-9);
+    }
+
+    /** The left half of the picture has such light, and all of it; a tenth of the width around its end a half. */
+    @Test
+    void ofARectangleWhatLiesWithinItCounts() {
+        ChanceLights all = ChanceLights.NONE.and(ChanceLights.Kind.POINTS_IN_MEDIA, neverFound());
+        EnumSet<ChanceLights.Kind> kinds = EnumSet.allOf(ChanceLights.Kind.class);
+        double whole = all.error(kinds, DisplayCurve.SRGB, 64).shortfall();
+        for (double samples : new double[] {0, 64}) {
+            assertEquals(2 * whole, error(all.within(0.1, 0.3, 0.2, 0.4), samples), 1e-6 * whole);
+            assertEquals(0, error(all.within(0.5, 0, 0.6, 1), samples));
+            assertEquals(whole, error(all.within(0.45, 0, 0.55, 1), samples), 1e-6 * whole);
+            assertEquals(whole, error(all.within(0, 0, 1, 1), samples), 1e-6 * whole);
+        }
+    }
+
+    /** @param samples 0 for pixels that share what they find */
+    private static double error(ChanceLights light, double samples) {
+        EnumSet<ChanceLights.Kind> kinds = EnumSet.allOf(ChanceLights.Kind.class);
+        return samples > 0
+                ? light.error(kinds, DisplayCurve.SRGB, samples).shortfall()
+                : light.error(kinds, DisplayCurve.SRGB, 1, 100).shortfall();
     }
 
     @Test

@@ -12,6 +12,9 @@ import enlightenment.math.Vec3;
  * light tracing with direct computation of pixel intensities", 1993, for oblique windows, too.)
  */
 public final class EyeProjection {
+    /** Down to this distance from the eye nothing underflows where it is cubed. */
+    private static final double SMALL = 0x1p-300;
+
     private final Vec3 start;
 
     /** The rows of the inverse of the camera's matrix times its determinant: for how far along the ray, x and y. */
@@ -89,7 +92,7 @@ public final class EyeProjection {
             importance = parallel.length() / Math.abs(determinant);
         } else {
             turn(qx, qy, qz, 1 - tMin / s);
-            importance = Math.sqrt(qx * qx + qy * qy + qz * qz) / (s * s * s * Math.abs(determinant));
+            importance = importance(s, qx, qy, qz);
         }
         return true;
     }
@@ -129,7 +132,21 @@ public final class EyeProjection {
         double qy = py - start.y();
         double qz = pz - start.z();
         double s = dot(along, qx, qy, qz) / determinant;
-        return Math.sqrt(qx * qx + qy * qy + qz * qz) / (s * s * s * Math.abs(determinant));
+        return importance(s, qx, qy, qz);
+    }
+
+    /** For an eye at this distance, in the camera's directions and as a vector. */
+    private double importance(double s, double qx, double qy, double qz) {
+        if (s > SMALL) {
+            return Math.sqrt(qx * qx + qy * qy + qz * qz) / (s * s * s * Math.abs(determinant));
+        }
+        // The same in a larger unit of length: cubes of what is small beside the whole scene are beyond the range of
+        // doubles.
+        double x = qx / SMALL;
+        double y = qy / SMALL;
+        double z = qz / SMALL;
+        double t = s / SMALL;
+        return Math.sqrt(x * x + y * y + z * z) / (t * t * t * Math.abs(determinant)) / SMALL / SMALL;
     }
 
     private void turn(double vx, double vy, double vz, double part) {

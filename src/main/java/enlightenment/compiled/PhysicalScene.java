@@ -8,6 +8,7 @@ import enlightenment.frame.SceneFrame;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
@@ -19,6 +20,9 @@ import java.util.List;
 
 /** What physical shading adds to a compiled scene: lights, surroundings, and what of it the scene requires. Immutable. */
 public final class PhysicalScene {
+    /** Binary logarithm of the least {@link #areaUnit}: that of the largest scenes that are promised to be right (docs/numerics.md). */
+    private static final int LEAST_AREA = -400;
+
     private static final int NO_LIGHT = -1;
 
     /** The lights: faces of primitives that glow, in the order of ids and faces, then points. */
@@ -78,6 +82,13 @@ public final class PhysicalScene {
     /** Whether things may be seen in mirrors, in panes, or through glass that turns rays. */
     public final boolean showsMirrored;
 
+    /**
+     * A power of two, as an area of the frame: what weights of ways to find a path measure areas in, whose squares must be within the range
+     * of doubles. It is the geometric mean of the areas of the scene, of about 1, and of the smallest thing that is not a point beside
+     * its distance from the eye.
+     */
+    public final double areaUnit;
+
     /** By id: where its faces are found in {@link #lightOfFace}, or -1 if none of them glows. */
     private final int[] firstFace;
 
@@ -104,6 +115,7 @@ public final class PhysicalScene {
         boolean fluoresces = compiled.materials().any(m -> m.reradiation != null);
         hasUltraviolet = fluoresces && LightBands.haveUltraviolet(compiled.materials(), points);
         visibleOfUltraviolet = hasUltraviolet ? LightBands.visibleOfUltraviolet(compiled.materials()) : 0;
+        areaUnit = areaUnit(compiled.primitives());
         int n = compiled.primitives().length;
         firstFace = new int[n];
         List<Integer> ofFaces = new ArrayList<>();
@@ -195,6 +207,15 @@ public final class PhysicalScene {
         // Nothing comes into an opaque solid, or out of it.
         boolean isInsideSeen = !p.isSolid() || compiled.materials().inside(id).isGlass || eye.overlaps(p.bounds());
         return PhysicalLight.glowing(p, id, face, m.glow(), ultraviolet, m.glowsInside, isInsideSeen);
+    }
+
+    private static double areaUnit(Primitive[] primitives) {
+        double least = 1;
+        for (Primitive p : primitives) {
+            double extent = p.bounds().extent().maxAbs();
+            least = extent > 0 ? Math.min(least, extent) : least;
+        }
+        return Math.scalb(1.0, Math.max(Scale.exponent(least), LEAST_AREA));
     }
 
     private static boolean hasPanes(CompiledPrimitives compiled) {

@@ -13,6 +13,9 @@ final class BidirectionalLightTracer extends LightPathTracer {
     private final ReverseDensity reverse = new ReverseDensity();
     private final PathSampler sampler;
 
+    /** See {@link SubpathDensities}. */
+    private final double areaUnit;
+
     /** Null but in tests. */
     private Strategies strategies;
 
@@ -33,6 +36,7 @@ final class BidirectionalLightTracer extends LightPathTracer {
         super(scene, light.path, width, height, counters);
         this.light = light;
         sampler = new PathSampler(seed);
+        areaUnit = scene.physical.areaUnit;
     }
 
     /** Lets somebody look at what is found. */
@@ -94,7 +98,7 @@ final class BidirectionalLightTracer extends LightPathTracer {
     }
 
     private double weight(double cosine) {
-        double seen = eye.importance() * cosine / BidirectionalTracer.LIGHT_PATHS_PER_SAMPLE;
+        double seen = eye.importance() * areaUnit * cosine / BidirectionalTracer.LIGHT_PATHS_PER_SAMPLE;
         double back = light.survival * reverse.of(light.bsdf, light.s);
         return SubpathDensities.weight(SubpathDensities.square(seen) * light.densities.behind(back), 0);
     }

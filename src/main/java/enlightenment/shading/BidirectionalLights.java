@@ -72,7 +72,7 @@ final class BidirectionalLights {
         return SubpathDensities.weight(ofLight, ofPath);
     }
 
-    /** The density, per area of the light, with which the last vertex would have chosen this point. */
+    /** The density, per area of the light in {@link PhysicalScene#areaUnit}s, with which the last vertex would have chosen this point. */
     private double aimed(int index, Hit hit, double cosine) {
         PhysicalLight l = physical.lights[index];
         if (l.isBallOf(eye.lastId)) {
@@ -90,13 +90,14 @@ final class BidirectionalLights {
         }
         double probability =
                 picker.probability(index, eye.lastX, eye.lastY, eye.lastZ, eye.lastNx, eye.lastNy, eye.lastNz, choice);
-        return probability * density * Math.abs(cosine) / d2;
+        return probability * density * Math.abs(cosine) / (d2 / physical.areaUnit);
     }
 
-    /** The density, per area and solid angle, with which paths leave a light. */
+    /** The density, per such area and solid angle, with which paths leave a light. */
     private double emission(int index, double outside) {
         double cosine = starts.shinesBothWays(index) ? Math.abs(outside) : outside;
-        return starts.probability(index) * starts.pointDensity(index) * starts.directionDensity(index, cosine);
+        double perArea = starts.pointDensity(index) * physical.areaUnit;
+        return starts.probability(index) * perArea * starts.directionDensity(index, cosine);
     }
 
     /**

@@ -335,8 +335,9 @@ public final class BidirectionalTracer implements Shader {
     private double weight(int k, double here, double beyond, double d2) {
         PathVertices v = light.vertices;
         double q = v.survival(k);
-        double toLight = eye.survival * eye.s.pdf * v.projected(k, beyond) / d2;
-        double toEye = q * there.pdf * eye.projected(here) / d2;
+        double area = d2 / physical.areaUnit;
+        double toLight = eye.survival * eye.s.pdf * v.projected(k, beyond) / area;
+        double toEye = q * there.pdf * eye.projected(here) / area;
         double ofLight = SubpathDensities.square(toLight) * v.behind(k, q * reverse.of(v.bsdf(k), there));
         double ofEye =
                 SubpathDensities.square(toEye) * eye.densities.behind(eye.survival * reverse.of(eye.bsdf, eye.s));

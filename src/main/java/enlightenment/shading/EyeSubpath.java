@@ -88,7 +88,8 @@ final class EyeSubpath extends Subpath {
     @Override
     void beginDensities(double cosine) {
         Hit at = path.hit;
-        densities.begin(SubpathDensities.square(lightPaths / (eye.importanceOf(at.px, at.py, at.pz) * cosine)), 0);
+        double perArea = eye.importanceOf(at.px, at.py, at.pz) * physical.areaUnit;
+        densities.begin(SubpathDensities.square(lightPaths / (perArea * cosine)), 0);
     }
 
     @Override

@@ -79,7 +79,7 @@ final class LightSubpath extends Subpath {
     void enter(double index) {}
 
     private double emission() {
-        return source.probability * source.pointDensity * source.directionDensity;
+        return source.probability * (source.pointDensity * physical.areaUnit) * source.directionDensity;
     }
 
     private double ofBeyond(double cosine) {

@@ -210,7 +210,7 @@ abstract class Subpath extends CarriedLight {
             double x = at.px - lastX;
             double y = at.py - lastY;
             double z = at.pz - lastZ;
-            densities.arrive(x * x + y * y + z * z, cosine);
+            densities.arrive((x * x + y * y + z * z) / physical.areaUnit, cosine);
         }
         if (isDelta) {
             vertices.addDelta(at, 1);

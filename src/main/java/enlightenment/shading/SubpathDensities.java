@@ -6,6 +6,9 @@ package enlightenment.shading;
  * from vertex to vertex (D. van Antwerpen, "Recursive MIS computation for streaming BDPT on the GPU", 2011; I. Georgiev, "Implementing
  * vertex connection and merging", 2012, equations 31 to 36 without merging). They are sums of squares, since weights go by the power
  * heuristic with exponent 2 (E. Veach and L. Guibas, 1995). docs/bidirectional.md has the formulas.
+ *
+ * <p>Areas and squared distances, of which these numbers are squares, are in the scene's {@link
+ * enlightenment.compiled.PhysicalScene#areaUnit}. Weights do not depend on it, but what is seen may be tiny beside the whole scene.
  */
 final class SubpathDensities {
     /** Its square is a normal number. What rounding makes of a direction along a surface is no smaller. */
@@ -33,7 +36,7 @@ final class SubpathDensities {
     /**
      * The path has come to a vertex.
      *
-     * @param distance2 the squared distance from the one before
+     * @param distance2 the squared distance from the one before, in units of area
      * @param cosine between the normal there and the direction that it came from
      */
     void arrive(double distance2, double cosine) {

@@ -1,6 +1,7 @@
 package enlightenment.compiled;
 
 import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
 
 /**
  * Where in the picture the camera sees a point, and how much of the picture light that leaves it covers: the camera's rays the other way
@@ -14,6 +15,8 @@ import enlightenment.math.Vec3;
 public final class EyeProjection {
     /** Down to this distance from the eye nothing underflows where it is cubed. */
     private static final double SMALL = 0x1p-300;
+
+    private static final double ERROR = Scale.gamma(64);
 
     private final Vec3 start;
 
@@ -38,6 +41,9 @@ public final class EyeProjection {
 
     public double toEyeY;
     public double toEyeZ;
+
+    /** How far that vector's end may be from there by rounding, or a surface that the camera's ray begins on: a generous bound. */
+    public double error;
 
     /** The unit vector in that direction. */
     public double dx;
@@ -78,7 +84,9 @@ public final class EyeProjection {
         double qy = py - start.y();
         double qz = pz - start.z();
         double s = dot(along, qx, qy, qz) / determinant;
-        if (!(s > tMin)) {
+        double size = Math.max(Math.max(Math.abs(px), Math.abs(py)), Math.abs(pz));
+        error = ERROR * (size + start.maxAbs());
+        if (!(s > tMin) && !isWhereRaysStart(s)) {
             return false;
         }
         double scale = isParallel ? determinant : s * determinant;
@@ -95,6 +103,11 @@ public final class EyeProjection {
             importance = importance(s, qx, qy, qz);
         }
         return true;
+    }
+
+    /** Whether a point so far along a ray is where that starts, as far as rounding tells: not of rays that all start at the eye. */
+    private boolean isWhereRaysStart(double s) {
+        return isParallel ? (tMin - s) * parallel.length() <= error : tMin > 0 && tMin - s <= ERROR * tMin;
     }
 
     /**

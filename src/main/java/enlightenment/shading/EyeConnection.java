@@ -84,7 +84,11 @@ final class EyeConnection {
     private boolean isHidden(boolean isBorder, boolean isBeyond) {
         path.poll.tick();
         double length = Math.sqrt(eye.toEyeX * eye.toEyeX + eye.toEyeY * eye.toEyeY + eye.toEyeZ * eye.toEyeZ);
-        if (!start(isBorder, isBeyond) && !path.tracer.occluded(ray, 1)) {
+        if (length <= eye.error) {
+            // It is where camera rays start: they meet it first.
+            return false;
+        }
+        if (!start(isBorder, isBeyond) && !path.tracer.occluded(ray, 1 + eye.error / length)) {
             SurfaceMaterial medium = absorbs ? path.medium(isBeyond) : null;
             if (medium != null && medium.absorbs) {
                 medium.absorb(length, through);
@@ -95,7 +99,7 @@ final class EyeConnection {
             return true;
         }
         start(isBorder, isBeyond);
-        return !walk.reaches(null, ray, length, path, isBeyond, through);
+        return !walk.reachesEye(ray, length, eye.error, path, isBeyond, through);
     }
 
     /** Returns whether something is in the ray's way at once. */

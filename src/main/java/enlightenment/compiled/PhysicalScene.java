@@ -115,7 +115,8 @@ public final class PhysicalScene {
         boolean fluoresces = compiled.materials().any(m -> m.reradiation != null);
         hasUltraviolet = fluoresces && LightBands.haveUltraviolet(compiled.materials(), points);
         visibleOfUltraviolet = hasUltraviolet ? LightBands.visibleOfUltraviolet(compiled.materials()) : 0;
-        areaUnit = areaUnit(compiled.primitives());
+        int least = Scale.exponent(SceneExtent.least(compiled.primitives()));
+        areaUnit = Math.scalb(1.0, Math.max(least, LEAST_AREA));
         int n = compiled.primitives().length;
         firstFace = new int[n];
         List<Integer> ofFaces = new ArrayList<>();
@@ -207,15 +208,6 @@ public final class PhysicalScene {
         // Nothing comes into an opaque solid, or out of it.
         boolean isInsideSeen = !p.isSolid() || compiled.materials().inside(id).isGlass || eye.overlaps(p.bounds());
         return PhysicalLight.glowing(p, id, face, m.glow(), ultraviolet, m.glowsInside, isInsideSeen);
-    }
-
-    private static double areaUnit(Primitive[] primitives) {
-        double least = 1;
-        for (Primitive p : primitives) {
-            double extent = p.bounds().extent().maxAbs();
-            least = extent > 0 ? Math.min(least, extent) : least;
-        }
-        return Math.scalb(1.0, Math.max(Scale.exponent(least), LEAST_AREA));
     }
 
     private static boolean hasPanes(CompiledPrimitives compiled) {

@@ -171,6 +171,9 @@ public final class SceneCompiler {
         List<SceneObject> objects = physical ? glowing.objects : scene.objects();
         CompiledPrimitives compiled = CompiledPrimitives.of(objects, frame, surfaces, placement, poll);
         Primitive[] primitives = compiled.primitives();
+        if (physical) {
+            SceneExtent.check(scene, frame, primitives);
+        }
         boolean many = Math.max(primitives.length, objects.size()) > loopLimit;
         Accelerator accelerator = many ? Bvh.build(primitives, poll) : PrimitiveList.of(primitives, compiled.kind());
         Features features = new Features(scene, many, surfaces.values());
@@ -230,7 +233,7 @@ public final class SceneCompiler {
         return largest;
     }
 
-    private static double extent(List<ExactPoint> anchors, double reach, SceneFrame frame) {
+    static double extent(List<ExactPoint> anchors, double reach, SceneFrame frame) {
         double largest = 0;
         for (ExactPoint p : anchors) {
             largest = Math.max(largest, frame.toFrame(p).maxAbs());

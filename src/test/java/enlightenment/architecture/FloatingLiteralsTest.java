@@ -77,6 +77,7 @@ class FloatingLiteralsTest {
             new Explained("compiled/PhysicalLight.java", "0.7152", "luminance of green"),
             new Explained("compiled/PhysicalLight.java", "0.0722", "luminance of blue"),
             new Explained("compiled/AlbedoInversion.java", "0.125", "an angle"),
+            new Explained("compiled/EyeProjection.java", "0x1p-300", "range of doubles: another unit below it"),
             new Explained("compiled/AlbedoInversion.java", "0x1p-10", "a ratio of albedos: where a series begins"),
             new Explained("compiled/AlbedoInversion.java", "0.25", "a term of the series of the logarithm"),
             new Explained("compiled/AlbedoInversion.java", "0.2", "a term of the series of the logarithm"),

@@ -3,6 +3,8 @@ package enlightenment.physical;
 import static enlightenment.physical.PhysicalScenes.at;
 import static enlightenment.physical.PhysicalScenes.ball;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Rgb;
@@ -15,6 +17,7 @@ import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.SceneException;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -63,6 +66,27 @@ class FarSpeckTest {
     @EnumSource(BuiltInMethod.class)
     void aSpeckFarAwayChangesNoBitUnderABallOfLight(BuiltInMethod method) {
         assertSame(PhysicalScenes.sphereLight(0.2, 1.9, -0.3, 0.3, 5), method);
+    }
+
+    /** There, what is squared and cubed is 0 or infinite. */
+    @ParameterizedTest
+    @EnumSource(BuiltInMethod.class)
+    void whatIsBeyondThePromiseIsRefusedByTheNameOfTheFarthest(BuiltInMethod method) {
+        for (int exponent : new int[] {480, 520, 700, 1000}) {
+            SceneBuilder larger = room(PhysicalScenes.sphereLight(0.2, 1.9, -0.3, 0.3, 5))
+                    .object(ball(0, 1, Math.scalb(-1.0, exponent), 0.01), PhysicalScenes.GREEN);
+            SceneException e = assertThrows(SceneException.class, () -> picture(larger, method));
+            assertEquals("/objects/3", e.problems().get(0).pointer());
+            long digits = Math.round(exponent * StrictMath.log10(2));
+            String message = e.problems().get(0).message();
+            // The smallest is 0.6 wide; what is too small for a radius in doubles has none, and then it is the room,
+            // 5.7 wide.
+            assertTrue(
+                    message.contains("1e" + digits + " ")
+                            || message.contains("1e" + (digits + 1) + " ")
+                            || exponent == 1000 && message.contains("1e" + (digits - 1) + " "),
+                    digits + ": " + message);
+        }
     }
 
     @ParameterizedTest

@@ -288,6 +288,7 @@ class FloatingLiteralsTest {
             new Explained("method/cluster/Allocation.java", "0.25", "share of the samples"),
             new Explained("method/cluster/Allocation.java", "0.125", "share of a step of binary logarithms"),
             new Explained("method/cluster/PhysicalClusterCost.java", "0.25", "share of the samples"),
+            new Explained("method/cluster/ClusterCost.java", "0.25", "share of the pixels"),
             new Explained("method/cluster/SharingGain.java", "32.0", "ratio of times, measured"),
             new Explained("method/cluster/PathNoise.java", "8", "paths that a block counts as, measured"),
             new Explained(

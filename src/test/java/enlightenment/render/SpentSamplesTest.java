@@ -169,6 +169,47 @@ class SpentSamplesTest {
         assertEquals(1, spent(classic, RenderSettings.of(classic).withSize(512, 512), 8), CHANCE);
     }
 
+    /** Balls of six tenths of a pixel in a row, a hundred pixels apart, in the middle of a picture of 1000 by {@code height} pixels. */
+    private static Scene dust(int count, int height) {
+        StringBuilder balls = new StringBuilder();
+        for (int k = 0; k < count; k++) {
+            balls.append(k == 0 ? "" : ",")
+                    .append(String.format(
+                            Locale.ROOT,
+                            "{ \"type\": \"sphere\", \"center\": [%d, 0, 0], \"radius\": 0.3,"
+                                    + " \"material\": { \"type\": \"matte\", \"color\": \"#cccccc\" } }",
+                            100 * (k - count / 2)));
+        }
+        return parse(
+                String.format(
+                        """
+                        {
+                          "image": { "width": 1000, "height": %1$d },
+                          "camera": { "type": "orthographic", "eye": [0, 0, -4], "lookAt": [0, 0, 0], "height": %1$d },
+                          "lights": [ { "type": "sphere", "center": [-1.6, 2.7, -0.3], "radius": 0.01, "color": "#ffffff" } ],
+                          "objects": [ %2$s ]
+                        }
+                        """,
+                        height, balls),
+                "dust");
+    }
+
+    /** What chance decides, whether first samples met the ball, is not what is spent: neither 0.02 of it nor 33 times as much. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void whatIsAskedForIsSpentInAnOnlyBlockWhateverItsFirstSamplesMeet(long seed) {
+        Scene scene = dust(1, 3);
+        assertEquals(1, spent(scene, RenderSettings.of(scene).withSeed(seed), 64), CHANCE);
+    }
+
+    /** Seven balls, of which some are met by first samples and some are not. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void soItIsInAFewBlocks(long seed) {
+        Scene scene = dust(7, 3);
+        assertEquals(1, spent(scene, RenderSettings.of(scene).withSeed(seed), 16), CHANCE);
+    }
+
     static Stream<Arguments> larger() {
         return Stream.concat(
                         FineScenes.NAMES.stream(),

@@ -8,12 +8,14 @@ package enlightenment.method.cluster;
  */
 final class BlockLimits {
     /** No limits: of a method that only looks. */
-    static final BlockLimits NONE = new BlockLimits(0, Double.POSITIVE_INFINITY);
+    static final BlockLimits NONE = new BlockLimits(0, 0, Double.POSITIVE_INFINITY);
 
+    private final double mean;
     private final double least;
     private final double most;
 
-    private BlockLimits(double least, double most) {
+    private BlockLimits(double mean, double least, double most) {
+        this.mean = mean;
         this.least = least;
         this.most = most;
     }
@@ -24,7 +26,24 @@ final class BlockLimits {
      */
     static BlockLimits of(double samples, int tried) {
         int blocks = Math.max(tried, 1);
-        return new BlockLimits(samples / blocks, samples * Math.sqrt(blocks));
+        return new BlockLimits(samples, samples / blocks, samples * Math.sqrt(blocks));
+    }
+
+    /**
+     * The same where all blocks that show something were tried, and they are few: none gets less than 1/√P either. Things smaller than a
+     * pixel are missed by chance, and what is spent where nothing was seen is what finds them.
+     *
+     * @param samples the mean number of camera rays per pixel in blocks that show more than background
+     * @param all how many of them there are
+     */
+    static BlockLimits ofFew(double samples, int all) {
+        double root = Math.sqrt(all);
+        return new BlockLimits(samples, samples / root, samples * root);
+    }
+
+    /** The mean number of camera rays per pixel in blocks that show more than background; 0 if it is not known. */
+    double mean() {
+        return mean;
     }
 
     /** What is spent on a block that needs this much. */

@@ -4,7 +4,6 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
-import enlightenment.method.Dither;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.ClusterSettings;
@@ -29,6 +28,19 @@ public final class ClusterCost implements EffortCost {
 
     /** How many times as many blocks then. */
     private static final int[] TIMES = {1, 1, 1, 4};
+
+    /** The camera rays per pixel of a block that shows only background: one sample each, and a corner for all. */
+    private static final double OF_EMPTY = 1 + 1.0 / (FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE);
+
+    /**
+     * Of so many blocks a single one changes little, whatever none of them showed when they were tried: no pixel takes more than so many
+     * times the mean. What fewer blocks take is limited for each, if they are few of the picture's, so that looking at them apart costs
+     * little, or very few.
+     */
+    private static final int MANY = 64;
+
+    private static final double FEW_OF_THE_PICTURE = 0.25;
+    private static final int VERY_FEW = 8;
 
     private final SeenBlocks seen;
     private final int blockCount;
@@ -71,18 +83,44 @@ public final class ClusterCost implements EffortCost {
     }
 
     private Surveyed surveyed(double samples) {
-        int k = FROM.length - 1;
-        while (k > 0 && samples < FROM[k]) {
-            k--;
-        }
+        int k = isEachLimited(seen)
+                ? allocation(seen, EffortSearch.LEAST_EFFORT, samples).apart() + 1
+                : judgedLike(samples);
         if (surveyed[k] == null) {
-            surveyed[k] = new Surveyed(blocks(TIMES[k]), FROM[k]);
+            surveyed[k] = new Surveyed(seen.spread(TIMES[k] * blockCount), judgedBy(k));
         }
         return surveyed[k];
     }
 
-    private List<Block> blocks(int times) {
-        return seen.spread(times * blockCount);
+    private static int judgedLike(double samples) {
+        int k = FROM.length - 1;
+        while (k > 0 && samples < FROM[k]) {
+            k--;
+        }
+        return k;
+    }
+
+    /** Where each block is limited, what it is looked at with grows with its own samples, and not with those of the picture. */
+    private double judgedBy(int k) {
+        double share = seen.share();
+        return isEachLimited(seen) ? share * BlockAllocation.samplesFor(k - 1) + (1 - share) * OF_EMPTY : FROM[k];
+    }
+
+    /** What the pixels of a block get for an effort, where this many samples are asked for. */
+    static BlockAllocation allocation(CompiledScene scene, RenderSettings settings, double effort, double samples) {
+        return allocation(SeenBlocks.of(scene, settings, FilmTile.BLOCK_SIDE), effort, samples);
+    }
+
+    private static BlockAllocation allocation(SeenBlocks seen, double effort, double samples) {
+        double share = seen.share();
+        BlockLimits limits = isEachLimited(seen)
+                ? BlockLimits.ofFew((samples - (1 - share) * OF_EMPTY) / share, seen.size())
+                : BlockLimits.NONE;
+        return new BlockAllocation(effort, samples, share, limits);
+    }
+
+    private static boolean isEachLimited(SeenBlocks seen) {
+        return seen.size() > 0 && seen.size() < (seen.share() < FEW_OF_THE_PICTURE ? MANY : VERY_FEW);
     }
 
     /**
@@ -104,9 +142,9 @@ public final class ClusterCost implements EffortCost {
         for (int k : known.learners) {
             Block block = known.blocks.get(k);
             method.prepare(block);
-            if (method.hasLookedMore()) {
+            if (method.hasLookedMore() || isEachLimited(seen)) {
                 look(method, block);
-                learned.set(k, block, method);
+                learned.set(k, method);
             }
         }
         return learned.effort(samples);
@@ -114,7 +152,12 @@ public final class ClusterCost implements EffortCost {
 
     private void look(ClusterMethod method, Block block) {
         // Not the picture's own samples: nothing that is decided may depend on those that it is decided about.
-        method.look(block, Hash.of(settings.seed(), PURPOSE));
+        method.look(block, seed(settings));
+    }
+
+    /** Of the random numbers of what is tried. */
+    static long seed(RenderSettings settings) {
+        return Hash.of(settings.seed(), PURPOSE);
     }
 
     /** What all blocks need before any of them has learned. */
@@ -127,7 +170,7 @@ public final class ClusterCost implements EffortCost {
 
         Surveyed(List<Block> blocks, double samples) {
             this.blocks = blocks;
-            needed = new Needed(blocks.size());
+            needed = new Needed(blocks);
             ClusterMethod method = method(EffortSearch.LEAST_EFFORT, samples);
             for (int k = 0; k < blocks.size(); k++) {
                 Block block = blocks.get(k);
@@ -136,73 +179,46 @@ public final class ClusterCost implements EffortCost {
                 if (method.mayLearn()) {
                     learners.add(k);
                 }
-                needed.set(k, block, method);
+                needed.set(k, method);
             }
         }
     }
 
     /** What the pixels of some blocks need, as {@link SampleDemand} says it. */
     private final class Needed {
-        private static final int PIXELS = FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE;
-
-        /** The camera rays per pixel of a block that shows only background: one sample each, and a corner for all. */
-        private static final double OF_EMPTY = 1 + 1.0 / PIXELS;
-
-        private final double[] film;
-        private final double[] edge;
-        private final double[] light;
-        private final double[] dither;
-        private final int[] pixels;
+        private final List<Block> blocks;
+        private final SampleDemand[] needs;
         private final int[] rays;
 
-        Needed(int blocks) {
-            film = new double[blocks * PIXELS];
-            edge = new double[film.length];
-            light = new double[film.length];
-            dither = new double[film.length];
-            pixels = new int[blocks];
-            rays = new int[blocks];
+        Needed(List<Block> blocks) {
+            this.blocks = blocks;
+            needs = new SampleDemand[blocks.size()];
+            rays = new int[blocks.size()];
         }
 
         Needed(Needed other) {
-            film = other.film.clone();
-            edge = other.edge.clone();
-            light = other.light.clone();
-            dither = other.dither;
-            pixels = other.pixels.clone();
+            blocks = other.blocks;
+            needs = other.needs.clone();
             rays = other.rays.clone();
         }
 
         /** Takes over what a block was found to need. */
-        void set(int index, Block block, ClusterMethod method) {
-            SampleDemand needs = method.needs();
-            int n = PIXELS * index;
-            for (int j = 0; j < block.height(); j++) {
-                for (int i = 0; i < block.width(); i++) {
-                    film[n] = needs.film[FilmTile.BLOCK_SIDE * j + i];
-                    edge[n] = needs.edge[FilmTile.BLOCK_SIDE * j + i];
-                    dither[n] = Dither.at(block.x() + i, block.y() + j);
-                    light[n++] = needs.light[FilmTile.BLOCK_SIDE * j + i];
-                }
-            }
-            pixels[index] = block.width() * block.height();
+        void set(int index, ClusterMethod method) {
+            needs[index] = method.needs().copy();
             rays[index] = method.surveyRays();
         }
 
         /** Mean number of camera rays per pixel, the survey's included. */
         double samples(double effort, double asked) {
-            Allocation allocation = new Allocation(effort, asked, seen.share());
-            long sum = 0;
+            BlockAllocation allocation = allocation(seen, effort, asked);
+            double sum = 0;
             long all = 0;
-            for (int b = 0; b < pixels.length; b++) {
-                sum += rays[b];
-                all += pixels[b];
-                int first = PIXELS * b;
-                for (int k = first; k < first + pixels[b]; k++) {
-                    sum += 1L << allocation.samples(film[k], edge[k], light[k], dither[k]);
-                }
+            for (int b = 0; b < rays.length; b++) {
+                Block block = blocks.get(b);
+                sum += allocation.spent(needs[b], block, rays[b]);
+                all += block.pixels();
             }
-            return seen.share() * ((double) sum / all) + (1 - seen.share()) * OF_EMPTY;
+            return seen.share() * (sum / all) + (1 - seen.share()) * OF_EMPTY;
         }
 
         double effort(double samples) {

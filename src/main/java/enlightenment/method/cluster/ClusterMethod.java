@@ -44,7 +44,7 @@ public final class ClusterMethod implements TileIntegrator {
 
     private final CompiledScene scene;
     private final RenderSettings settings;
-    private final Allocation allocation;
+    private final BlockAllocation allocation;
     private final ClassicShader shader;
     private final Survey survey;
     private final SampleDemand needs = new SampleDemand();
@@ -59,7 +59,10 @@ public final class ClusterMethod implements TileIntegrator {
 
     private final Evidence evidence = new Evidence();
 
-    /** Binary logarithm of how many samples of each pixel are evidence about the others; and their colours, one after another. */
+    /**
+     * Binary logarithm of how many samples of each pixel are evidence about the others, negative for none; and their colours, one after
+     * another.
+     */
     private final int firstSamples;
 
     private final double[] first = new double[3 * PIXELS << MOST_FIRST];
@@ -70,6 +73,9 @@ public final class ClusterMethod implements TileIntegrator {
     private boolean guided;
     private boolean looked;
     private boolean lookedMore;
+
+    /** Samples that were taken to look at the block only, and are no part of the picture. */
+    private int raysApart;
 
     /**
      * @param effort how much is spent: the inverse of the smallest reduction of variance for which one more sample is taken
@@ -100,9 +106,8 @@ public final class ClusterMethod implements TileIntegrator {
             Consumer<List<ClusterStatistics>> clusters) {
         this.scene = scene;
         this.settings = settings;
-        double share = SeenBlocks.of(scene, settings, FilmTile.BLOCK_SIDE).share();
-        allocation = new Allocation(effort, samples, share);
-        firstSamples = firstSamples(samples);
+        allocation = ClusterCost.allocation(scene, settings, effort, samples);
+        firstSamples = allocation.isLimited() ? allocation.apart() : firstSamples(samples);
         shader = new ClassicShader(scene, 1, counters);
         recorder = clusters == null ? null : new ClusterRecorder(clusters);
         if (recorder != null) {
@@ -143,8 +148,8 @@ public final class ClusterMethod implements TileIntegrator {
             recorder.begin(block);
         }
         prepare(block);
-        tile.addSurveyRays(survey.rays());
-        look(block, settings.seed());
+        look(block, allocation.isLimited() ? ClusterCost.seed(settings) : settings.seed());
+        tile.addSurveyRays(surveyRays());
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
                 boolean wanted = tile.contains(block.x() + i, block.y() + j);
@@ -174,6 +179,8 @@ public final class ClusterMethod implements TileIntegrator {
         shader.guide(null);
         survey.take(block);
         needs.of(survey, block);
+        raysApart = 0;
+        limit(block);
         guided = false;
         lookedMore = isWorthLearning(block);
         if (lookedMore) {
@@ -187,6 +194,16 @@ public final class ClusterMethod implements TileIntegrator {
                 needs.guided(guide.gain());
                 shader.guide(guide);
             }
+            limit(block);
+        }
+    }
+
+    /** Keeps what is spent on the block within limits, as far as its needs are known: of these no sample of the picture is part. */
+    private void limit(Block block) {
+        if (survey.isEmpty()) {
+            allocation.withoutLimits();
+        } else {
+            allocation.limit(needs, block, surveyRays());
         }
     }
 
@@ -205,8 +222,9 @@ public final class ClusterMethod implements TileIntegrator {
         return lookedMore;
     }
 
+    /** How many rays were taken to find what the block needs, beside samples of the picture. */
     int surveyRays() {
-        return survey.rays();
+        return survey.rays() + raysApart;
     }
 
     /** Whether the block will take enough light points, of lights that are little hidden or little seen, to repay a second survey. */
@@ -217,7 +235,7 @@ public final class ClusterMethod implements TileIntegrator {
         long points = 0;
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
-                points += 1L << allocation.lightPoints(needs.light[FilmTile.BLOCK_SIDE * j + i]);
+                points += 1L << allocation.ofBlock().lightPoints(needs.light[FilmTile.BLOCK_SIDE * j + i]);
             }
         }
         return points >= LEAST_USE_OF_SECOND_SURVEY * survey.pointsOfMore();
@@ -226,15 +244,17 @@ public final class ClusterMethod implements TileIntegrator {
     /**
      * Takes the first samples of each pixel, and lets each learn from those of the others. Not where proposals learn: they would
      * pass on to a pixel what others have learned from its own samples.
+     *
+     * <p>Where what is spent on a block is limited, that depends on the needs of all pixels together, and so on all these samples: they are
+     * no part of the picture.
      */
     void look(Block block, long seed) {
-        looked = !guided && !survey.isEmpty();
-        evidence.begin();
+        boolean apart = allocation.isLimited();
+        looked = !guided && !survey.isEmpty() && firstSamples >= 0;
+        evidence.begin(apart);
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
-                int k = FilmTile.BLOCK_SIDE * j + i;
-                int wanted = needs.lightIsSettled ? 0 : allocation.lightPoints(needs.light[k]);
-                points[k] = Math.max(wanted - samples(block, i, j), 0);
+                setPoints(block, i, j, apart);
                 if (looked) {
                     turn(block, i, j, seed);
                     look(block, i, j);
@@ -244,6 +264,27 @@ public final class ClusterMethod implements TileIntegrator {
         if (looked) {
             evidence.raise(needs, block);
         }
+        if (apart) {
+            raysApart = looked ? block.pixels() << firstSamples : 0;
+            looked = false;
+            limit(block);
+            setPoints(block);
+        }
+    }
+
+    private void setPoints(Block block) {
+        for (int j = 0; j < block.height(); j++) {
+            for (int i = 0; i < block.width(); i++) {
+                setPoints(block, i, j, false);
+            }
+        }
+    }
+
+    /** Decides on the light points of a pixel's samples; one where it is only looked at. */
+    private void setPoints(Block block, int i, int j, boolean one) {
+        int k = FilmTile.BLOCK_SIDE * j + i;
+        int wanted = one || needs.lightIsSettled ? 0 : allocation.ofBlock().lightPoints(needs.light[k]);
+        points[k] = Math.max(wanted - samples(block, i, j), 0);
     }
 
     private void look(Block block, int i, int j) {
@@ -261,8 +302,9 @@ public final class ClusterMethod implements TileIntegrator {
 
     private int samples(Block block, int i, int j) {
         int k = FilmTile.BLOCK_SIDE * j + i;
-        return allocation.samples(
-                needs.film[k], needs.edge[k], needs.light[k], Dither.at(block.x() + i, block.y() + j));
+        return allocation
+                .ofBlock()
+                .samples(needs.film[k], needs.edge[k], needs.light[k], Dither.at(block.x() + i, block.y() + j));
     }
 
     /** Turns to a pixel. */

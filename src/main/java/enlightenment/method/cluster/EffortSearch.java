@@ -7,10 +7,10 @@ final class EffortSearch {
     static final double LEAST_EFFORT = 1;
 
     /** Binary logarithm of the largest effort: variances below the rounding of pixels are worth nothing. */
-    private static final int MOST_EFFORT = 64;
+    private static final int MOST_EFFORT = 128;
 
     /** Halvings of the interval of logarithms: where all pixels need the same, a step of samples is crossed within 1/64 of it. */
-    private static final int HALVINGS = 18;
+    private static final int HALVINGS = 19;
 
     private EffortSearch() {}
 
@@ -20,6 +20,18 @@ final class EffortSearch {
      * @param cost how many samples an effort costs; grows with it
      */
     static double effort(DoubleUnaryOperator cost, double samples) {
+        return power(search(cost, samples));
+    }
+
+    /** The effort that costs nearly this many samples, or a step of them more if that is nearer: of few pixels steps are large. */
+    static double nearest(DoubleUnaryOperator cost, double samples) {
+        double low = search(cost, samples);
+        double below = power(low);
+        double above = power(low + Math.scalb((double) MOST_EFFORT, -HALVINGS));
+        return cost.applyAsDouble(above) - samples < samples - cost.applyAsDouble(below) ? above : below;
+    }
+
+    private static double search(DoubleUnaryOperator cost, double samples) {
         double low = 0;
         double high = MOST_EFFORT;
         for (int k = 0; k < HALVINGS; k++) {
@@ -30,7 +42,7 @@ final class EffortSearch {
                 high = middle;
             }
         }
-        return power(low);
+        return low;
     }
 
     private static double power(double exponent) {

@@ -32,8 +32,15 @@ final class Evidence {
 
     private final int[] pixels = new int[2];
 
-    /** Forgets what was told. */
-    void begin() {
+    private boolean withOwn;
+
+    /**
+     * Forgets what was told.
+     *
+     * @param ofOwnToo whether a pixel is to learn from its own samples, too: only where they are no part of the picture
+     */
+    void begin(boolean ofOwnToo) {
+        withOwn = ofOwnToo;
         for (int kind = 0; kind < 2; kind++) {
             sums[kind] = 0;
             pixels[kind] = 0;
@@ -92,14 +99,14 @@ final class Evidence {
         for (int y = Math.max(j - 1, 0); y <= Math.min(j + 1, block.height() - 1); y++) {
             for (int x = Math.max(i - 1, 0); x <= Math.min(i + 1, block.width() - 1); x++) {
                 int n = FilmTile.BLOCK_SIDE * y + x;
-                if (n != k && kind(n) == kind) {
+                if ((n != k || withOwn) && kind(n) == kind) {
                     near += surprise[n];
                     count++;
                 }
             }
         }
-        double far = sums[kind] - surprise[k] - near;
-        double weight = NEAR * count + (pixels[kind] - 1 - count);
+        double far = sums[kind] - (withOwn ? 0 : surprise[k]) - near;
+        double weight = NEAR * count + (pixels[kind] - (withOwn ? 0 : 1) - count);
         return weight == 0 ? 0 : Math.max((NEAR * near + far) / weight, 0);
     }
 }

@@ -45,6 +45,16 @@ final class SampleDemand {
     /** Whether no pixel has variance from its light points. */
     boolean lightIsSettled;
 
+    /** One that stays as this one is now. */
+    SampleDemand copy() {
+        SampleDemand copy = new SampleDemand();
+        System.arraycopy(film, 0, copy.film, 0, film.length);
+        System.arraycopy(edge, 0, copy.edge, 0, edge.length);
+        System.arraycopy(light, 0, copy.light, 0, light.length);
+        copy.lightIsSettled = lightIsSettled;
+        return copy;
+    }
+
     /** Works out the needs of a block from its survey. */
     void of(Survey survey, Block block) {
         double mean = secondDifferences(survey, block);

@@ -83,6 +83,11 @@ public final class SeenBlocks {
         return share;
     }
 
+    /** How many of the blocks that were looked at are such. */
+    int size() {
+        return seen.size();
+    }
+
     /** About so many of them, evenly spread over the picture, or all if there are no more; none only if there are none. */
     List<Block> spread(int count) {
         // Where all are seen, these are Block.spread.

@@ -22,6 +22,15 @@ class BlockLimitsTest {
         }
     }
 
+    /** If one of few blocks takes as little or as much as it can, the others the mean, the sum changes by less than 1/√P. */
+    @Test
+    void ofFewBlocksNoneTakesLessThanTheInverseOfTheRootOfTheirNumber() {
+        assertEquals(16, BlockLimits.ofFew(16, 1).limited(0));
+        assertEquals(16, BlockLimits.ofFew(16, 1).limited(1e9));
+        assertEquals(4, BlockLimits.ofFew(16, 16).limited(0), 1e-12);
+        assertEquals(64, BlockLimits.ofFew(16, 16).limited(1e9), 1e-12);
+    }
+
     @Test
     void theMoreWereTriedTheLessIsLimited() {
         for (int tried = 1; tried < 1000; tried++) {

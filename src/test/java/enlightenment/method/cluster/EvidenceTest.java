@@ -14,9 +14,13 @@ class EvidenceTest {
 
     /** SampleDemand of a block whose pixels are told these surprises; pixels of the first two columns have corners that differ. */
     private static double[] raised(Block block, double[] surprise, double before) {
+        return raised(block, surprise, before, false);
+    }
+
+    private static double[] raised(Block block, double[] surprise, double before, boolean ofOwnToo) {
         Evidence evidence = new Evidence();
         SampleDemand needs = new SampleDemand();
-        evidence.begin();
+        evidence.begin(ofOwnToo);
         for (int j = 0; j < block.height(); j++) {
             for (int i = 0; i < block.width(); i++) {
                 int k = FilmTile.BLOCK_SIDE * j + i;
@@ -44,6 +48,20 @@ class EvidenceTest {
             int neighbour = own % 8 == 7 || own % 8 == 1 ? own - 1 : own + 1;
             assertTrue(changed[neighbour] > one[neighbour], "pixel beside " + own);
         }
+    }
+
+    /** All 48 pixels whose corners met the same expect one pixel's surprise: 8 of it and of those that touch it count beside 1 of the others. */
+    @Test
+    void fromSamplesThatAreNoPartOfThePictureItLearnsToo() {
+        double[] surprise = new double[64];
+        int own = 8 * 4 + 4;
+        surprise[own] = 1;
+        double[] raised = raised(BLOCK, surprise, 0, true);
+        double weight = 8 * 9 + (48 - 9);
+        assertEquals(6 * 8 / weight, raised[own], 1e-15);
+        assertEquals(6 * 8 / weight, raised[own - 9], 1e-15);
+        assertEquals(6 / weight, raised[own - 18 + 1], 1e-15);
+        assertEquals(0, raised(BLOCK, surprise, 0)[own]);
     }
 
     @Test

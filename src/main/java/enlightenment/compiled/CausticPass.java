@@ -210,4 +210,13 @@ public final class CausticPass {
     public int[] mediaAround(int light) {
         return light == lights.length ? NO_MEDIA : media[light];
     }
+
+    /** The radiance of a light in its strongest band, and the sun's after the last light; 0 of a point, which no path from the eye finds. */
+    public double radiance(int light) {
+        if (light == lights.length) {
+            return sun.max();
+        }
+        PhysicalLight l = lights[light];
+        return l.isPoint ? 0 : Math.max(l.r, Math.max(l.g, l.b));
+    }
 }

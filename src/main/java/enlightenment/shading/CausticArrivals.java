@@ -4,7 +4,6 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.MirrorBalls;
-import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.RayCounters;
 import enlightenment.primitive.Hit;
 import java.util.ArrayList;
@@ -83,22 +82,14 @@ final class CausticArrivals extends LightWalker {
 
     @Override
     boolean arrive(Bsdf bsdf, Scattering s) {
-        double radiance = radiance();
+        double radiance = physical.caustics.radiance(source.light);
         if (radiance > 0 && !isSought()) {
             Hit at = path.hit;
-            found.add(new double[] {at.px, at.py, at.pz, s.ox, s.oy, s.oz, red, green, blue, radiance});
+            found.add(new double[] {
+                at.px, at.py, at.pz, s.ox, s.oy, s.oz, carried.red, carried.green, carried.blue, radiance
+            });
         }
         return false;
-    }
-
-    /** How bright the light is that the path began at; 0 of a point, which no path from the eye ever finds. */
-    private double radiance() {
-        PhysicalLight[] lights = physical.caustics.lights;
-        if (source.light == lights.length) {
-            return physical.caustics.sun.max();
-        }
-        PhysicalLight l = lights[source.light];
-        return l.isPoint ? 0 : Math.max(l.r, Math.max(l.g, l.b));
     }
 
     /** Whether {@link MirrorCaustics} finds the light. */

@@ -2,7 +2,6 @@ package enlightenment.shading;
 
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Lambert;
-import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.HomogeneousMedium;
@@ -30,21 +29,7 @@ abstract class LightWalker extends LightPathTracer {
     private final Scattering border = new Scattering();
 
     /** The power that the path carries. */
-    double red;
-
-    double green;
-    double blue;
-
-    /** That of ultraviolet, which surfaces reflect as blue, and glass lets pass as blue. */
-    private double ultraviolet;
-
-    /** About how much visible light fluorescent surfaces make of ultraviolet; 0 if there is none. */
-    private final double ofUltraviolet;
-
-    private final double[] bands = new double[Reradiation.BANDS];
-
-    /** What is faint. */
-    private double faint;
+    final CarriedPower carried;
 
     /** How many scattering events the path has left behind. */
     int events;
@@ -97,7 +82,7 @@ abstract class LightWalker extends LightPathTracer {
         this.onlyCaustics = onlyCaustics;
         physical = scene.physical;
         wavelength = path.glass.wavelength;
-        ofUltraviolet = physical.visibleOfUltraviolet;
+        carried = new CarriedPower(physical.visibleOfUltraviolet);
         flight = physical.hasScattering ? new FreeFlight() : null;
         onTheWay = eye.sampling();
     }
@@ -111,11 +96,7 @@ abstract class LightWalker extends LightPathTracer {
         if (!source.emit(numbers.first, ray)) {
             return false;
         }
-        red = source.red;
-        green = source.green;
-        blue = source.blue;
-        ultraviolet = source.ultraviolet;
-        faint = PathValue.FAINT * most();
+        carried.begin(source);
         events = 0;
         pieces = 0;
         counts = !onlyCaustics;
@@ -132,7 +113,7 @@ abstract class LightWalker extends LightPathTracer {
 
     @Override
     double power() {
-        return source.power(ofUltraviolet);
+        return source.power(physical.visibleOfUltraviolet);
     }
 
     private double unit(long purpose) {
@@ -145,7 +126,7 @@ abstract class LightWalker extends LightPathTracer {
      */
     private boolean step() {
         if (wavelength != null && wavelength.takesEffect()) {
-            filter(wavelength.red, wavelength.green, wavelength.blue);
+            carried.filter(wavelength.red, wavelength.green, wavelength.blue);
         }
         SurfaceMaterial in = physical.hasAbsorption ? path.medium() : null;
         medium = in != null && isScatteredIn(in) ? in.medium : null;
@@ -159,7 +140,7 @@ abstract class LightWalker extends LightPathTracer {
         if (medium == null && in != null && in.absorbs) {
             Arrays.fill(surface, 1);
             in.absorb(path.distance(ray), surface);
-            filter(surface[0], surface[1], surface[2]);
+            carried.filter(surface[0], surface[1], surface[2]);
         }
         boolean isGlass = event == PathFollower.Event.GLASS;
         if (isGlass) {
@@ -180,7 +161,7 @@ abstract class LightWalker extends LightPathTracer {
         }
         counts = true;
         path.color(material, surface);
-        if (material.reradiation != null && !reradiate(material.reradiation)) {
+        if (material.reradiation != null && !carried.reradiate(material.reradiation, surface)) {
             return false;
         }
         Scattering s = path.arrive(ray, surface);
@@ -228,9 +209,8 @@ abstract class LightWalker extends LightPathTracer {
      * @param isSeenStraight whether the eye may see what the medium scatters from outside of it
      */
     private PathFollower.Event fly(boolean isSeenStraight) {
-        double invisible = ofUltraviolet * ultraviolet;
-        end.depart(carried());
-        flight.draw(medium, red, green, blue + invisible, unit(6), unit(7));
+        end.depart(carried.sum());
+        flight.draw(medium, carried.red, carried.green, carried.blueAndBeyond(), unit(6), unit(7));
         flown = 0;
         isConnected = isSeenStraight && path.mayScatter() && onTheWay.sample(ray, flight.length, unit(8));
         PathFollower.Event event = isConnected ? flyBy() : path.next(ray, flight.length);
@@ -245,7 +225,7 @@ abstract class LightWalker extends LightPathTracer {
         } else {
             flight.pass(flown + path.distance(ray));
         }
-        filter(flight.weightR, flight.weightG, flight.weightB);
+        carried.filter(flight.weightR, flight.weightG, flight.weightB);
         return event;
     }
 
@@ -266,9 +246,9 @@ abstract class LightWalker extends LightPathTracer {
                 medium.phase,
                 border,
                 null,
-                red * (flight.weightR * medium.scatteringR * scale),
-                green * (flight.weightG * medium.scatteringG * scale),
-                blue * (flight.weightB * medium.scatteringB * scale));
+                carried.red * (flight.weightR * medium.scatteringR * scale),
+                carried.green * (flight.weightG * medium.scatteringG * scale),
+                carried.blue * (flight.weightB * medium.scatteringB * scale));
         ray.set(path.hit.px, path.hit.py, path.hit.pz, -border.ox, -border.oy, -border.oz, 0);
         return path.next(ray, flight.length - flown);
     }
@@ -280,13 +260,8 @@ abstract class LightWalker extends LightPathTracer {
         }
         medium.phase.sample(border, unit(1), unit(2), 0);
         ray.set(path.hit.px, path.hit.py, path.hit.pz, border.ix, border.iy, border.iz, 0);
-        double survival = end.survival(carried(), path.hit.px, path.hit.py, path.hit.pz, isSafe());
+        double survival = end.survival(carried.sum(), path.hit.px, path.hit.py, path.hit.pz, isSafe());
         return survives(survival) && path.goesOn();
-    }
-
-    /** What counts of the path's light, summed over bands. */
-    private double carried() {
-        return Math.abs(red) + Math.abs(green) + Math.abs(blue) + ofUltraviolet * Math.abs(ultraviolet);
     }
 
     /**
@@ -295,7 +270,7 @@ abstract class LightWalker extends LightPathTracer {
      * @param tint of what passes, at a rough border; null elsewhere
      */
     private void connect(Bsdf bsdf, Scattering s, double[] tint) {
-        connect(bsdf, s, tint, red, green, blue);
+        connect(bsdf, s, tint, carried.red, carried.green, carried.blue);
     }
 
     /** The same of other light than the path carries. */
@@ -331,7 +306,7 @@ abstract class LightWalker extends LightPathTracer {
             // No event: a path may be cut into any number of pieces. Paths from the eye find such light by shadow rays.
             events--;
             pieces++;
-            filter(surface[0], surface[1], surface[2]);
+            carried.filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
         // Light that comes to rough glass straight is found there by shadow rays.
@@ -347,7 +322,7 @@ abstract class LightWalker extends LightPathTracer {
         if (flight == null) {
             return filterAndSurvive(surface[0], surface[1], surface[2]);
         }
-        filter(surface[0], surface[1], surface[2]);
+        carried.filter(surface[0], surface[1], surface[2]);
         double survival = end.survivalAtBorder(surface[0], surface[1], surface[2]);
         return isSafe() || survives(survival);
     }
@@ -362,57 +337,15 @@ abstract class LightWalker extends LightPathTracer {
         }
     }
 
-    private void filter(double r, double g, double b) {
-        red *= r;
-        green *= g;
-        blue *= b;
-        ultraviolet *= b;
-    }
-
-    /** What counts of the path's light. */
-    private double most() {
-        // Bands of a single wavelength may be negative.
-        double most = Math.max(Math.abs(red), Math.max(Math.abs(green), Math.abs(blue)));
-        return ofUltraviolet > 0 ? Math.max(most, ofUltraviolet * ultraviolet) : most;
-    }
-
-    /**
-     * A fluorescent surface changes the light; the path goes on as from a grey surface, whose reflectance becomes {@link #surface}. Returns
-     * whether any light is left.
-     */
-    private boolean reradiate(Reradiation by) {
-        double before = most();
-        bands[0] = red;
-        bands[1] = green;
-        bands[2] = blue;
-        bands[Reradiation.ULTRAVIOLET] = ultraviolet;
-        by.scatter(surface, bands);
-        red = bands[0];
-        green = bands[1];
-        blue = bands[2];
-        ultraviolet = bands[Reradiation.ULTRAVIOLET];
-        double after = most();
-        double scale = after < before ? before / after : 1;
-        if (!(after > 0) || !(scale < Double.POSITIVE_INFINITY)) {
-            return false;
-        }
-        red *= scale;
-        green *= scale;
-        blue *= scale;
-        ultraviolet *= scale;
-        Arrays.fill(surface, 1 / scale);
-        return true;
-    }
-
     /** Multiplies by the weight of an event, and plays roulette by it as {@link PathValue} does. */
     private boolean filterAndSurvive(double r, double g, double b) {
-        filter(r, g, b);
-        return isSafe() || most() > 0 && survives(PathValue.survival(r, g, b));
+        carried.filter(r, g, b);
+        return isSafe() || carried.most() > 0 && survives(PathValue.survival(r, g, b));
     }
 
     /** Whether nothing asks for an end of the path. */
     private boolean isSafe() {
-        return events + 1 < PathValue.ROULETTE_FROM && most() >= faint;
+        return events + 1 < PathValue.ROULETTE_FROM && !carried.isFaint();
     }
 
     /** Plays roulette with a probability of survival. */
@@ -420,10 +353,7 @@ abstract class LightWalker extends LightPathTracer {
         if (!(unit(4) < survival)) {
             return false;
         }
-        red /= survival;
-        green /= survival;
-        blue /= survival;
-        ultraviolet /= survival;
+        carried.survive(survival);
         return true;
     }
 }

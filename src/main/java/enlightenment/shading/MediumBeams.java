@@ -123,18 +123,9 @@ final class MediumBeams extends LightWalker {
         Hit at = path.hit;
         MediumBeam beam = new MediumBeam(medium, group, start, ray.dx * scale, ray.dy * scale, ray.dz * scale);
         beam.leaves(at.nx, at.ny, at.nz);
-        beam.carries(red, green, blue, radiance(), path.bounces());
+        beam.carries(
+                carried.red, carried.green, carried.blue, physical.caustics.radiance(source.light), path.bounces());
         return beam.isUsable(Math.max(source.red, Math.max(source.green, source.blue))) ? beam : null;
-    }
-
-    /** How bright the light is that the path began at; 0 of a point. */
-    private double radiance() {
-        PhysicalLight[] lights = physical.caustics.lights;
-        if (source.light == lights.length) {
-            return physical.caustics.sun.max();
-        }
-        PhysicalLight l = lights[source.light];
-        return l.isPoint ? 0 : Math.max(l.r, Math.max(l.g, l.b));
     }
 
     /** The group of the light that the path began at, as it is seen from here; -1 if so many paths find it that pictures tell. */

@@ -11,8 +11,11 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** What lies exactly where camera rays start is before the eye, by every method: rays that start on a surface meet it there. */
 class SurfaceAtEyeTest {
@@ -73,6 +76,13 @@ class SurfaceAtEyeTest {
         };
     }
 
+    /** Each camera by a method with paths from the eye, from the lights, and from both. */
+    static Stream<Arguments> views() {
+        return Stream.of("perspective", "window", "orthographic")
+                .flatMap(camera -> Stream.of(BuiltInMethod.RAYTRACE, BuiltInMethod.LIGHT, BuiltInMethod.BIDIRECTIONAL)
+                        .map(method -> Arguments.of(camera, method)));
+    }
+
     private static double mean(Scene scene, BuiltInMethod method, int band) {
         return mean(scene, method, band, 256);
     }
@@ -90,17 +100,7 @@ class SurfaceAtEyeTest {
     }
 
     @ParameterizedTest
-    @CsvSource({
-        "perspective, RAYTRACE",
-        "perspective, LIGHT",
-        "perspective, BIDIRECTIONAL",
-        "window, RAYTRACE",
-        "window, LIGHT",
-        "window, BIDIRECTIONAL",
-        "orthographic, RAYTRACE",
-        "orthographic, LIGHT",
-        "orthographic, BIDIRECTIONAL"
-    })
+    @MethodSource("views")
     void aPaneThereTintsThePicture(String camera, BuiltInMethod method) {
         for (int band = 0; band < 3; band++) {
             double without = mean(scene(camera(camera), ""), method, band);
@@ -113,17 +113,7 @@ class SurfaceAtEyeTest {
     }
 
     @ParameterizedTest
-    @CsvSource({
-        "perspective, RAYTRACE",
-        "perspective, LIGHT",
-        "perspective, BIDIRECTIONAL",
-        "window, RAYTRACE",
-        "window, LIGHT",
-        "window, BIDIRECTIONAL",
-        "orthographic, RAYTRACE",
-        "orthographic, LIGHT",
-        "orthographic, BIDIRECTIONAL"
-    })
+    @MethodSource("views")
     void anOpaqueSurfaceThereHidesAllThatIsBehind(String camera, BuiltInMethod method) {
         // The lamp is behind it.
         assertEquals(0, mean(scene(camera(camera), MATTE), method, 0));

@@ -26,11 +26,14 @@ import java.util.Map;
  *
  * Every scene is rendered by {@code -Dmethods=raytrace,cluster} with seeds 1 to SEEDS and each error; a row that has taken SECONDS of
  * processor time gets no more seeds. After each seed a picture by raytrace with another seed and at least {@code -Dreference=256} samples
- * joins the scene's reference. What is true is the difference, as shown, from the mean of those, less what that mean itself errs by. The
- * table is printed after each seed.
+ * joins the scene's reference, until these have taken {@code -DreferenceSeconds}. What is true is the difference, as shown, from the mean
+ * of those, less what that mean itself errs by. The table is printed after each seed.
  */
 public final class KeptErrors {
     private static final int LEAST_REFERENCE = Integer.getInteger("reference", 256);
+
+    /** A scene whose references have taken this processor time, in seconds, gets no more of them; by default as rows. */
+    private static final String REFERENCE_SECONDS = System.getProperty("referenceSeconds");
 
     private static final String METHODS = System.getProperty("methods", "raytrace,cluster");
 
@@ -94,6 +97,7 @@ public final class KeptErrors {
         String[] size = arguments[0].split("x");
         int seeds = Integer.parseInt(arguments[1]);
         double cap = Double.parseDouble(arguments[2]);
+        double referenceCap = REFERENCE_SECONDS == null ? cap : Double.parseDouble(REFERENCE_SECONDS);
         Map<String, Scene> scenes = new LinkedHashMap<>();
         Map<String, Reference> references = new LinkedHashMap<>();
         for (int i = 4; i < arguments.length; i++) {
@@ -123,7 +127,7 @@ public final class KeptErrors {
                         render(scenes.get(row.name), settings.withBudget(Budget.NONE.withError(row.asked)), seed));
                 row.seconds += (MACHINE.getProcessCpuTime() - before) / 1e9;
                 Reference reference = references.get(row.name);
-                if (row.method == rows.get(0).method && reference.seconds < cap) {
+                if (row.method == rows.get(0).method && reference.seconds < referenceCap) {
                     if (reference.samples == 0) {
                         reference.samples = Math.max(
                                 LEAST_REFERENCE,

@@ -87,7 +87,7 @@ final class AnimateCommand extends Subcommand {
                 frames == null ? new FrameRange(0, animation.frames() - 1) : frames.within(animation.frames());
         view.check(scene);
         output.beside(range.first()).check(scene);
-        options.warnOfStretch(scene, options.settings(scene, input.name()), terminal);
+        options.warnOfStretch(scene, options.settings(scene, input), terminal);
         List<Path> files = range.frames().mapToObj(output.pattern()::file).toList();
         check(scene, range, files);
         video.check(animation.framesPerSecond(), output.pattern(), range, terminal);
@@ -106,7 +106,7 @@ final class AnimateCommand extends Subcommand {
         FrameMaker maker = server == null
                 ? new FrameRenderer(film, settings, output, writer, terminal)
                 : new ServedFrames(film, settings, writer, serving, server, terminal);
-        RenderSettings asWritten = options.settings(scene, input.name());
+        RenderSettings asWritten = options.settings(scene, input);
         String title = scene.name().isEmpty() ? input.name() : scene.name();
         return watching.watch(
                 title,
@@ -129,12 +129,8 @@ final class AnimateCommand extends Subcommand {
                 .reads(argument.file(), scene)
                 .reads("the program of --ffmpeg", video.program())
                 .writesNumbered("-o", frames);
-        if (isInNewFolder(video.file())) {
-            files.makes("--video", video.file());
-        } else {
-            files.writes("--video", video.file());
-        }
-        report.register(files);
+        register(files, "--video", video.file());
+        register(files, "--report", report.file());
         serving.register(files);
         if (!output.aov().kinds().isEmpty()) {
             files.writesNumbered(
@@ -145,6 +141,14 @@ final class AnimateCommand extends Subcommand {
                             .toList());
         }
         files.check();
+    }
+
+    private void register(CommandFiles files, String option, Path file) throws IOException {
+        if (isInNewFolder(file)) {
+            files.makes(option, file);
+        } else {
+            files.writes(option, file);
+        }
     }
 
     /** Whether a file is to lie in the folder of the frames, which will be made. */

@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import picocli.AutoComplete;
 import picocli.CommandLine;
 
@@ -54,6 +55,7 @@ final class Commands {
     static CommandLine configure(CommandLine line, Terminal terminal) {
         // A scene's name may begin with @.
         line.setExpandAtFiles(false);
+        line.registerConverter(Path.class, new FilePath());
         line.setOut(new PrintWriter(terminal.out(), true));
         line.setErr(new PrintWriter(terminal.err(), true));
         Failures failures = new Failures(terminal);

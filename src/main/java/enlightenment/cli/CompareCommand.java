@@ -24,10 +24,16 @@ import picocli.CommandLine.Parameters;
 /** {@code enlightenment compare}: measures by how much one picture differs from another. */
 @Command(name = "compare", description = "Measures by how much one picture differs from another.", sortOptions = false)
 final class CompareCommand extends Subcommand {
-    @Parameters(index = "0", paramLabel = "A", description = "the picture to judge: .png or .pfm")
+    @Parameters(
+            index = "0",
+            paramLabel = "A",
+            description = "the picture to judge: .png, .pfm, .hdr, .exr, .jpg or .bmp")
     private Path test;
 
-    @Parameters(index = "1", paramLabel = "B", description = "the reference: .png or .pfm, of the same size")
+    @Parameters(
+            index = "1",
+            paramLabel = "B",
+            description = "the reference: a picture of the same size, .png, .pfm, .hdr, .exr, .jpg or .bmp")
     private Path reference;
 
     @Option(names = "--heatmap", paramLabel = "OUT.png", description = "write a picture of where they differ (FLIP)")

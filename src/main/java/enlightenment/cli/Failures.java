@@ -4,6 +4,7 @@ import enlightenment.file.FileFailure;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -12,6 +13,7 @@ import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The one place where what went wrong becomes messages and an exit code; commands only throw. */
 final class Failures implements IParameterExceptionHandler, IExecutionExceptionHandler {
@@ -65,6 +67,11 @@ final class Failures implements IParameterExceptionHandler, IExecutionExceptionH
             terminal.say(name(e.getArgSpec()) + " " + value.getMessage());
             return;
         }
+        Optional<String> unusable = unusableName(e);
+        if (unusable.isPresent()) {
+            terminal.say(unusable.get());
+            return;
+        }
         List<String> typos = Typos.unknownOptions(e);
         if (typos.isEmpty()) {
             terminal.say(firstLetterSmall(e.getMessage()));
@@ -72,6 +79,23 @@ final class Failures implements IParameterExceptionHandler, IExecutionExceptionH
         typos.forEach(terminal::say);
         String topic = e.getCommandLine().getCommandSpec().qualifiedName().replaceFirst("^enlightenment ?", "");
         terminal.say("see 'enlightenment help" + (topic.isEmpty() ? "" : " " + topic) + "'");
+    }
+
+    /** A list of files ends for picocli before a name that cannot be used, which then belongs to nothing. */
+    private static Optional<String> unusableName(ParameterException e) {
+        if (!(e instanceof UnmatchedArgumentException unmatched)) {
+            return Optional.empty();
+        }
+        for (ArgSpec files : e.getCommandLine().getCommandSpec().positionalParameters()) {
+            for (String word : files.isMultiValue() ? unmatched.getUnmatched() : List.<String>of()) {
+                try {
+                    new FilePath().convert(word);
+                } catch (BadValue value) {
+                    return Optional.of(name(files) + " " + value.getMessage());
+                }
+            }
+        }
+        return Optional.empty();
     }
 
     private static String name(ArgSpec arg) {

@@ -36,9 +36,9 @@ final class FilmReport {
 
     FilmReport() {}
 
-    /** Says which file will be written, if any. */
-    void register(CommandFiles files) {
-        files.writes("--report", file);
+    /** Which file will be written; null for none. */
+    Path file() {
+        return file;
     }
 
     /**

@@ -1,6 +1,5 @@
 package enlightenment.cli;
 
-import enlightenment.math.InvalidValueException;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -15,31 +14,18 @@ final class FrameCheck {
         Scene scene = input.read(Optional.of(frame));
         try {
             Renderer.checkShapes(scene);
-        } catch (InvalidValueException e) {
-            throw named(input, frame, e);
         } catch (SceneException e) {
             throw named(input, frame, e);
         }
     }
 
-    /** A value of a frame that cannot be used, with its file and frame. */
-    static SceneException named(SceneInput input, int frame, InvalidValueException e) {
-        return SceneFailures.inFile(input.name(), new InvalidValueException(e.key(), e.problem() + inFrame(frame)));
-    }
-
     /** The problems of a frame, with its file and number. */
     static SceneException named(SceneInput input, int frame, SceneException e) {
-        return new SceneException(e.problems().stream()
-                .map(p -> new SceneException.Problem(
-                        p.file().isEmpty() ? input.name() : p.file(),
-                        p.line(),
-                        p.column(),
-                        p.pointer(),
-                        p.message() + inFrame(frame)))
-                .toList());
-    }
-
-    private static String inFrame(int frame) {
-        return " (in frame " + frame + ")";
+        return SceneFailures.inFile(
+                input,
+                new SceneException(e.problems().stream()
+                        .map(p -> new SceneException.Problem(
+                                p.file(), p.line(), p.column(), p.pointer(), p.message() + " (in frame " + frame + ")"))
+                        .toList()));
     }
 }

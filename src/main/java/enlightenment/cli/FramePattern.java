@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.text.PathText;
 import enlightenment.text.Plain;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -25,7 +26,7 @@ record FramePattern(Path folder, String name, String before, int digits, String 
     /** @throws BadValue if the text is no such pattern */
     static FramePattern of(String text) {
         try {
-            Path path = Path.of(text);
+            Path path = FilePath.reachable(Path.of(text));
             String name = path.getFileName() == null ? "" : path.getFileName().toString();
             Matcher m = NUMBER.matcher(name);
             if (!m.matches() || !name.toLowerCase(Locale.ROOT).endsWith(".png")) {
@@ -35,7 +36,9 @@ record FramePattern(Path folder, String name, String before, int digits, String 
             int digits = m.group(2) == null ? 1 : Integer.parseInt(m.group(2));
             return new FramePattern(folder, name, plain(m.group(1)), digits, plain(m.group(3)));
         } catch (InvalidPathException e) {
-            throw BadValue.expected(EXAMPLE, Plain.excerpt(text));
+            throw PathText.isAboutLocale(e)
+                    ? FilePath.unusable(PathText.reason(e))
+                    : BadValue.expected(EXAMPLE, Plain.excerpt(text));
         }
     }
 

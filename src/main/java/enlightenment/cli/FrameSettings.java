@@ -19,7 +19,7 @@ final class FrameSettings {
 
     /** The settings for a frame. */
     RenderSettings of(Scene scene) {
-        return PictureOutput.withRounding(options.settings(scene, input.name()), output.depth());
+        return PictureOutput.withRounding(options.settings(scene, input), output.depth());
     }
 
     /**
@@ -28,7 +28,7 @@ final class FrameSettings {
      * @param e an {@link InvalidValueException} or a {@link SceneException}
      */
     RuntimeException told(int frame, RuntimeException e) {
-        RuntimeException blamed = e instanceof InvalidValueException value ? options.blame(value, input.name()) : e;
+        RuntimeException blamed = e instanceof InvalidValueException value ? options.blame(value, input) : e;
         return blamed instanceof SceneException scene ? FrameCheck.named(input, frame, scene) : blamed;
     }
 }

@@ -56,7 +56,7 @@ final class InspectCommand extends Subcommand {
     int execute() {
         input = argument.open(terminal);
         Scene scene = frame.read(input);
-        RenderSettings settings = options.settings(scene, input.name());
+        RenderSettings settings = options.settings(scene, input);
         Renderer.Inspection inspection = inspect(scene, settings);
         contents(scene);
         list("method", method(settings, scene));
@@ -112,9 +112,9 @@ final class InspectCommand extends Subcommand {
         try {
             return Renderer.inspect(scene, settings);
         } catch (InvalidValueException e) {
-            throw options.blame(e, input.name());
+            throw options.blame(e, input);
         } catch (SceneException e) {
-            throw SceneFailures.inFile(input.name(), e);
+            throw SceneFailures.inFile(input, e);
         }
     }
 

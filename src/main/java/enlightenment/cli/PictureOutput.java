@@ -129,4 +129,9 @@ final class PictureOutput {
             super(ImageFormat.PNG.depths());
         }
     }
+
+    /** The failure of a render that was stopped before there was anything to write. */
+    CliException nothingRendered() {
+        return CliException.failed("stopped before anything was rendered; " + name() + " was not written");
+    }
 }

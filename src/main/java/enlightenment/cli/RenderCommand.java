@@ -124,7 +124,7 @@ final class RenderCommand extends Subcommand {
         input = argument.open(terminal);
         Scene scene = frame.read(input);
         RenderSettings settings = PictureOutput.withRounding(
-                options.settings(scene, input.name()), part == null ? output.writtenDepth() : output.depth());
+                options.settings(scene, input), part == null ? output.writtenDepth() : output.depth());
         view.check(scene);
         samples.check(settings);
         aovFiles.check(scene);
@@ -187,21 +187,17 @@ final class RenderCommand extends Subcommand {
                     new BudgetNotes(display, settings.budget(), terminal),
                     terminal.stop());
         } catch (CancellationException e) {
-            throw nothingRendered();
+            throw output.nothingRendered();
         } catch (InvalidValueException e) {
-            throw options.blame(e, input.name());
+            throw options.blame(e, input);
         } catch (SceneException e) {
-            throw SceneFailures.inFile(input.name(), e);
+            throw SceneFailures.inFile(input, e);
         } finally {
             ProgressOption.end(display);
         }
         if (!complete) {
             throw CliException.failed("stopped: " + output.file() + " holds only some of part " + part);
         }
-    }
-
-    private CliException nothingRendered() {
-        return CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
     }
 
     private void renderPicture(Scene scene, RenderSettings settings, Watch watch) throws IOException {
@@ -211,10 +207,10 @@ final class RenderCommand extends Subcommand {
             store.open(scene, settings, frame.number(), samples.wanted()).ifPresent(archives::add);
             result = render(scene, settings, watch, archives.all());
         } catch (SceneException e) {
-            throw SceneFailures.inFile(input.name(), e);
+            throw SceneFailures.inFile(input, e);
         }
         if (result.shownPixels() == 0) {
-            throw nothingRendered();
+            throw output.nothingRendered();
         }
         double samples = result.report().sampling().plannedSamples();
         String line = SettingsLine.replayable(settings, samples, frame.number());
@@ -255,9 +251,9 @@ final class RenderCommand extends Subcommand {
         try {
             return Renderer.render(request);
         } catch (CancellationException e) {
-            throw CliException.failed(e.getMessage() + "; " + output.name() + " was not written");
+            throw output.nothingRendered();
         } catch (InvalidValueException e) {
-            throw options.blame(e, input.name());
+            throw options.blame(e, input);
         } finally {
             if (writer != null) {
                 writer.finish();

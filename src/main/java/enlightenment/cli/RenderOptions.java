@@ -64,10 +64,10 @@ final class RenderOptions {
     /**
      * The settings for a scene: what it asks for, changed by the options.
      *
-     * @param sceneFile what messages call the scene
+     * @param input where the scene comes from
      */
-    RenderSettings settings(Scene scene, String sceneFile) {
-        RenderSettings s = settings.settings(scene, sceneFile).withBudget(budget());
+    RenderSettings settings(Scene scene, SceneInput input) {
+        RenderSettings s = settings.settings(scene, input).withBudget(budget());
         return method == null ? s : s.withMethod(method);
     }
 
@@ -79,12 +79,12 @@ final class RenderOptions {
     }
 
     /** What to tell of a value that the renderer refused: the option's fault where it was given, else the scene's. */
-    RuntimeException blame(InvalidValueException e, String sceneFile) {
+    RuntimeException blame(InvalidValueException e, SceneInput input) {
         return switch (e.key()) {
             case "error" ->
                 CliException.wrongUsage("--error " + e.problem() + "; more bits (--depth 16) or a .pfm file can");
             case "samples" -> CliException.wrongUsage("--samples " + e.problem());
-            default -> settings.blame(e, sceneFile);
+            default -> settings.blame(e, input);
         };
     }
 

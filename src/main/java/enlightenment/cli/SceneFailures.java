@@ -20,18 +20,18 @@ final class SceneFailures {
         }
     }
 
-    /** The same problems, with the file where they did not name one. */
-    static SceneException inFile(String file, SceneException e) {
+    /** The same problems, with the file and the lines where they did not name them. */
+    static SceneException inFile(SceneInput input, SceneException e) {
         List<SceneException.Problem> problems = new ArrayList<>();
         for (SceneException.Problem p : e.problems()) {
-            problems.add(p.file().isEmpty() ? new SceneException.Problem(file, 0, 0, p.pointer(), p.message()) : p);
+            problems.add(
+                    p.file().isEmpty() ? new SceneException.Problem(input.name(), 0, 0, p.pointer(), p.message()) : p);
         }
-        return new SceneException(problems);
+        return input.located(new SceneException(problems));
     }
 
     /** A value that was found to be unusable only when the scene in this file was put together. */
-    static SceneException inFile(String file, InvalidValueException e) {
-        return new SceneException(
-                List.of(new SceneException.Problem(file, 0, 0, e.key().isEmpty() ? "" : "/" + e.key(), e.problem())));
+    static SceneException inFile(SceneInput input, InvalidValueException e) {
+        return inFile(input, SceneException.of(e));
     }
 }

@@ -41,6 +41,11 @@ final class SceneInput {
         return frame.isPresent() ? SceneReader.read(file, frame.get()) : SceneReader.read(file);
     }
 
+    /** The same problems with their lines and columns, where they had none. */
+    SceneException located(SceneException e) {
+        return StandardStreams.isNamed(file) ? SceneReader.located(e, bytes()) : SceneReader.located(e, file);
+    }
+
     /** The size of the scene's text in bytes. */
     long size() throws IOException {
         return StandardStreams.isNamed(file) ? bytes().length : Files.size(file);

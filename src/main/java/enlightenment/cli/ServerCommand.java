@@ -75,8 +75,7 @@ final class ServerCommand extends Subcommand {
         ServerOptions serverOptions = keep.addTo(serving.options(terminal)).build();
         input = argument.open(terminal);
         Scene scene = frame.read(input);
-        RenderSettings settings =
-                PictureOutput.withRounding(options.settings(scene, input.name()), output.writtenDepth());
+        RenderSettings settings = PictureOutput.withRounding(options.settings(scene, input), output.writtenDepth());
         view.check(scene);
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene);
@@ -98,20 +97,16 @@ final class ServerCommand extends Subcommand {
             serving.announce(server.port(), server.pin(), server.statusPort(), terminal);
             return server.await(display, terminal.stop());
         } catch (CancellationException e) {
-            throw nothingRendered();
+            throw output.nothingRendered();
         } catch (InvalidValueException e) {
-            throw options.blame(e, input.name());
+            throw options.blame(e, input);
         } catch (IllegalArgumentException e) {
             throw CliException.wrongUsage(e.getMessage());
         } catch (SceneException e) {
-            throw SceneFailures.inFile(input.name(), e);
+            throw SceneFailures.inFile(input, e);
         } finally {
             ProgressOption.end(display);
         }
-    }
-
-    private CliException nothingRendered() {
-        return CliException.failed("stopped before anything was rendered; " + output.name() + " was not written");
     }
 
     private ArchiveList archives(Scene scene, RenderSettings settings) throws IOException {
@@ -122,7 +117,7 @@ final class ServerCommand extends Subcommand {
 
     private void finish(RenderResult result, Scene scene, RenderSettings settings) throws IOException {
         if (result.report().pixels() == 0) {
-            throw nothingRendered();
+            throw output.nothingRendered();
         }
         double samples = result.report().sampling().plannedSamples();
         String line = SettingsLine.replayable(settings, samples, frame.number());

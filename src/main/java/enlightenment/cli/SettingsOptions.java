@@ -70,14 +70,14 @@ final class SettingsOptions {
     /**
      * The settings for a scene: what it asks for, changed by the options.
      *
-     * @param sceneFile what messages call the scene
+     * @param input where the scene comes from
      */
-    RenderSettings settings(Scene scene, String sceneFile) {
+    RenderSettings settings(Scene scene, SceneInput input) {
         RenderSettings s;
         try {
             s = RenderSettings.of(scene);
         } catch (InvalidValueException e) {
-            throw SceneFailures.inFile(sceneFile, e);
+            throw SceneFailures.inFile(input, e);
         }
         s = size == null ? s : s.withSize(size.width(), size.height());
         s = antialias == null ? s : s.withAntialias(antialias);
@@ -109,13 +109,13 @@ final class SettingsOptions {
     }
 
     /** What to tell of a value that the renderer refused: the option's fault where it was given, else the scene's. */
-    RuntimeException blame(InvalidValueException e, String sceneFile) {
+    RuntimeException blame(InvalidValueException e, SceneInput input) {
         if (!e.key().equals("size")) {
-            return SceneFailures.inFile(sceneFile, e);
+            return SceneFailures.inFile(input, e);
         }
         return size != null
                 ? CliException.wrongUsage("--size: " + e.problem())
-                : SceneFailures.inFile(sceneFile, new InvalidValueException("image", e.problem()));
+                : SceneFailures.inFile(input, new InvalidValueException("image", e.problem()));
     }
 
     static final class Antialias extends WholeNumber {

@@ -11,6 +11,9 @@ import java.util.OptionalDouble;
 final class StatsTable {
     private static final double MEBI = 1 << 20;
 
+    /** With fewer samples per pixel there are no quarters, which show how the error falls. */
+    private static final int FEW = 4;
+
     private final StringBuilder text = new StringBuilder();
 
     private StatsTable() {}
@@ -49,6 +52,9 @@ final class StatsTable {
                 s.estimatedError(),
                 s.errorLow(),
                 s.errorHigh());
+        if (s.light().isPresent() && s.plannedSamples() < FEW) {
+            line("  of so few samples", "%18s   they do not tell how much light they have missed", "a guess");
+        }
         s.light().ifPresent(this::light);
         OptionalDouble asked = report.settings().budget().error();
         if (asked.isPresent()) {

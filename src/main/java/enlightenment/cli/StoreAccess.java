@@ -4,6 +4,7 @@ import enlightenment.file.FilePlace;
 import enlightenment.file.InputFile;
 import enlightenment.store.StoreAddress;
 import enlightenment.store.StoreLogin;
+import enlightenment.text.PathText;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -30,7 +31,13 @@ final class StoreAccess {
     /** The store of this name. */
     static StoreAddress address(String text) {
         try {
-            return StoreAddress.of(text);
+            StoreAddress address = StoreAddress.of(text);
+            boolean isRelative =
+                    address.file().filter(file -> !file.isAbsolute()).isPresent();
+            if (isRelative && PathText.problemOfWorkingFolder().isPresent()) {
+                throw CliException.wrongUsage(PathText.problemOfWorkingFolder().get());
+            }
+            return address;
         } catch (IllegalArgumentException e) {
             throw CliException.wrongUsage(e.getMessage());
         }

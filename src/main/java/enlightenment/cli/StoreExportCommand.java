@@ -4,9 +4,11 @@ import enlightenment.file.WholeFile;
 import enlightenment.store.RenderRow;
 import enlightenment.store.SampleRows;
 import enlightenment.store.SampleStore;
+import enlightenment.store.StoreException;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
+import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -61,11 +63,20 @@ final class StoreExportCommand extends Subcommand {
 
     private long write(SampleRows samples) throws IOException {
         long[] count = new long[1];
-        WholeFile.write(csv, out -> {
-            Writer writer = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
-            count[0] = samples.writeCsv(writer);
-            writer.flush();
-        });
+        try {
+            WholeFile.write(csv, out -> {
+                Writer writer = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+                try {
+                    count[0] = samples.writeCsv(writer);
+                } catch (StoreException e) {
+                    // Past the writing of the file, which has not failed.
+                    throw new UncheckedIOException(e);
+                }
+                writer.flush();
+            });
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        }
         return count[0];
     }
 }

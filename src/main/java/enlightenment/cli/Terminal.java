@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.text.Plain;
 import java.io.InputStream;
 import java.io.PrintStream;
+import java.util.regex.Pattern;
 
 /**
  * Where a command reads from and writes to, and what can stop it.
@@ -13,14 +14,19 @@ import java.io.PrintStream;
  * @param stop tells when the user wants a render to end
  */
 record Terminal(InputStream in, PrintStream out, PrintStream err, ShutdownSignal stop) {
+    private static final Pattern FOREIGN_LINE = Pattern.compile("\n(?!  )");
+
     /** Without input. */
     Terminal(PrintStream out, PrintStream err, ShutdownSignal stop) {
         this(InputStream.nullInputStream(), out, err, stop);
     }
 
-    /** One message for the user; parts of it may come from elsewhere. */
+    /**
+     * One message for the user; parts of it may come from elsewhere. Lines that it goes on with are indented: no other line end in it
+     * is ours.
+     */
     void say(String message) {
-        note("enlightenment: " + message);
+        note("enlightenment: " + FOREIGN_LINE.matcher(message).replaceAll("?"));
     }
 
     /** Lines for the user that say themselves what they are about. */

@@ -36,6 +36,8 @@ final class TradeCommand extends Subcommand {
     @Parameters(paramLabel = "SCENE", description = "the scene file")
     private Path sceneFile;
 
+    private SceneInput input;
+
     @Option(
             names = {"-o", "--output"},
             required = true,
@@ -125,7 +127,8 @@ final class TradeCommand extends Subcommand {
     @Override
     int execute() throws IOException {
         checkOptions();
-        Scene scene = frame.read(new SceneInput(sceneFile, terminal));
+        input = new SceneInput(sceneFile, terminal);
+        Scene scene = frame.read(input);
         TradeSettings settings = settings(scene);
         new CommandFiles()
                 .reads(sceneFile, scene)
@@ -162,7 +165,7 @@ final class TradeCommand extends Subcommand {
                     "--sweep shadowSamples has nothing to vary with physical shading, where a path takes"
                             + " one light sample at a time");
         }
-        RenderSettings base = options.settings(scene, sceneFile.toString());
+        RenderSettings base = options.settings(scene, input);
         options.warnOfStretch(scene, base, terminal);
         List<Method> compared = (methods == null ? MethodList.oursFor(scene) : methods).methods();
         if (!compared.contains(base.method())) {
@@ -208,7 +211,7 @@ final class TradeCommand extends Subcommand {
         } catch (InvalidValueException e) {
             throw blame(e);
         } catch (SceneException e) {
-            throw SceneFailures.inFile(sceneFile.toString(), e);
+            throw SceneFailures.inFile(input, e);
         }
         if (result.isEmpty()) {
             throw CliException.failed("stopped before there was anything to compare with; --resume goes on");
@@ -223,7 +226,7 @@ final class TradeCommand extends Subcommand {
         return switch (e.key()) {
             case "output" -> CliException.wrongUsage("-o: " + e.problem());
             case "resume" -> CliException.wrongUsage("--resume: " + e.problem());
-            default -> options.blame(e, sceneFile.toString());
+            default -> options.blame(e, input);
         };
     }
 

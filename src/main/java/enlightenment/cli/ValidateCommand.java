@@ -54,9 +54,9 @@ final class ValidateCommand extends Subcommand {
             Renderer.check(scene, RenderSettings.of(scene));
             return scene;
         } catch (InvalidValueException e) {
-            throw SceneFailures.inFile(input.name(), e);
+            throw SceneFailures.inFile(input, e);
         } catch (SceneException e) {
-            throw SceneFailures.inFile(input.name(), e);
+            throw SceneFailures.inFile(input, e);
         }
     }
 

@@ -56,7 +56,6 @@ public final class CausticPass {
     private double brightest;
     private final boolean[] isBeam;
     private final boolean[] shinesBothWays;
-    private final int[][] media;
 
     private CausticPass(
             PhysicalLight[] lights, Sun sun, double ofUltraviolet, SpecularThings balls, CompiledPrimitives compiled) {
@@ -80,12 +79,11 @@ public final class CausticPass {
         }
         isBeam = new boolean[n];
         shinesBothWays = new boolean[n];
-        media = new int[n][];
         int pairs = (sun == null ? n : n + 1) * things;
         probability = new double[pairs];
         cumulative = new double[pairs];
         for (int l = 0; l < n; l++) {
-            prepare(l, compiled);
+            prepare(l);
         }
         for (int s = 0; sun != null && s < things && brightest > 0; s++) {
             probability[n * things + s] =
@@ -123,9 +121,8 @@ public final class CausticPass {
         return pass.cumulative[pass.cumulative.length - 1] > 0 ? pass : null;
     }
 
-    private void prepare(int l, CompiledPrimitives compiled) {
+    private void prepare(int l) {
         PhysicalLight light = lights[l];
-        media[l] = light.solidsAround(compiled.primitives(), compiled.glassSolids());
         boolean isApart = true;
         for (int s = 0; s < things; s++) {
             isApart &= distance(light, s) > ballRadius[s] + light.ballRadius;
@@ -208,7 +205,7 @@ public final class CausticPass {
 
     /** The solids of glass that points of a light may lie in. */
     public int[] mediaAround(int light) {
-        return light == lights.length ? NO_MEDIA : media[light];
+        return light == lights.length ? NO_MEDIA : lights[light].mediaAround();
     }
 
     /** The radiance of a light in its strongest band, and the sun's after the last light; 0 of a point, which no path from the eye finds. */

@@ -1,6 +1,7 @@
 package enlightenment.compiled;
 
 import enlightenment.color.DisplayCurve;
+import java.util.Arrays;
 
 /**
  * Light that paths from the eye find by chance only, as far as it is known where it is: caustics that are seen in mirrors or through glass.
@@ -24,6 +25,9 @@ public final class ChanceLight {
     /** 97.5 % of a normal distribution lie below so many deviations. */
     private static final double ONE_IN_40 = 1.96;
 
+    /** What is known of light whose finds differ is an estimate, whose squared error may be so much larger. */
+    private static final double UNCERTAIN = 1.25;
+
     /** What the figure of the halves is taken for at most. */
     private static final double SATURATED = 4;
 
@@ -32,13 +36,17 @@ public final class ChanceLight {
     /** How many parts there are beside each other. */
     private final int across;
 
-    /** What counts, by part: which share of it is within what is rendered; null for all of the picture. */
+    /** What counts, by part: which share of it is within what is looked at. */
     private final double[] shares;
 
-    private ChanceLight(float[] parts, int across, double[] shares) {
+    /** What a find is worth; null if each is worth as much as any other. */
+    private final RareFinds finds;
+
+    private ChanceLight(float[] parts, int across, double[] shares, RareFinds finds) {
         this.parts = parts;
         this.across = across;
         this.shares = shares;
+        this.finds = finds;
     }
 
     /**
@@ -52,7 +60,7 @@ public final class ChanceLight {
         for (int part = 0; part < inside.length; part++) {
             inside[part] = overlap(part % across, across, left, right) * overlap(part / across, down, top, bottom);
         }
-        return new ChanceLight(parts, across, inside);
+        return new ChanceLight(parts, across, inside, finds);
     }
 
     /** Which share of the k-th of n equal pieces of 0..1 lies between two numbers. */
@@ -60,15 +68,11 @@ public final class ChanceLight {
         return Math.max(Math.min(to * n, k + 1) - Math.max(from * n, k), 0);
     }
 
-    private double share(int part) {
-        return shares == null ? 1 : shares[part];
-    }
-
     /** How many parts count. */
     private double size() {
         double sum = 0;
-        for (int part = 0; part < parts.length / NUMBERS; part++) {
-            sum += share(part);
+        for (double share : shares) {
+            sum += share;
         }
         return sum;
     }
@@ -107,19 +111,33 @@ public final class ChanceLight {
 
         /** What was gathered; null if there is none of such light. */
         public ChanceLight build() {
-            return isEmpty ? null : new ChanceLight(parts, across, null);
+            return build(null);
+        }
+
+        /**
+         * What was gathered of light that samples find so, whatever probabilities were set; null if there is none of such light.
+         *
+         * @param finds null if each find is worth as much as any other
+         */
+        public ChanceLight build(RareFinds finds) {
+            double[] all = new double[parts.length / NUMBERS];
+            Arrays.fill(all, 1);
+            return isEmpty ? null : new ChanceLight(parts, across, all, finds);
         }
     }
 
     /** What it does to the error of a picture with so many samples per pixel. */
     public ChanceError error(DisplayCurve curve, double samples) {
+        if (finds != null) {
+            return finds.suffice(samples) ? ChanceError.NONE : unequal(curve, samples);
+        }
         double shortfall = 0;
         double sum = 0;
         double variance = 0;
         double[] square = new double[2];
         for (int at = 0; at < parts.length; at += NUMBERS) {
             double mean = samples * parts[at + 6];
-            double share = share(at / NUMBERS);
+            double share = shares[at / NUMBERS];
             if (mean < ENOUGH && share > 0) {
                 squared(curve, at, mean, square);
                 shortfall += share * Math.max(square[0] - (mean > 0 ? told(curve, at, mean) : 0), 0);
@@ -129,6 +147,34 @@ public final class ChanceLight {
         }
         double pixels = size();
         return new ChanceError(shortfall / pixels, (sum + ONE_IN_40 * Math.sqrt(Math.max(variance, 0))) / pixels);
+    }
+
+    /** The same where finds differ in what they are worth. */
+    private ChanceError unequal(DisplayCurve curve, double samples) {
+        RareFinds.Outcome part = new RareFinds.Outcome();
+        double sum = 0;
+        double variance = 0;
+        double halves = 0;
+        double quarters = 0;
+        for (int k = 0; k < shares.length; k++) {
+            if (shares[k] > 0) {
+                finds.play(curve, samples, k, parts, NUMBERS * k, part);
+                sum += shares[k] * part.square;
+                variance += shares[k] * part.variance;
+                halves += shares[k] * part.halves;
+                quarters += shares[k] * part.quarters;
+            }
+        }
+        double pixels = size();
+        // Other noise beside it, where the screen does not saturate, keeps what is told from being all of that share.
+        double told = halves * Math.sqrt(share(halves, quarters));
+        double most = UNCERTAIN * (sum + ONE_IN_40 * Math.sqrt(variance));
+        return new ChanceError(Math.max(sum - told, 0) / pixels, most / pixels);
+    }
+
+    /** How much of the figure of the halves is told (film.PathDecay): where the screen saturates it is more. */
+    private static double share(double halves, double quarters) {
+        return Math.min(Math.max(2 * halves / Math.max(quarters, Double.MIN_NORMAL), 1), SATURATED);
     }
 
     /**
@@ -142,7 +188,7 @@ public final class ChanceLight {
         double sum = 0;
         double[] square = new double[2];
         for (int at = 0; at < parts.length; at += NUMBERS) {
-            double share = share(at / NUMBERS);
+            double share = shares[at / NUMBERS];
             found += share * parts[at + 6];
             squared(curve, at, 0, square);
             sum += share * square[0];
@@ -192,7 +238,7 @@ public final class ChanceLight {
             halves += difference(curve, other, 2 * light / mean, half) / 12;
             quarters += difference(curve, other, 4 * light / mean, quarter) / 12;
         }
-        return halves * Math.min(Math.max(2 * halves / Math.max(quarters, Double.MIN_NORMAL), 1), SATURATED);
+        return halves * share(halves, quarters);
     }
 
     /** The mean squared difference of two independent numbers of finds, as they show. */

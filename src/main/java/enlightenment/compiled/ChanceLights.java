@@ -19,7 +19,11 @@ public final class ChanceLights {
         /** The same of lamps. */
         LAMPS_IN_MEDIA,
         /** The same of the sun's disk. */
-        SUN_IN_MEDIA
+        SUN_IN_MEDIA,
+        /** Of that of points and lamps what paths from both ends do not meet on, as borders are on both sides of each place. */
+        UNCONNECTED_IN_MEDIA,
+        /** The rest of that, which they find where that from the light has come into the medium, and near to the other. */
+        CONNECTED_IN_MEDIA
     }
 
     private record Part(Kind kind, ChanceLight light) {}

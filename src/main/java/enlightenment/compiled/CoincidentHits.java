@@ -24,6 +24,10 @@ public final class CoincidentHits {
     private final Ray probe = new Ray();
     private final Hit own = new Hit();
     private final Hit leftHit = new Hit();
+
+    /** The coincidences that count at a hit. */
+    private final IntList near = new IntList();
+
     private int[] ids = new int[4];
     private Hit[] hits = {new Hit(), new Hit(), new Hit(), new Hit()};
     private int size;
@@ -55,19 +59,22 @@ public final class CoincidentHits {
 
     /** Finds the surfaces that coincide with a hit; that of the hit itself comes first. */
     public void find(Ray ray, int id, Hit hit) {
+        findNear(id, hit);
+        find(ray, id, hit, near);
+    }
+
+    private void findNear(int id, Hit hit) {
+        scene.coincident.near(id, hit.face, hit.px, hit.py, hit.pz, near);
+    }
+
+    private void find(Ray ray, int id, Hit hit, IntList near) {
         clear();
         add(id, hit);
-        int[] entries = scene.coincident.of(id);
-        for (int k = 0; k < entries.length; k += CoincidentSurfaces.ENTRY) {
-            int entry = k / CoincidentSurfaces.ENTRY;
-            if (entries[k] == hit.face && scene.coincident.isNear(id, entry, hit.px, hit.py, hit.pz)) {
-                findOther(
-                        ray,
-                        entries[k + 1],
-                        entries[k + 2],
-                        REACH * scene.coincident.tolerancesOf(id)[entry],
-                        hit);
-            }
+        for (int i = 0; i < near.size(); i++) {
+            CoincidentFaces pairs = scene.coincident.of(id);
+            int k = near.get(i);
+            int other = pairs.other(k);
+            findOther(ray, other, pairs.otherFace(k), REACH * scene.coincident.tolerance(id, other), hit);
         }
     }
 
@@ -135,28 +142,17 @@ public final class CoincidentHits {
         return leftGlass;
     }
 
-    /** Whether no surface can coincide with a hit. False where in doubt: it is to save the search mostly. */
-    private boolean isAlone(int id, Hit hit) {
-        int[] entries = scene.coincident.of(id);
-        for (int k = 0; k < entries.length; k += CoincidentSurfaces.ENTRY) {
-            if (entries[k] == hit.face
-                    && scene.coincident.isNear(id, k / CoincidentSurfaces.ENTRY, hit.px, hit.py, hit.pz)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     /**
      * Replaces a hit on an opaque surface by that on the coincident surface that is seen.
      *
      * @return the id of the primitive that is seen
      */
     int choose(Ray ray, int id, Hit hit) {
-        if (isAlone(id, hit) || scene.isGlass(id, hit.face)) {
+        findNear(id, hit);
+        if (near.size() == 0 || scene.isGlass(id, hit.face)) {
             return id;
         }
-        find(ray, id, hit);
+        find(ray, id, hit, near);
         int best = seen();
         Hit chosen = hits[best];
         // The ray's own crossing, to the last bit, as if the other surfaces were not there.
@@ -237,18 +233,29 @@ public final class CoincidentHits {
     }
 
     /**
-     * The index of the surface of the medium that is entered; if that has no border here, of the one that is left. Painted faces are none:
-     * the ray may have been inside of their solid all along, where another medium filled it.
+     * The index of the surface that is the border of two media: that of the medium that has one here; where both do, in physical shading
+     * that of the one that fills overlaps, from whichever side the ray comes, so that light has the same way back and contact is the limit
+     * of overlaps; in classic shading that of the one that is entered. Painted faces are none: the ray may have been inside of their solid
+     * all along, where another medium filled it.
      */
-    public int ofMedium(int entered, int left) {
-        int found = 0;
+    public int border(int entered, int left) {
+        int of = surfaceOf(entered);
+        int other = surfaceOf(left);
+        if (of == NONE || other == NONE) {
+            return Math.max(Math.max(of, other), 0);
+        }
+        boolean isOfLeft = scene.physical != null && scene.mediumRank[left] < scene.mediumRank[entered];
+        return isOfLeft ? other : of;
+    }
+
+    /** The first surface of glass of a primitive, or -1. */
+    private int surfaceOf(int id) {
         for (int k = 0; k < size; k++) {
-            if (isGlass(k) && ids[k] == entered) {
+            if (ids[k] == id && isGlass(k)) {
                 return k;
             }
-            found = isGlass(k) && ids[k] == left ? k : found;
         }
-        return found;
+        return NONE;
     }
 
     /** The id of the primitive that surface k belongs to. */

@@ -120,6 +120,27 @@ public final class CompiledCamera {
         return Bounds.around(box.center(), box.extent());
     }
 
+    /** The places where rays start. */
+    RayStarts rayStarts() {
+        Vec3 size = absolute(origin)
+                .plus(absolute(originX))
+                .plus(absolute(originY))
+                .plus(absolute(direction)
+                        .plus(absolute(directionX))
+                        .plus(absolute(directionY))
+                        .times(Math.abs(tMin)));
+        return new RayStarts(
+                startBounds(),
+                origin.plus(direction.times(tMin)),
+                originX.plus(directionX.times(tMin)),
+                originY.plus(directionY.times(tMin)),
+                size);
+    }
+
+    private static Vec3 absolute(Vec3 v) {
+        return new Vec3(Math.abs(v.x()), Math.abs(v.y()), Math.abs(v.z()));
+    }
+
     /** Sets the ray through (x, y), 0..1 from the picture's upper left corner. */
     public void ray(double x, double y, Ray ray) {
         ray.set(

@@ -3,9 +3,7 @@ package enlightenment.compiled;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.material.Material;
-import enlightenment.math.InvalidValueException;
 import enlightenment.primitive.Primitive;
-import enlightenment.primitive.Primitives;
 import enlightenment.scene.SceneObject;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -52,7 +50,7 @@ record CompiledPrimitives(
                 poll.run();
             }
             SceneObject o = objects.get(i);
-            placed.add(i, o, place(o, i, frame, placement));
+            placed.add(i, o, placement.place(o.shape(), frame));
         }
         return of(placed, placed.canonicalOrder(), objects.size());
     }
@@ -78,22 +76,6 @@ record CompiledPrimitives(
                 object,
                 objects,
                 ranks(primitives, materials, glass));
-    }
-
-    /** Throws if one of the objects cannot be placed in the frame. */
-    static void check(List<SceneObject> objects, SceneFrame frame) {
-        for (int i = 0; i < objects.size(); i++) {
-            place(objects.get(i), i, frame, Primitives::placeAll);
-        }
-    }
-
-    /** The primitives of the object at an index; the key of an invalid value becomes relative to the scene. */
-    private static List<Primitive> place(SceneObject object, int index, SceneFrame frame, Placement placement) {
-        try {
-            return placement.place(object.shape(), frame);
-        } catch (InvalidValueException e) {
-            throw new InvalidValueException("objects/" + index + "/" + e.key(), e.problem());
-        }
     }
 
     private static int[] glassSolids(Primitive[] primitives, FaceMaterials materials) {

@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 
@@ -130,7 +131,7 @@ public final class CompiledScene {
         this.shading = shading;
         classic = shading instanceof ClassicShading c ? c : null;
         physical = shading instanceof PhysicalShading p
-                ? new PhysicalScene(p, frame, surroundings, compiled, points, camera.startBounds(), poll)
+                ? new PhysicalScene(p, frame, surroundings, compiled, accelerator, points, camera.startBounds(), poll)
                 : null;
         this.lights = lights;
         this.primitives = compiled.primitives();
@@ -168,12 +169,12 @@ public final class CompiledScene {
         for (int id : glassSolids) {
             glassBounds[id] = widened(primitives[id].bounds());
         }
-        cameraSolids = solidsThatOverlap(camera.startBounds());
+        cameraSolids = solidsAround(camera.rayStarts());
         occluders = new OccluderSet(primitives, bodies, few);
         if (physical != null && accelerator instanceof PrimitiveList all) {
             physical.findOccluders(primitives, occluders, all);
         }
-        mirrorBalls = physical == null ? null : MirrorBalls.of(this, physical);
+        mirrorBalls = physical == null ? null : MirrorBalls.of(this, physical, poll);
         PhysicalFeatures more =
                 physical == null ? null : new PhysicalFeatures(physical, materials.distinct(), mirrorBalls);
         this.features = more == null ? List.copyOf(features) : joined(more.present, features);
@@ -195,11 +196,11 @@ public final class CompiledScene {
         return Arrays.copyOf(visible, n);
     }
 
-    private int[] solidsThatOverlap(Bounds box) {
+    private int[] solidsAround(RayStarts starts) {
         int[] solids = new int[glassSolids.length];
         int n = 0;
         for (int id : glassSolids) {
-            if (glassBounds[id].overlaps(box)) {
+            if (starts.mayLieIn(glassBounds[id])) {
                 solids[n++] = id;
             }
         }
@@ -300,11 +301,11 @@ public final class CompiledScene {
 
     /** Whether caustics are the business of a pass of their own, at any moment. */
     public boolean hasCausticPass() {
-        for (CompiledScene moment : moments()) {
-            if (moment.physical != null && moment.physical.hasCausticPass()) {
-                return true;
-            }
-        }
-        return false;
+        return isEver(moment -> moment.physical != null && moment.physical.hasCausticPass());
+    }
+
+    /** Whether that is so at any moment of what a picture shows. */
+    public boolean isEver(Predicate<CompiledScene> isSo) {
+        return Arrays.stream(moments()).anyMatch(isSo);
     }
 }

@@ -1,6 +1,7 @@
 package enlightenment.compiled;
 
 import enlightenment.material.Texture;
+import enlightenment.math.InvalidValueException;
 import enlightenment.scene.Background;
 import enlightenment.scene.SceneException;
 import enlightenment.surroundings.Surroundings;
@@ -16,8 +17,17 @@ final class CompiledSurroundings {
      * Null if the same light comes from everywhere.
      *
      * @param files returns the content of an image file, or null if it must be read from the disk
+     * @throws SceneException if the file of a picture cannot be used, or its light or that of a sky is too much
      */
     static Surroundings of(Background background, Function<Path, byte[]> files) {
+        try {
+            return made(background, files);
+        } catch (InvalidValueException e) {
+            throw SceneException.of("/shading/background/" + e.key(), e.problem());
+        }
+    }
+
+    private static Surroundings made(Background background, Function<Path, byte[]> files) {
         if (background instanceof Background.Picture p) {
             return picture(p, files.apply(p.picture().file()));
         }
@@ -29,11 +39,12 @@ final class CompiledSurroundings {
     }
 
     private static Surroundings picture(Background.Picture p, byte[] content) {
-        boolean isLight = p.picture().encoding() == Texture.Encoding.LINEAR;
+        Surroundings.Texels texels = new Surroundings.Texels(
+                p.picture().encoding() == Texture.Encoding.LINEAR, p.picture().filter() == Texture.Filter.NEAREST);
         try {
             return content == null
-                    ? Surroundings.read(p.picture().file(), p.radiance(), p.rotation(), isLight)
-                    : Surroundings.of(content, p.radiance(), p.rotation(), isLight);
+                    ? Surroundings.read(p.picture().file(), p.radiance(), p.rotation(), texels)
+                    : Surroundings.of(content, p.radiance(), p.rotation(), texels);
         } catch (IOException e) {
             String problem = content == null
                     ? e.getMessage()

@@ -15,6 +15,8 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneException.Problem;
 import enlightenment.scene.SceneObject;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -36,26 +38,19 @@ final class GlowingObjects {
     /** The lights without extent, in an order that does not depend on that in the scene. */
     final List<PhysicalLight> points = new ArrayList<>();
 
+    /** @throws SceneException with all lights that are too much for their size or that of the scene */
     GlowingObjects(Scene scene, SceneFrame frame) {
         List<SceneObject> all = new ArrayList<>();
+        List<Problem> problems = new ArrayList<>();
         for (int i = 0; i < scene.lights().size(); i++) {
-            Light light = scene.lights().get(i);
-            if (light instanceof Light.Sphere s) {
-                double perPower = 1 / (4 * Math.PI * Math.PI) / s.radius() / s.radius();
-                all.add(object(light, i, perPower, true, Sphere.of(s.center(), s.radius())));
-            } else if (light instanceof Light.Rectangle q) {
-                checkArea(q, i, frame);
-                Shape shape = new Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight());
-                double sides = q.twoSided() ? 2 : 1;
-                all.add(object(light, i, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
-            } else if (light instanceof Light.Point p) {
-                PhysicalLight point = point(p, i, frame);
-                if (point.luminance() > 0 || point.ultraviolet > 0) {
-                    points.add(point);
-                }
-            } else {
-                throw new AssertionError("no physical form of the light " + light.type());
+            try {
+                add(scene.lights().get(i), i, frame, all);
+            } catch (InvalidValueException e) {
+                problems.addAll(SceneException.of(e).problems());
             }
+        }
+        if (!problems.isEmpty()) {
+            throw new SceneException(problems);
         }
         points.sort(Comparator.<PhysicalLight>comparingDouble(l -> l.x)
                 .thenComparingDouble(l -> l.y)
@@ -69,6 +64,26 @@ final class GlowingObjects {
         } else {
             all.addAll(0, scene.objects());
             objects = Collections.unmodifiableList(all);
+        }
+    }
+
+    /** @param all receives an object if the light has extent */
+    private void add(Light light, int i, SceneFrame frame, List<SceneObject> all) {
+        if (light instanceof Light.Sphere s) {
+            double perPower = 1 / (4 * Math.PI * Math.PI) / s.radius() / s.radius();
+            all.add(object(light, i, perPower, true, Sphere.of(s.center(), s.radius())));
+        } else if (light instanceof Light.Rectangle q) {
+            checkArea(q, i, frame);
+            Shape shape = new Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight());
+            double sides = q.twoSided() ? 2 : 1;
+            all.add(object(light, i, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
+        } else if (light instanceof Light.Point p) {
+            PhysicalLight point = point(p, i, frame);
+            if (point.luminance() > 0 || point.ultraviolet > 0) {
+                points.add(point);
+            }
+        } else {
+            throw new AssertionError("no physical form of the light " + light.type());
         }
     }
 
@@ -100,7 +115,10 @@ final class GlowingObjects {
         Vec3 up = frame.toFrame(q.upperLeft()).minus(corner);
         Vec3 right = frame.toFrame(q.lowerRight()).minus(corner);
         Emission.Quantity quantity = q.emission().quantity();
-        if (quantity == Emission.Quantity.POWER && up.cross(right).maxAbs() == 0) {
+        // Beside something very far away a product of edges may underflow that are very different points: that is
+        // SceneExtent's to tell.
+        Vec3 normal = up.scaledBy(-up.exponent()).cross(right.scaledBy(-right.exponent()));
+        if (quantity == Emission.Quantity.POWER && normal.maxAbs() == 0) {
             throw new InvalidValueException(
                     "lights/" + index + "/" + quantity.key(),
                     "cannot be that of a rectangle of this size so far from the eye: its corners are one point, or lie in one line, in"

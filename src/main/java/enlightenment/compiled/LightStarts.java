@@ -30,7 +30,6 @@ public final class LightStarts {
     private final double[] cumulative;
 
     private final boolean[] shinesBothWays;
-    private final int[][] media;
 
     /**
      * Those of a scene.
@@ -46,7 +45,6 @@ public final class LightStarts {
         SceneBall ball = SceneBall.around(scene.primitives);
         center = ball.center();
         radius = ball.radius();
-        media = new int[n][];
         shinesBothWays = new boolean[n];
         probability = new double[n + 1];
         cumulative = new double[n + 1];
@@ -58,7 +56,6 @@ public final class LightStarts {
         for (int l = 0; l <= n && brightest > 0; l++) {
             if (l < n) {
                 shinesBothWays[l] = lights[l].shinesInside;
-                media[l] = lights[l].solidsAround(scene.primitives, scene.glassSolids);
                 probability[l] = brightness(lights[l]) / brightest * reach(l);
             } else if (withBackground) {
                 probability[l] = background() / brightest * reach(l);
@@ -158,6 +155,6 @@ public final class LightStarts {
 
     /** The solids of glass that points of a light may lie in. */
     public int[] mediaAround(int light) {
-        return light == background ? NO_MEDIA : media[light];
+        return light == background ? NO_MEDIA : lights[light].mediaAround();
     }
 }

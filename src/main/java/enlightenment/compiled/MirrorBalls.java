@@ -2,9 +2,8 @@ package enlightenment.compiled;
 
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.SpherePrimitive;
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * The mirrors of a scene that are spheres, each with a light that it may reflect: their images of lights can be aimed at. Immutable.
@@ -24,38 +23,52 @@ public final class MirrorBalls {
     /** By pair: the index of the light. */
     public final int[] light;
 
-    private MirrorBalls(List<Pair> pairs, Primitive[] primitives) {
+    private MirrorBalls(List<StrongestPairs.Pair> pairs, Primitive[] primitives) {
         int n = pairs.size();
         mirror = new SpherePrimitive[n];
         id = new int[n];
         light = new int[n];
         for (int k = 0; k < n; k++) {
-            id[k] = pairs.get(k).id;
-            light[k] = pairs.get(k).light;
+            id[k] = pairs.get(k).id();
+            light[k] = pairs.get(k).light();
             mirror[k] = (SpherePrimitive) primitives[id[k]];
         }
     }
 
-    private record Pair(int id, int light, double power) {}
-
-    /** The pairs of a scene; null if there are none, or paths end too soon. */
-    static MirrorBalls of(CompiledScene scene, PhysicalScene physical) {
+    /**
+     * The pairs of a scene; null if there are none, or paths end too soon.
+     *
+     * @param poll called now and then; ends this by what it throws
+     */
+    static MirrorBalls of(CompiledScene scene, PhysicalScene physical, Runnable poll) {
         if (physical.maxBounces < 2) {
             return null;
         }
-        List<Pair> pairs = new ArrayList<>();
+        PolledWork work = new PolledWork(poll);
+        StrongestPairs best = new StrongestPairs(MOST_PAIRS);
+        MirroredLights lights = null;
+        long pairs = 0;
         for (int id = 0; id < scene.primitives.length; id++) {
             if (isMirror(scene, id)) {
-                for (int light = 0; light < physical.lights.length; light++) {
-                    PhysicalLight l = physical.lights[light];
-                    if (!l.isPoint && l.id != id && !scene.coincident.concerns(l.id)) {
-                        pairs.add(new Pair(id, light, power((SpherePrimitive) scene.primitives[id], l, physical)));
+                if (lights == null) {
+                    int[] some = reflected(scene, physical);
+                    if (some.length == 0) {
+                        return null;
                     }
+                    lights = new MirroredLights(physical.lights, some, physical.visibleOfUltraviolet, work);
                 }
-                keepBest(pairs);
+                pairs += lights.count() - (physical.lightOf(id, 0) >= 0 ? 1 : 0);
+                lights.offer((SpherePrimitive) scene.primitives[id], id, best);
             }
         }
-        return pairs.isEmpty() ? null : new MirrorBalls(pairs, scene.primitives);
+        return pairs == 0 ? null : new MirrorBalls(pairs > MOST_PAIRS ? best.byPower() : best.byId(), scene.primitives);
+    }
+
+    /** The lights that may be reflected. */
+    private static int[] reflected(CompiledScene scene, PhysicalScene physical) {
+        return IntStream.range(0, physical.lights.length)
+                .filter(i -> !physical.lights[i].isPoint && !scene.coincident.concerns(physical.lights[i].id))
+                .toArray();
     }
 
     private static boolean isMirror(CompiledScene scene, int id) {
@@ -64,25 +77,6 @@ public final class MirrorBalls {
         }
         SurfaceMaterial m = scene.material(id, 0);
         return m.isDelta && !m.isGlass && !m.isBlack;
-    }
-
-    private static void keepBest(List<Pair> pairs) {
-        if (pairs.size() > MOST_PAIRS) {
-            pairs.sort(Comparator.<Pair>comparingDouble(p -> -p.power)
-                    .thenComparingInt(Pair::id)
-                    .thenComparingInt(Pair::light));
-            pairs.subList(MOST_PAIRS, pairs.size()).clear();
-        }
-    }
-
-    /** About how much of a light's power comes to a mirror, but for a factor. */
-    private static double power(SpherePrimitive mirror, PhysicalLight l, PhysicalScene scene) {
-        double x = mirror.x() - l.ballX;
-        double y = mirror.y() - l.ballY;
-        double z = mirror.z() - l.ballZ;
-        double share = mirror.radius() * mirror.radius() / (x * x + y * y + z * z);
-        double brightest = Math.max(Math.max(l.r, Math.max(l.g, l.b)), scene.visibleOfUltraviolet * l.ultraviolet);
-        return brightest * l.form.area() * Math.min(share, 1);
     }
 
     /** The number of pairs. */

@@ -10,7 +10,6 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import enlightenment.primitive.RectanglePrimitive;
 import enlightenment.primitive.SupportSurface;
-import java.util.Arrays;
 
 /**
  * A light of physical shading: a face of a primitive that glows, or a point. What glows is a surface like any other: rays meet it, and it
@@ -18,6 +17,8 @@ import java.util.Arrays;
  */
 public final class PhysicalLight extends LightBody {
     private static final int NO_PRIMITIVE = -1;
+
+    private static final int[] NO_MEDIA = {};
 
     /** The light's form: points on it, as they are seen from somewhere; null for a point. */
     public final AreaLight form;
@@ -54,6 +55,9 @@ public final class PhysicalLight extends LightBody {
 
     /** Whether no segment to a point of it that {@link AreaLight#sample} chooses crosses its primitive before. */
     public final boolean hidesNothingOfItself;
+
+    /** Set once, when the scene is compiled. */
+    int[] media = NO_MEDIA;
 
     private PhysicalLight(
             Place place,
@@ -143,13 +147,9 @@ public final class PhysicalLight extends LightBody {
         return 0.2126 * r + 0.7152 * g + 0.0722 * b;
     }
 
-    /** Which of some solids points of the light may lie in. */
-    int[] solidsAround(Primitive[] primitives, int[] solids) {
-        return solids.length == 0
-                ? solids
-                : Arrays.stream(solids)
-                        .filter(id -> primitives[id].bounds().overlaps(bounds()))
-                        .toArray();
+    /** The solids of glass that points of the light may lie in, by ascending ids; not to be changed. */
+    int[] mediaAround() {
+        return media;
     }
 
     /** Finds the faces that the light lies on, and that therefore do not occlude it. */

@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.accel.Accelerator;
 import enlightenment.accel.PrimitiveList;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.LightPicker;
@@ -67,7 +68,10 @@ public final class PhysicalScene {
     /** Whether a share of some glass is opaque. */
     public final boolean hasPartialGlass;
 
-    /** Whether shadow rays may pass glass that does not turn them: panes, and borders of media of equal index. */
+    /**
+     * Whether shadow rays may pass glass that does not turn them: panes, borders of media of equal index, and faces of solids that are no
+     * borders, since another solid fills the place.
+     */
     public final boolean hasStraightGlass;
 
     /** Whether there is ultraviolet light, and something that shows it. */
@@ -99,6 +103,7 @@ public final class PhysicalScene {
             SceneFrame frame,
             Surroundings surroundings,
             CompiledPrimitives compiled,
+            Accelerator accelerator,
             List<PhysicalLight> points,
             Bounds eye,
             Runnable poll) {
@@ -151,15 +156,14 @@ public final class PhysicalScene {
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
                         .anyMatch(id -> compiled.materials().inside(id).absorbs);
-        hasStraightGlass = hasPanes(compiled) || hasEqualIndices(compiled);
+        hasStraightGlass = StraightGlass.mayBeThere(compiled, accelerator, poll);
         showsMirrored = compiled.materials().any(m -> !m.isGlass && m.isDelta && !m.isBlack)
                 || hasClearGlass(compiled)
-                || hasPanes(compiled);
+                || StraightGlass.hasPanes(compiled);
         lights = all.toArray(new PhysicalLight[0]);
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
-        lightsLieInGlass = hasScattering
-                && Arrays.stream(lights)
-                        .anyMatch(l -> l.solidsAround(compiled.primitives(), compiled.glassSolids()).length > 0);
+        LightMedia.find(lights, compiled, accelerator, poll);
+        lightsLieInGlass = hasScattering && Arrays.stream(lights).anyMatch(l -> l.mediaAround().length > 0);
         Sun sun = this.surroundings == null ? null : this.surroundings.sun;
         caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights, poll);
@@ -210,39 +214,11 @@ public final class PhysicalScene {
         return PhysicalLight.glowing(p, id, face, m.glow(), ultraviolet, m.glowsInside, isInsideSeen);
     }
 
-    private static boolean hasPanes(CompiledPrimitives compiled) {
-        for (int id = 0; id < compiled.primitives().length; id++) {
-            Primitive p = compiled.primitives()[id];
-            for (int face = 0; !p.isSolid() && face < p.faceCount(); face++) {
-                if (compiled.materials().of(id, face).isGlass) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
     /** Whether a solid of smooth glass turns rays. */
     private static boolean hasClearGlass(CompiledPrimitives compiled) {
         return Arrays.stream(compiled.glassSolids())
                 .mapToObj(id -> compiled.materials().inside(id))
                 .anyMatch(m -> m.isDelta && m.indexOfRefraction != 1);
-    }
-
-    /** Whether there are two media of the same index of refraction, one of which may be empty space. */
-    private static boolean hasEqualIndices(CompiledPrimitives compiled) {
-        double[] indices = Arrays.stream(compiled.glassSolids())
-                .mapToDouble(id -> compiled.materials().inside(id).indexOfRefraction)
-                .sorted()
-                .toArray();
-        double last = 1;
-        for (double index : indices) {
-            if (index == last || index == 1) {
-                return true;
-            }
-            last = index;
-        }
-        return false;
     }
 
     /**

@@ -51,7 +51,7 @@ public final class SceneCompiler {
     private static final int MAX_VIEW_EXPONENT = 64;
 
     /** Who waits for the end of the compiling is asked once per so many objects: they take a millisecond or so. */
-    private static final int POLLED = 1024;
+    static final int POLLED = 1024;
 
     private SceneCompiler() {}
 
@@ -99,12 +99,23 @@ public final class SceneCompiler {
         return compile(scene, settings, LOOP_LIMIT, images, Primitives::placeAll, poll);
     }
 
-    /** Places camera, lights and shapes in the frame and discards them: throws where {@link #compile} would, textures aside. */
+    /** Throws where {@link #compile} would, textures and surroundings aside, and builds no more than that takes. */
     public static void check(Scene scene) {
-        SceneFrame frame = frameOf(scene);
-        CompiledCamera.of(scene.camera(), frame, scene.width(), scene.height());
-        scene.lights().forEach(light -> new CompiledLight(light, frame));
-        CompiledPrimitives.check(scene.objects(), frame);
+        requireMemory(scene);
+        scene.instants().forEach(SceneCompiler::checkMoment);
+        checkMoment(scene);
+    }
+
+    /** Classic shading can be computed of whatever can be described. */
+    private static void checkMoment(Scene scene) {
+        if (scene.shading().model() == Shading.Model.PHYSICAL) {
+            SceneFrame frame = frameOf(scene);
+            Primitive[] primitives = new GlowingObjects(scene, frame)
+                    .objects.stream()
+                            .flatMap(o -> Primitives.placeAll(o.shape(), frame).stream())
+                            .toArray(Primitive[]::new);
+            SceneExtent.check(scene, frame, primitives);
+        }
     }
 
     /** As {@link #compile(Scene, RenderSettings)}, with or without a hierarchy: the picture is the same. */
@@ -248,10 +259,10 @@ public final class SceneCompiler {
         Dyes dyes = new Dyes(scene);
         for (SceneObject o : scene.objects()) {
             if (o.faces().isEmpty()) {
-                addSurface(o.material(), physical, dyes, surfaces, images, poll);
+                addSurface(scene, o.material(), physical, dyes, surfaces, images, poll);
             }
             for (Material m : o.faces()) {
-                addSurface(m, physical, dyes, surfaces, images, poll);
+                addSurface(scene, m, physical, dyes, surfaces, images, poll);
             }
         }
         return surfaces;
@@ -259,6 +270,7 @@ public final class SceneCompiler {
 
     /** @param physical the frame if the shading is physical, else null */
     private static void addSurface(
+            Scene scene,
             Material m,
             SceneFrame physical,
             Dyes dyes,
@@ -274,7 +286,7 @@ public final class SceneCompiler {
             if (images.haveBeenRead()) {
                 poll.run();
             }
-            image = images.of(file, physical != null);
+            image = images.of(file, physical != null, scene);
         }
         PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes);
         surfaces.put(m, new SurfaceMaterial(m, image, surface));

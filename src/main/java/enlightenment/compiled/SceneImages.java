@@ -2,6 +2,7 @@ package enlightenment.compiled;
 
 import enlightenment.material.Texture;
 import enlightenment.scene.Background;
+import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.surroundings.Surroundings;
 import enlightenment.texture.ImageTexture;
@@ -40,13 +41,14 @@ public final class SceneImages {
      * The picture in a file.
      *
      * @param isPhysical whether its texels become light
+     * @param scene where the texture has its name
      * @throws SceneException if the file cannot be used
      */
-    ImageTexture of(Texture.File texture, boolean isPhysical) {
+    ImageTexture of(Texture.File texture, boolean isPhysical, Scene scene) {
         try {
             return read(texture, isPhysical);
         } catch (IOException e) {
-            throw SceneException.of("", "a texture cannot be used: " + e.getMessage());
+            throw SceneException.ofTexture(scene, texture.file(), e.getMessage());
         }
     }
 

@@ -45,7 +45,8 @@ public final class SceneProblems {
      * Compiles the scene, and reads all images that it names, each once.
      *
      * @param other for images that are named, but nothing has
-     * @throws SceneException with all that is wrong: images, what the method cannot render, and the first thing of the rest
+     * @throws SceneException with all that is wrong: images, what the method cannot render, lights that are too much for
+     *     their size, and the first thing of the rest
      */
     public static void check(Scene scene, RenderSettings settings, ImageReader other) {
         check(scene, settings, new SceneImages(), other);
@@ -70,7 +71,7 @@ public final class SceneProblems {
         } catch (SceneException e) {
             problems.addAll(e.problems());
         } catch (InvalidValueException e) {
-            problems.add(new Problem("", 0, 0, e.key().isEmpty() ? "" : "/" + e.key(), e.problem()));
+            problems.addAll(SceneException.of(e).problems());
         }
     }
 
@@ -92,7 +93,13 @@ public final class SceneProblems {
                     other.read(file.file());
                 }
             } catch (SceneException e) {
-                tell(name, e.problems().get(0).message());
+                Problem problem = e.problems().get(0);
+                if (problem.pointer().endsWith("/texture")) {
+                    tell(name, problem.message());
+                } else {
+                    // It is not the file's fault.
+                    problems.add(problem);
+                }
             } catch (IOException e) {
                 tell(name, e.getMessage());
             }

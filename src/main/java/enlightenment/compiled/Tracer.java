@@ -288,17 +288,15 @@ public final class Tracer {
 
     /** Whether a ray comes to its end, on an opaque surface, out of a solid of glass that lies on that: there is a border before it. */
     private boolean leavesGlassAtEnd(Ray ray, double length, int endId, int endFace) {
-        if (scene.glassSolids.length == 0) {
+        if (scene.glassSolids.length == 0 || !scene.coincident.concerns(endId)) {
             return false;
         }
-        int[] entries = scene.coincident.of(endId);
-        for (int k = 0; k < entries.length; k += CoincidentSurfaces.ENTRY) {
-            int other = entries[k + 1];
-            int face = entries[k + 2];
+        CoincidentFaces pairs = scene.coincident.of(endId);
+        for (int k : pairs.glass()) {
+            int other = pairs.other(k);
+            int face = pairs.otherFace(k);
             Primitive p = scene.primitives[other];
-            if (entries[k] == endFace
-                    && p.isSolid()
-                    && scene.isGlass(other, face)
+            if (pairs.face(k) == endFace
                     && EndFaces.crossesAtEnd(
                             ray,
                             length,

@@ -3,6 +3,7 @@ package enlightenment.engine;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
+import enlightenment.film.FloatLight;
 import enlightenment.film.SplatFilm;
 import enlightenment.image.Image;
 import enlightenment.plan.Integrators;
@@ -132,7 +133,7 @@ final class MixedPicture extends PictureFilm {
         for (int y = region.y(); y < region.y() + region.height(); y++) {
             for (int x = region.x(); x < region.x() + region.width(); x++) {
                 for (int c = 0; c < 3; c++, i++) {
-                    rgb[i] += (float) film.component(x, y, c);
+                    rgb[i] += FloatLight.of(film.component(x, y, c), outline.display());
                 }
             }
         }

@@ -2,13 +2,14 @@ package enlightenment.file;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.net.UnknownHostException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
-/** Failures of reading and writing, told so that whoever sees the message alone knows which file is meant. */
+/** Failures of reading and writing, told so that whoever sees the message alone knows which file or host is meant. */
 public final class FileFailure {
     private FileFailure() {}
 
@@ -41,6 +42,10 @@ public final class FileFailure {
         }
         if (e instanceof FileAlreadyExistsException) {
             return "it exists already";
+        }
+        if (e instanceof UnknownHostException && e.getMessage() != null) {
+            // The bare name, or the name and what the system said.
+            return "the host " + e.getMessage().replaceFirst(": .*", "") + " is not known";
         }
         String said = e instanceof FileSystemException f ? f.getReason() : e.getMessage();
         return said == null ? e.getClass().getSimpleName() : said;

@@ -1,9 +1,7 @@
 package enlightenment.film;
 
 import enlightenment.compiled.ChanceError;
-import enlightenment.film.VarianceDecay.Curve;
 import enlightenment.film.VarianceDecay.Samples;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -18,19 +16,12 @@ import java.util.Optional;
  * <p>The interval has three parts. What the shares may be: the smallest and the largest that were found for such a ratio on scenes
  * of many kinds, with the ratio itself as uncertain as its pixels show. Chance: a sum of squares of which few are large errs by
  * factors, once in the estimate and once in the picture, which is one of many. And, where all pixels have about as many samples,
- * what none of them may have met: features of the picture's own contrast in three pixels.
+ * what none of them may have met: features of the picture's own contrast in three pixels. That of linear light is a
+ * {@link LightInterval}, and what it may have missed is white.
  */
 public final class ErrorEstimate {
-    /** Levels of 2^0 .. 2^30 samples, and one for other numbers. */
-    private static final int LEVELS = 32;
-
-    private static final int OTHERS = LEVELS - 1;
-
-    /** With fewer pixels than this a ratio of their halves and quarters says little, and that of all pixels is taken. */
-    private static final int ENOUGH = 200;
-
     /** 97.5 % of a normal distribution lie below this many deviations. */
-    private static final double TWO_SIDED_95 = 1.96;
+    static final double TWO_SIDED_95 = 1.96;
 
     /**
      * This many pixels may hide something that none of their n samples has met; in one of 40 pictures it covers at least
@@ -39,6 +30,9 @@ public final class ErrorEstimate {
     private static final int HIDING = 3;
 
     private static final double HIDDEN = 1.23;
+
+    /** The most that a screen shows. */
+    private static final double WHITE = 1;
 
     private final float[] variances;
     private final double meanSquare;
@@ -117,11 +111,11 @@ public final class ErrorEstimate {
      * @param first per pixel {@link FilmTile#halves}
      * @param second per pixel {@link FilmTile#quarters}
      * @param counts per pixel the number of samples, 0 for an unfinished pixel
-     * @param kind what the samples are
+     * @param kind what the samples are: no linear light
      * @param contrast the difference between the largest and the smallest component of all pixels, as shown
      */
     static ErrorEstimate of(float[] first, float[] second, int[] counts, Samples kind, double contrast) {
-        Level[] levels = levels(first, second, counts, kind);
+        SampleLevel[] levels = SampleLevel.of(first, second, counts, kind);
         float[] variances = new float[first.length];
         double squares = 0;
         long pixels = 0;
@@ -130,8 +124,7 @@ public final class ErrorEstimate {
             if (counts[i] == 0) {
                 continue;
             }
-            Level level = levels[level(counts[i], kind)];
-            double v = level.share * first[i];
+            double v = SampleLevel.of(levels, counts[i], kind).share() * first[i];
             variances[i] = (float) v;
             // Once for the picture itself, and once for the estimate, or twice where pixels share what they tell.
             squares += (counts[i] > 2 ? 2 : 3) * v * v;
@@ -141,20 +134,58 @@ public final class ErrorEstimate {
         double sum = 0;
         double low = 0;
         double high = 0;
-        for (Level level : levels) {
-            sum += level.share * level.first;
-            low += level.least * level.first;
-            high += level.most * level.first;
+        for (SampleLevel level : levels) {
+            sum += level.share() * level.first();
+            low += level.least() * level.first();
+            high += level.most() * level.first();
         }
         double n = Math.max(pixels, 1);
-        double hidden =
-                kind == Samples.DIFFERENCES ? 0 : contrast * Math.min(HIDDEN * pixels / Math.max(samples, 1), 1);
-        double unseen = HIDING * hidden * hidden / n;
+        double unseen = kind == Samples.DIFFERENCES ? 0 : unseen(pixels, samples, contrast);
         if (!(sum > 0)) {
             return new ErrorEstimate(variances, 0, 1, 1, unseen, pixels);
         }
         double chance = StrictMath.exp(TWO_SIDED_95 * deviation(squares / (2 * sum * sum)));
         return new ErrorEstimate(variances, sum / n, low / sum / chance, high / sum * chance, unseen, pixels);
+    }
+
+    /**
+     * The same of linear light ({@link LightInterval}).
+     *
+     * @param rare per pixel {@link QuarterMeans#isRare}
+     */
+    static ErrorEstimate ofLight(float[] first, float[] second, int[] counts, boolean[] rare) {
+        SampleLevel[] levels = SampleLevel.of(first, second, counts, Samples.LIGHT);
+        float[] variances = new float[first.length];
+        long pixels = 0;
+        long samples = 0;
+        for (int i = 0; i < first.length; i++) {
+            if (counts[i] > 0) {
+                variances[i] = (float)
+                        (SampleLevel.of(levels, counts[i], Samples.LIGHT).share() * first[i]);
+                samples += counts[i];
+                pixels++;
+            }
+        }
+        double sum = 0;
+        for (SampleLevel level : levels) {
+            sum += level.share() * level.first();
+        }
+        double n = Math.max(pixels, 1);
+        // What lights a picture is brighter than what it shows: even of a black one a pixel may be white.
+        double unseen = unseen(pixels, samples, WHITE);
+        LightInterval interval = LightInterval.of(levels, first, second, counts, rare);
+        if (!(sum > 0)) {
+            return new ErrorEstimate(variances, 0, 1, 1, unseen + interval.high() / n, pixels);
+        }
+        double least = Math.min(interval.low() / sum, 1);
+        double most = Math.max(interval.high() / sum, 1);
+        return new ErrorEstimate(variances, sum / n, least, most, unseen, pixels);
+    }
+
+    /** The mean square of what no sample may have met. */
+    private static double unseen(long pixels, long samples, double contrast) {
+        double hidden = contrast * Math.min(HIDDEN * pixels / Math.max(samples, 1), 1);
+        return HIDING * hidden * hidden / Math.max(pixels, 1);
     }
 
     /**
@@ -202,6 +233,8 @@ public final class ErrorEstimate {
         float[] first = new float[n];
         float[] second = new float[n];
         int[] counts = new int[n];
+        boolean[] rare = new boolean[n];
+        double[] means = new double[QuarterMeans.PER_PIXEL];
         Contrast contrast = new Contrast();
         int k = 0;
         for (FilmTile tile : tiles) {
@@ -210,19 +243,26 @@ public final class ErrorEstimate {
                     first[k] = tile.halves(x, y);
                     second[k] = tile.quarters(x, y);
                     counts[k] = tile.count(x, y);
-                    if (counts[k++] > 0) {
+                    if (light) {
+                        tile.quarterMeans(x, y, means);
+                        rare[k] = QuarterMeans.isRare(tile.curve(), means, counts[k]);
+                    } else if (counts[k] > 0) {
                         contrast.add(tile.displayed(x, y, 0));
                         contrast.add(tile.displayed(x, y, 1));
                         contrast.add(tile.displayed(x, y, 2));
                     }
+                    k++;
                 }
             }
         }
-        return of(first, second, counts, kind(light, differences), contrast.get());
+        return light
+                ? ofLight(first, second, counts, rare)
+                : of(first, second, counts, kind(differences), contrast.get());
     }
 
-    static Samples kind(boolean light, boolean differences) {
-        return light ? Samples.LIGHT : differences ? Samples.DIFFERENCES : Samples.WHOLE;
+    /** What samples are that are no linear light. */
+    static Samples kind(boolean differences) {
+        return differences ? Samples.DIFFERENCES : Samples.WHOLE;
     }
 
     /** The difference between the largest and the smallest of some numbers. */
@@ -237,88 +277,6 @@ public final class ErrorEstimate {
 
         double get() {
             return Math.max(greatest - least, 0);
-        }
-    }
-
-    private static int level(int count, Samples kind) {
-        if (count == 3 && kind == Samples.LIGHT) {
-            // They tell no more than two.
-            return 1;
-        }
-        return Integer.bitCount(count) == 1 ? Integer.numberOfTrailingZeros(count) : OTHERS;
-    }
-
-    private static Level[] levels(float[] first, float[] second, int[] counts, Samples kind) {
-        Level[] levels = new Level[LEVELS];
-        Arrays.setAll(levels, k -> new Level());
-        Level pooled = new Level();
-        int least = VarianceDecay.leastPooled(kind);
-        for (int i = 0; i < first.length; i++) {
-            if (counts[i] > 0) {
-                int k = level(counts[i], kind);
-                levels[k].add(first[i], second[i]);
-                if (k >= least && k != OTHERS) {
-                    pooled.add(first[i], second[i]);
-                }
-            }
-        }
-        for (int k = 0; k < LEVELS; k++) {
-            boolean own = k < 2 || k == OTHERS || levels[k].pixels >= ENOUGH && levels[k].first > 0;
-            levels[k].judge(k == OTHERS ? -1 : k, own ? levels[k] : pooled, kind);
-        }
-        return levels;
-    }
-
-    /** The sums over all pixels with the same number of samples, and what follows from them. */
-    private static final class Level {
-        private double first;
-        private double second;
-        private double firstSquared;
-        private double product;
-        private double secondSquared;
-        private long pixels;
-
-        /** What is left of the first figure, and at least and at most. */
-        private double share = 1;
-
-        private double least = 1;
-        private double most = 1;
-
-        void add(double a, double b) {
-            first += a;
-            second += b;
-            firstSquared += a * a;
-            product += a * b;
-            secondSquared += b * b;
-            pixels++;
-        }
-
-        double ratio() {
-            return first > 0 ? second / first : 0;
-        }
-
-        /** How far chance may have taken the ratio, in 95 of 100 cases. */
-        double uncertainty() {
-            if (!(first > 0)) {
-                return 0;
-            }
-            double r = ratio();
-            double squares = secondSquared - 2 * r * product + r * r * firstSquared;
-            return TWO_SIDED_95 * Math.sqrt(Math.max(squares, 0)) / first;
-        }
-
-        /** @param of the level whose ratio is taken */
-        void judge(int level, Level of, Samples kind) {
-            double ratio = of.ratio();
-            double off = of.uncertainty();
-            share = VarianceDecay.share(Curve.MIDDLE, level, ratio, kind);
-            // Shares grow or fall with the ratio, or both.
-            least = share;
-            most = share;
-            for (double at : new double[] {ratio - off, ratio + off}) {
-                least = Math.min(VarianceDecay.share(Curve.LEAST, level, at, kind), least);
-                most = Math.max(VarianceDecay.share(Curve.MOST, level, at, kind), most);
-            }
         }
     }
 

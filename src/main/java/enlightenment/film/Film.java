@@ -28,6 +28,9 @@ public final class Film {
     /** Per pixel of linear light: means of the quarters of its samples; null for display-referred pixels. */
     private final float[] quarterMeans;
 
+    /** What was splatted over pixels of one to three samples of linear light, of which those tell too little; null for nothing. */
+    private FewSamplesSplats fewSplats;
+
     private long surveyRays;
     private long lost;
     private boolean differences;
@@ -171,14 +174,14 @@ public final class Film {
                 contrast.add(rgb[k]);
             }
         }
-        return ErrorEstimate.of(halves, quarters, counts, ErrorEstimate.kind(false, differences), contrast.get());
+        return ErrorEstimate.of(halves, quarters, counts, ErrorEstimate.kind(differences), contrast.get());
     }
 
     private ErrorEstimate lightError() {
         float[] first = new float[counts.length];
         float[] second = new float[counts.length];
         double[] means = new double[QuarterMeans.PER_PIXEL];
-        ErrorEstimate.Contrast contrast = new ErrorEstimate.Contrast();
+        boolean[] rare = new boolean[counts.length];
         double[] local = new double[3];
         LinearFigures figures = new LinearFigures(curve, x, y, width, height, bandMeans());
         for (int i = 0; i < counts.length; i++) {
@@ -195,13 +198,11 @@ public final class Film {
                     case 2 -> quarters[i] + first[i] - halves[i];
                     default -> (float) figures.second();
                 };
-                for (int c = 0; c < 3; c++) {
-                    contrast.add(curve.nearly(rgb[3 * i + c]));
-                }
+                rare[i] = QuarterMeans.isRare(curve, means, counts[i]);
             }
         }
-        return ErrorEstimate.of(first, second, counts, ErrorEstimate.kind(true, differences), contrast.get())
-                .with(figures.error());
+        boolean isGrowing = fewSplats != null && fewSplats.putTo(first, second, counts);
+        return ErrorEstimate.ofLight(first, second, counts, rare).with(figures.error(isGrowing));
     }
 
     /**
@@ -224,15 +225,39 @@ public final class Film {
         System.arraycopy(quarterMeans, 0, sum.quarterMeans, 0, quarterMeans.length);
         System.arraycopy(counts, 0, sum.counts, 0, counts.length);
         splats.addTo(sum.rgb, sum.quarterMeans, sum.counts);
+        sum.fewSplats = FewSamplesSplats.of(curve, counts);
         for (int i = 0; i < counts.length; i++) {
             double scale = counts[i] == 1 || counts[i] == 2 ? steepness(rgb, sum.rgb, 3 * i) : 1;
             sum.halves[i] = (float) (scale * halves[i]);
             sum.quarters[i] = (float) (scale * quarters[i]);
+            if (FewSamplesSplats.areFew(counts[i])) {
+                sum.fewSplats.add(i, counts[i], this, sum);
+            }
         }
         synchronized (this) {
             sum.add(surveyRays, differences, lost);
         }
         return sum;
+    }
+
+    /** The mean of component c of a pixel by its index. */
+    double mean(int pixel, int c) {
+        return rgb[3 * pixel + c];
+    }
+
+    /** A number of {@link QuarterMeans} of a pixel of linear light by its index. */
+    double ofQuarter(int pixel, int i) {
+        return quarterMeans[QuarterMeans.PER_PIXEL * pixel + i];
+    }
+
+    /** The first figure of a pixel by its index, as it was put. */
+    float halves(int pixel) {
+        return halves[pixel];
+    }
+
+    /** The second. */
+    float quarters(int pixel) {
+        return quarters[pixel];
     }
 
     /** Of display-referred pixels: paths and samples do not depend on each other, so their squared errors add. */
@@ -328,7 +353,7 @@ public final class Film {
     public Image toImage() {
         float[] pixels = new float[rgb.length];
         for (int i = 0; i < rgb.length; i++) {
-            pixels[i] = (float) rgb[i];
+            pixels[i] = FloatLight.of(rgb[i], curve);
         }
         return new Image(width, height, pixels, curve);
     }

@@ -287,6 +287,11 @@ public final class FilmTile {
         return !isLinear ? value : curve.nearly(part + value) - (known == null ? 0 : curve.nearly(part));
     }
 
+    /** How the pixels become what a screen takes. */
+    DisplayCurve curve() {
+        return curve;
+    }
+
     /** The mean of component 0, 1 or 2 of a pixel as a screen takes it; 0 where there are no samples. */
     public double displayed(int column, int row, int component) {
         return curve.of(mean(column, row, component));

@@ -107,13 +107,19 @@ final class LinearFigures {
         return second;
     }
 
-    /** What they tell together. */
-    LinearError error() {
+    /**
+     * What they tell together.
+     *
+     * @param isGrowing whether it is known otherwise that most pixels that will be bright are not so yet
+     */
+    LinearError error(boolean isGrowing) {
         double ratio = halves > 0 ? quarters / halves : 2;
         double share = PathDecay.share(Curve.MIDDLE, 2, Math.max(ratio, 2));
         double relative = 2 * untold > pixels ? Double.NaN : Math.sqrt(share * halves / (3.0 * Math.max(pixels, 1)));
         return new LinearError(
-                relative, Math.max(kurtosis(shownBlocks), kurtosis(lightBlocks)), shownQuarters < shownHalves);
+                relative,
+                Math.max(kurtosis(shownBlocks), kurtosis(lightBlocks)),
+                isGrowing || shownQuarters < shownHalves);
     }
 
     /** Sums of squared differences, and of their squares, of a block. */

@@ -76,7 +76,47 @@ final class QuarterMeans {
     }
 
     /**
-     * The same for the two quarters of each half, mean of both. With less than four samples there are none: then it is twice the halves,
+     * Whether a screen may show less of a pixel's noise than there is, since few samples have brought its light. A mean of k rare samples
+     * deviates by 1/√k of itself: one whose quarters tell of less than half of itself has met more than four, one for each of them. Where
+     * other light hides that there are few, they show by what the curve makes of the quarter that is farthest from the mean: less than half
+     * of what as much less light would. With less than four samples nobody knows.
+     */
+    static boolean isRare(DisplayCurve curve, double[] quarters, int samples) {
+        if (samples < QUARTERS) {
+            return true;
+        }
+        double squares = 0;
+        double variance = 0;
+        for (int c = 0; c < 3; c++) {
+            double first = half(quarters, samples, 0, c);
+            double second = half(quarters, samples, 1, c);
+            double a = quarters[c] - quarters[3 + c];
+            double b = quarters[6 + c] - quarters[9 + c];
+            squares += (first + second) * (first + second) / 4;
+            variance += ((first - second) * (first - second) / 4 + (a * a + b * b) / 8) / 3;
+        }
+        return QUARTERS * variance > squares || isFlattened(curve, quarters, samples);
+    }
+
+    /** Whether the curve shows as much more light as a quarter is off by as less than half of what it shows as much less of. */
+    private static boolean isFlattened(DisplayCurve curve, double[] quarters, int samples) {
+        double up = 0;
+        double down = 0;
+        for (int c = 0; c < 3; c++) {
+            double mean = (half(quarters, samples, 0, c) + half(quarters, samples, 1, c)) / 2;
+            double off = 0;
+            for (int q = 0; q < QUARTERS; q++) {
+                off = Math.max(off, Math.abs(quarters[3 * q + c] - mean));
+            }
+            double shown = curve.nearly(mean);
+            up += curve.nearly(mean + off) - shown;
+            down += shown - curve.nearly(mean - off);
+        }
+        return 2 * up < down;
+    }
+
+    /**
+     * As {@link #halves}, for the two quarters of each half, mean of both. With less than four samples there are none: then it is twice the halves,
      * as of independent samples.
      */
     static double quarters(DisplayCurve curve, double[] quarters, int samples) {

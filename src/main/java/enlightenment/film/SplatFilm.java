@@ -200,7 +200,7 @@ public final class SplatFilm {
         float[] pixels = new float[3 * width * height];
         long n = paths();
         for (int k = 0; k < pixels.length; k++) {
-            pixels[k] = (float) value(k, n);
+            pixels[k] = FloatLight.of(value(k, n), curve);
         }
         return new Image(width, height, pixels, curve);
     }

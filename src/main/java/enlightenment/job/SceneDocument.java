@@ -54,7 +54,7 @@ public final class SceneDocument {
      * @throws SceneException if an image file cannot be read or the scene cannot be written down
      */
     public static SceneDocument of(Scene scene, Images shared) {
-        return new SceneDocument(scenes(scene, shared::name), shared.contents);
+        return new SceneDocument(scenes(scene, file -> shared.name(file, scene)), shared.contents);
     }
 
     /** Image files of several scenes. */
@@ -62,9 +62,9 @@ public final class SceneDocument {
         private final Map<Path, ContentHash> byPath = new LinkedHashMap<>();
         private final Map<ContentHash, byte[]> contents = new LinkedHashMap<>();
 
-        private String name(Path file) {
+        private String name(Path file, Scene scene) {
             return byPath.computeIfAbsent(file, f -> {
-                        byte[] content = read(f);
+                        byte[] content = read(f, scene);
                         ContentHash hash = ContentHash.of(content);
                         contents.put(hash, content);
                         return hash;
@@ -78,7 +78,7 @@ public final class SceneDocument {
         }
     }
 
-    private static byte[] read(Path file) {
+    private static byte[] read(Path file, Scene scene) {
         try {
             byte[] bytes = InputFile.bytes(file);
             Optional<ImageFormat> format = ImageFormat.ofContent(bytes);
@@ -91,7 +91,7 @@ public final class SceneDocument {
             ImageFiles.toPng(image, png, PngOptions.DEFAULT);
             return png.toByteArray();
         } catch (IOException e) {
-            throw SceneException.of("", "a texture cannot be used: " + e.getMessage());
+            throw SceneException.ofTexture(scene, file, e.getMessage());
         }
     }
 

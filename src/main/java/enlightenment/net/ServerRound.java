@@ -60,7 +60,8 @@ final class ServerRound implements StatusSource {
         try {
             return Acceptor.at(InetAddress.getByName(options.host), options.port, log);
         } catch (IOException e) {
-            throw new IOException("cannot listen at " + options.host + ":" + options.port + ": " + e.getMessage(), e);
+            throw new IOException(
+                    "cannot listen at " + options.host + ":" + options.port + ": " + FileFailure.reason(e), e);
         }
     }
 

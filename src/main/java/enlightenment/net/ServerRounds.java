@@ -2,6 +2,7 @@ package enlightenment.net;
 
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.Rendered;
+import enlightenment.plan.Rounds;
 import enlightenment.render.RenderProgress;
 import java.io.IOException;
 import java.util.concurrent.CancellationException;
@@ -24,8 +25,14 @@ final class ServerRounds {
         while (next != null) {
             try {
                 Rendered result = result(next, progress, cancelled);
-                best = result.complete() ? result : best;
-                next = after(result, cancelled);
+                if (result.complete()) {
+                    best = result;
+                    next = after(best, cancelled);
+                } else {
+                    next.end(false);
+                    sayStopped(best);
+                    next = null;
+                }
             } catch (IOException e) {
                 // There is a picture already.
                 next.say(e.getMessage());
@@ -43,14 +50,30 @@ final class ServerRounds {
     /** Ends the latest round; returns the one that goes on, or null if there is no more to do. */
     private ServerRound after(Rendered result, BooleanSupplier cancelled) {
         ServerRound round = chain.latest();
-        DividedRender more = cancelled.getAsBoolean() || chain.isStopped() ? null : more(result, round);
+        DividedRender more = cancelled.getAsBoolean() || chain.isStopped() ? notBegun(result) : more(result, round);
         if (more == null) {
             round.end(false);
             return null;
         }
         ServedPicture next = picture.with(more);
         picture = next;
-        return chain.follow(() -> next.job(round.log()));
+        ServerRound further = chain.follow(() -> next.job(round.log()));
+        if (further == null && chain.isStopped()) {
+            sayStopped(result);
+        }
+        return further;
+    }
+
+    /** Says so if something would have to follow; null. */
+    private DividedRender notBegun(Rendered result) {
+        if (picture.render().course().next(result, why -> {}).isPresent()) {
+            sayStopped(result);
+        }
+        return null;
+    }
+
+    private void sayStopped(Rendered best) {
+        chain.latest().say(Rounds.stopped(best.report()));
     }
 
     /** What has to follow; null if nothing has, or it is stopped before that is planned. */
@@ -58,6 +81,7 @@ final class ServerRounds {
         try {
             return picture.render().next(result, round::say).orElse(null);
         } catch (CancellationException e) {
+            sayStopped(result);
             return null;
         }
     }

@@ -186,7 +186,9 @@ public final class Integrators {
 
     /** What a method cannot see of a scene, in plain words; empty if it sees everything. */
     public static Optional<String> blindSpot(Method method, CompiledScene scene) {
-        if (method != BuiltInMethod.LIGHT || scene.physical == null || !scene.physical.showsMirrored) {
+        if (method != BuiltInMethod.LIGHT
+                || scene.physical == null
+                || !scene.isEver(moment -> moment.physical.showsMirrored)) {
             return Optional.empty();
         }
         return Optional.of(
@@ -200,18 +202,24 @@ public final class Integrators {
         if (scene.physical == null) {
             return all;
         }
-        boolean hasPoint = Arrays.stream(scene.physical.lights).anyMatch(light -> light.isPoint);
-        if (hasPoint && scene.physical.showsMirrored && scene.physical.hasCausticPass()) {
+        if (scene.isEver(Integrators::mirrorsPoints)) {
             all.add("what mirrors, panes and smooth glass make of the light of points is not seen where the eye"
                     + " sees it in such things: no path finds it; a small sphere in place of the point is seen");
         }
-        if (RefractingMedia.areLitBySmallLights(scene)) {
+        if (scene.isEver(RefractingMedia::areLitBySmallLights)) {
             all.add(
                     "light of lamps as small as these is found by chance inside of media whose border refracts, and that"
                             + " of points never: a picture with too few samples lacks it, which its estimated error"
-                            + " tells; " + BuiltInMethod.BIDIRECTIONAL.word() + " finds more of it, but for the sun's");
+                            + " tells; " + BuiltInMethod.BIDIRECTIONAL.word() + " finds more of it, but for the sun's"
+                            + " and what of points is scattered once");
         }
         return all;
+    }
+
+    private static boolean mirrorsPoints(CompiledScene moment) {
+        return moment.physical.showsMirrored
+                && moment.physical.hasCausticPass()
+                && Arrays.stream(moment.physical.lights).anyMatch(light -> light.isPoint);
     }
 
     /**
@@ -219,31 +227,41 @@ public final class Integrators {
      * chance what others of theirs do not.
      */
     public static ChanceError chance(RenderPlan plan, CompiledScene scene, Crop region) {
-        return chance(plan.method(), scene, plan.samples(), region);
+        return plan.samples() > 0
+                ? chance(plan.method(), scene, plan.samples(), region, () -> false)
+                : ChanceError.NONE;
     }
 
-    /** The same of a picture of a method with so many samples per pixel. */
-    static ChanceError chance(Method method, CompiledScene scene, double samples, Crop region) {
+    /**
+     * The same of a picture of a method with so many samples per pixel.
+     *
+     * @param cancelled asked now and then
+     * @throws java.util.concurrent.CancellationException soon after that has become true, where such light has not been sought before
+     */
+    static ChanceError chance(
+            Method method, CompiledScene scene, double samples, Crop region, BooleanSupplier cancelled) {
         Set<ChanceLights.Kind> kinds = leftToChance(method);
         if (scene.physical == null || kinds.isEmpty()) {
             return ChanceError.NONE;
         }
         double columns = scene.camera.columns;
         double rows = scene.camera.rows;
-        ChanceLights light = LightPaths.leftToChance(scene)
-                .within(
-                        region.x() / columns,
-                        region.y() / rows,
-                        (region.x() + region.width()) / columns,
-                        (region.y() + region.height()) / rows);
+        boolean fromBothEnds = method == BuiltInMethod.BIDIRECTIONAL;
+        ChanceLights all =
+                fromBothEnds ? LightPaths.leftByBothEnds(scene, cancelled) : LightPaths.leftToChance(scene, cancelled);
+        ChanceLights light = all.within(
+                region.x() / columns,
+                region.y() / rows,
+                (region.x() + region.width()) / columns,
+                (region.y() + region.height()) / rows);
         if (method != BuiltInMethod.METROPOLIS) {
             return light.error(kinds, scene.display, samples);
         }
-        ChanceError onSurfaces = light.error(
-                EnumSet.of(ChanceLights.Kind.SURFACES), scene.display, METROPOLIS_SHARE_OF_SAMPLES * samples);
-        kinds.remove(ChanceLights.Kind.SURFACES);
+        EnumSet<ChanceLights.Kind> surfaces = EnumSet.of(ChanceLights.Kind.SURFACES);
+        ChanceError onSurfaces = light.error(surfaces, scene.display, METROPOLIS_SHARE_OF_SAMPLES * samples);
         // What one path has found, chains show to all pixels of a block.
-        return light.error(kinds, scene.display, samples, pixelsOfBlock(scene)).plus(onSurfaces);
+        return light.error(EnumSet.complementOf(surfaces), scene.display, samples, pixelsOfBlock(scene))
+                .plus(onSurfaces);
     }
 
     private static double pixelsOfBlock(CompiledScene scene) {
@@ -259,7 +277,12 @@ public final class Integrators {
         return switch (own) {
             case RAYTRACE, CLUSTER, METROPOLIS -> EnumSet.allOf(ChanceLights.Kind.class);
             // Connects points of media; but paths from the sun are not connected.
-            case BIDIRECTIONAL -> EnumSet.of(ChanceLights.Kind.SURFACES, ChanceLights.Kind.SUN_IN_MEDIA);
+            case BIDIRECTIONAL ->
+                EnumSet.of(
+                        ChanceLights.Kind.SURFACES,
+                        ChanceLights.Kind.SUN_IN_MEDIA,
+                        ChanceLights.Kind.UNCONNECTED_IN_MEDIA,
+                        ChanceLights.Kind.CONNECTED_IN_MEDIA);
             case LIGHT -> Set.of();
         };
     }

@@ -5,6 +5,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
+import java.util.function.BooleanSupplier;
 
 /**
  * The error of light that a method finds by chance only, or never, which is left after as many samples as are tried for an error.
@@ -16,15 +17,15 @@ record LastingError(double square, String why) {
     /** A method that finds all light. */
     static final LastingError NONE = new LastingError(0, "");
 
-    /** That of a scene by the method of the settings, in the part of the picture that is rendered. */
-    static LastingError of(RenderSettings settings, CompiledScene scene, double samples) {
+    /** That of a scene by the method of the settings, in the part of the picture that is rendered; parameters as of {@link Integrators#chance}. */
+    static LastingError of(RenderSettings settings, CompiledScene scene, double samples, BooleanSupplier cancelled) {
         Method method = settings.method();
-        ChanceError error = Integrators.chance(method, scene, samples, settings.region());
+        ChanceError error = Integrators.chance(method, scene, samples, settings.region(), cancelled);
         if (!(error.shortfall() > 0)) {
             return NONE;
         }
         boolean isInMedia = method != BuiltInMethod.BIDIRECTIONAL
-                && Integrators.chance(BuiltInMethod.BIDIRECTIONAL, scene, samples, settings.region())
+                && Integrators.chance(BuiltInMethod.BIDIRECTIONAL, scene, samples, settings.region(), cancelled)
                                 .shortfall()
                         < error.shortfall() / 2;
         return new LastingError(
@@ -32,7 +33,7 @@ record LastingError(double square, String why) {
                 isInMedia
                         ? "of points and small lamps in media whose border refracts; try --method "
                                 + BuiltInMethod.BIDIRECTIONAL.word()
-                        : "of mirrors and glass seen in mirrors and through glass, or of the sun in media whose border"
-                                + " refracts; larger lamps are found");
+                        : "of mirrors and glass seen in mirrors and through glass, or of points and the sun in media"
+                                + " whose border refracts; larger lamps are found");
     }
 }

@@ -38,12 +38,16 @@ final class Pace {
     /** The share of the time that is left that is planned with. */
     private static final double PLANNED_TIME = 0.93;
 
+    /** Where there is time for this many times what is wanted, at the speed of the last trials, time decides nothing. */
+    private static final double PLENTY = 2;
+
     /** What no clock resolves is taken for this many seconds. */
     private static final double INSTANT = 1e-9;
 
     private final double seconds;
     private final double pixels;
     private final double trialPixels;
+    private final double wanted;
     private double fastest;
     private double previous;
 
@@ -58,11 +62,13 @@ final class Pace {
      * @param seconds the budget
      * @param pixels how many pixels the render has, in multiples of its passes
      * @param trialPixels how many a trial has
+     * @param wanted the samples per pixel that are taken if there is time for them
      */
-    Pace(double seconds, double pixels, double trialPixels) {
+    Pace(double seconds, double pixels, double trialPixels, double wanted) {
         this.seconds = seconds;
         this.pixels = pixels;
         this.trialPixels = trialPixels;
+        this.wanted = wanted;
     }
 
     /** From now on trials follow other rays, at another speed. */
@@ -100,12 +106,17 @@ final class Pace {
                 && (calm < CALM || elapsed < LEAST_TRIAL_TIME * seconds);
     }
 
-    /** The number of samples to try next, at least 1. */
+    /** Whether there is so much time that no further trial can change what is taken. */
+    boolean isPlenty() {
+        return trials > 0 && affordable(elapsed) >= PLENTY * wanted;
+    }
+
+    /** The number of samples to try next, at least 1 and at most what is wanted. */
     double next() {
-        double affordable = ONE_TRIAL_TIME * seconds * speed / trialPixels;
-        double wanted = Math.min(planned(elapsed), affordable);
+        double ofOneTrial = ONE_TRIAL_TIME * seconds * speed / trialPixels;
+        double n = Math.min(planned(elapsed), ofOneTrial);
         // In this order what is no number becomes 1.
-        return wanted > 1 ? Math.min(wanted, Budget.MAX_SAMPLES) : 1;
+        return n > 1 ? Math.min(n, Math.min(wanted, Budget.MAX_SAMPLES)) : 1;
     }
 
     /**
@@ -114,8 +125,13 @@ final class Pace {
      * @param now seconds since the budget began
      */
     double planned(double now) {
-        double planned = PLANNED_TIME * (seconds - now) * speed * warming() / pixels;
+        double planned = affordable(now) * warming();
         return planned > 0 ? planned : 0;
+    }
+
+    /** The same at the speed of the last trials. */
+    private double affordable(double now) {
+        return PLANNED_TIME * (seconds - now) * speed / pixels;
     }
 
     /** How many times as fast the render will be as the last trials, if they were still getting faster. */

@@ -71,6 +71,7 @@ public final class Planner {
     private RenderPlan plan(Stopwatch time, double previewed, boolean isLast) {
         Budget budget = settings.budget();
         noteScene();
+        seekChanceLight();
         if (budget.isNone()) {
             return plans.ofAntialias();
         }
@@ -83,17 +84,28 @@ public final class Planner {
         }
         if (budget.seconds().isPresent()) {
             double n = new TimePlanner(settings.threads(), plans, trial, cancelled, notes::add)
-                    .samples(budget.seconds().getAsDouble(), time, 1 + previewed);
+                    .samples(budget.seconds().getAsDouble(), time, 1 + previewed, samples);
             by = n < samples ? "time" : by;
             samples = Math.min(samples, n);
         }
         return plans.of(samples, by);
     }
 
-    /** A plan that was made for this budget before. */
+    /**
+     * A plan that was made for this budget before.
+     *
+     * @throws CancellationException if it is cancelled
+     */
     public RenderPlan known(RenderPlan plan) {
         noteScene();
+        seekChanceLight();
         return plan;
+    }
+
+    /** What light the method leaves to chance is kept with the scene. It is sought now, where it can be cancelled and is part of planning. */
+    private void seekChanceLight() {
+        Integrators.chance(settings.method(), scene, 1, settings.region(), cancelled);
+        Rounds.lasting(settings, scene, cancelled);
     }
 
     private void noteScene() {

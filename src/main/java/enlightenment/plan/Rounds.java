@@ -8,6 +8,7 @@ import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
 
 /**
  * Decides whether a finished picture is as exact as its budget asks, and with how many samples to render it again if not. A round
@@ -80,9 +81,14 @@ public final class Rounds {
 
     /** The rounds of a render of this scene. */
     public static Rounds of(RenderSettings settings, CompiledScene scene) {
-        Budget budget = settings.budget();
-        return new Rounds(
-                budget, budget.error().isPresent() ? LastingError.of(settings, scene, TOO_MANY) : LastingError.NONE);
+        return new Rounds(settings.budget(), lasting(settings, scene, () -> false));
+    }
+
+    /** What no number of samples mends that is tried; parameters as of {@link Integrators#chance}. */
+    static LastingError lasting(RenderSettings settings, CompiledScene scene, BooleanSupplier cancelled) {
+        return settings.budget().error().isPresent()
+                ? LastingError.of(settings, scene, TOO_MANY, cancelled)
+                : LastingError.NONE;
     }
 
     /**
@@ -100,11 +106,13 @@ public final class Rounds {
         // What cannot be reached is come as near to as other limits allow.
         boolean isEndless =
                 !(aim > 0) && budget.samples().isEmpty() && budget.seconds().isEmpty();
-        double high = high(outcome);
+        double high = mendable(outcome, outcome.errorHigh());
         if (isMet(outcome) || isAllButChanceMet(high, aim) || !(n < most) || isEndless) {
             return OptionalDouble.empty();
         }
-        if (budget.samples().isEmpty() && budget.seconds().isEmpty() && isOutOfReach(n, high, aim)) {
+        if (budget.samples().isEmpty()
+                && budget.seconds().isEmpty()
+                && isOutOfReach(n, high, mendable(outcome, outcome.estimatedError()), aim)) {
             return OptionalDouble.empty();
         }
         double next = samplesFor(n, high, aim);
@@ -123,7 +131,7 @@ public final class Rounds {
             double affordable = n * left / took;
             isLimited = affordable < next;
             // In this order what is no number ends it.
-            if (!(Math.min(affordable, next) >= LEAST_WORTH * n)) {
+            if (!(affordable >= Math.min(next, LEAST_WORTH * n))) {
                 return OptionalDouble.empty();
             }
             next = Math.min(affordable, next);
@@ -147,14 +155,13 @@ public final class Rounds {
         return aim > 0 && n <= Budget.MAX_SAMPLES ? OptionalDouble.of(Tidy.of(n)) : OptionalDouble.empty();
     }
 
-    /** What samples can mend of the upper end of the interval. */
-    private double high(RenderReport.Sampling outcome) {
-        double high = outcome.errorHigh();
+    /** What samples can mend of the estimated error, or of the upper end of its interval. */
+    private double mendable(RenderReport.Sampling outcome, double error) {
         if (!(lasting.square() > 0)) {
-            return high;
+            return error;
         }
         double left = Math.min(outcome.leftToChance(), Math.sqrt(lasting.square()));
-        return Math.sqrt(Math.max(high * high - left * left, 0));
+        return Math.sqrt(Math.max(error * error - left * left, 0));
     }
 
     /** Whether the rest of the error is as asked where light that is left to chance keeps all of it from ever being so. */
@@ -168,8 +175,13 @@ public final class Rounds {
         return n * StrictMath.pow(e / aim, 1 / LEAST_SLOPE);
     }
 
-    /** Whether the error has fallen so slowly that a render which goes on so would hardly end. */
-    private boolean isOutOfReach(double n, double e, double aim) {
+    /**
+     * Whether the error has fallen so slowly that a render which goes on so would hardly end.
+     *
+     * @param e the upper end of its interval
+     * @param told the error itself, as estimated
+     */
+    private boolean isOutOfReach(double n, double e, double told, double aim) {
         if (firstSamples == 0 && n >= FEWEST_TELLING) {
             firstSamples = n;
             firstError = e;
@@ -181,8 +193,10 @@ public final class Rounds {
         double last = StrictMath.log(error / e) / StrictMath.log(n / samples);
         double slope = Math.max(inAll, last);
         double needed = slope > 0 ? n * StrictMath.pow(e / aim, 1 / slope) : Double.POSITIVE_INFINITY;
-        // Upper ends jump where rare bright samples come up first: what independent samples would do is tried.
-        outOfReach = needed > TOO_MANY && asIndependent(n, e, aim) > MANY ? needed : 0;
+        // Upper ends jump where rare bright samples come up first: what independent samples of the estimated error
+        // would
+        // do is tried.
+        outOfReach = needed > TOO_MANY && asIndependent(n, told, aim) > MANY ? needed : 0;
         return outOfReach > 0;
     }
 
@@ -219,6 +233,16 @@ public final class Rounds {
                 number(report.sampling().plannedSamples()),
                 number(budget.error().orElse(0)),
                 number(next));
+    }
+
+    /**
+     * What is said where a further round was stopped, or not begun for that reason.
+     *
+     * @param report of the last round that was not
+     */
+    public static String stopped(RenderReport report) {
+        return "stopped: the picture is that of the round before, with "
+                + number(report.sampling().plannedSamples()) + " samples per pixel";
     }
 
     /** A number with as many digits as it has, and no exponent. */

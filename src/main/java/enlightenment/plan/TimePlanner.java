@@ -30,15 +30,17 @@ final class TimePlanner {
     }
 
     /**
-     * The number of samples that take this time: that of the fastest trials, and 1 where there is no time for any.
+     * The number of samples that take this time: that of the fastest trials, and 1 where there is no time for any. Where it is far more than
+     * what is wanted, it is not known any better than that.
      *
      * @param seconds the budget
      * @param time since the budget began
      * @param passes how much time the render takes, in multiples of what its samples take
+     * @param wanted the samples per pixel that are taken if there is time for them
      */
-    double samples(double seconds, Stopwatch time, double passes) {
+    double samples(double seconds, Stopwatch time, double passes, double wanted) {
         Trial.Piece piece = trial.piece(SHARE, FEWEST_BLOCKS);
-        Pace pace = new Pace(seconds, plans.tracedPixels() * passes, piece.pixels());
+        Pace pace = new Pace(seconds, plans.tracedPixels() * passes, piece.pixels(), wanted);
         BooleanSupplier over = () -> cancelled.getAsBoolean() || time.seconds() >= seconds;
         boolean surveyed = false;
         do {
@@ -61,7 +63,9 @@ final class TimePlanner {
                         now - before, time.processorSeconds() - processors, trial.processorSeconds() - worked);
                 pace.tried(n, took, now);
             }
-        } while (!over.getAsBoolean() && pace.isWorthTrying());
+        } while (!over.getAsBoolean()
+                && !(pace.isPlenty() && plans.isSurveyed(wanted) == surveyed)
+                && pace.isWorthTrying());
         double planned = pace.planned(time.seconds());
         if (planned < 1 && !cancelled.getAsBoolean()) {
             notes.accept(

@@ -9,6 +9,7 @@ import enlightenment.film.SampleLog;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
 import enlightenment.scene.RenderSettings;
+import enlightenment.text.FailureText;
 import enlightenment.work.ThreadEnd;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -107,8 +108,7 @@ final class Archives {
             use.of(kept);
         } catch (IOException | RuntimeException e) {
             all.remove(kept);
-            String why = e instanceof IOException && e.getMessage() != null ? e.getMessage() : e.toString();
-            note(kept.archive.name() + ": " + why + "; it is not used any more, the render goes on without");
+            note(FailureText.of(kept.archive.name(), e) + "; it is not used any more, the render goes on without");
         }
     }
 

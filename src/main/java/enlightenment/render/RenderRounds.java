@@ -75,9 +75,12 @@ final class RenderRounds {
             RenderPlan kept = archives == null
                     ? null
                     : archives.planFor(settings, round + 1).orElse(null);
-            if (next.isEmpty() && kept == null || request.cancelled().getAsBoolean()) {
+            if (next.isEmpty() && kept == null) {
                 rounds.resignation().ifPresent(request.progress()::note);
                 return best;
+            }
+            if (request.cancelled().getAsBoolean()) {
+                return stopped(best);
             }
             double n = kept == null ? next.getAsDouble() : kept.samples();
             request.progress().note(rounds.note(result.report(), n));
@@ -92,9 +95,7 @@ final class RenderRounds {
     }
 
     private RenderResult stopped(RenderResult best) {
-        request.progress()
-                .note("stopped: the picture is that of the round before, with "
-                        + Rounds.number(best.report().sampling().plannedSamples()) + " samples per pixel");
+        request.progress().note(Rounds.stopped(best.report()));
         return best;
     }
 

@@ -198,11 +198,10 @@ public final class Renderer {
     }
 
     /**
-     * Fails if the scene's camera, lights or shapes cannot be used, as {@link #check} does, but does not look at textures and
-     * builds nothing to render with: for the frames of an animation, which have the same textures.
+     * Fails where a render would because of the scene's camera, lights or shapes, as {@link #check} does, but does not look at textures
+     * and surroundings and builds nothing to render with: for the frames of an animation, which have the same textures.
      *
-     * @throws SceneException if the scene cannot be used
-     * @throws enlightenment.math.InvalidValueException if one of its shapes cannot
+     * @throws SceneException if the scene cannot be rendered, with all lights that are too much for their size
      */
     public static void checkShapes(Scene scene) {
         SceneCompiler.check(scene);

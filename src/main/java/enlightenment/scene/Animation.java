@@ -33,6 +33,7 @@ public record Animation(int frames, double framesPerSecond, List<Track> tracks, 
      *
      * @throws enlightenment.math.InvalidValueException if there are no frames, framesPerSecond is not positive and finite, or shutter or
      *     instants are out of range
+     * @throws NullPointerException if tracks or one of them is missing; the message says which
      */
     public Animation {
         Check.that(frames >= 1, "frames", "must be at least 1, not " + frames);
@@ -45,7 +46,9 @@ public record Animation(int frames, double framesPerSecond, List<Track> tracks, 
                 instants >= 1 && instants <= MOST_INSTANTS,
                 "instants",
                 "must be in 1.." + MOST_INSTANTS + ", not " + instants);
-        tracks = List.copyOf(tracks);
+        // A scene file says no -0, and records with it would not be equal to what is read of it.
+        shutter = shutter == 0 ? 0 : shutter;
+        tracks = Present.list("tracks", "track", tracks);
     }
 
     /** Pictures of moments. */
@@ -85,6 +88,7 @@ public record Animation(int frames, double framesPerSecond, List<Track> tracks, 
         public Track {
             Objects.requireNonNull(target, "target");
             Objects.requireNonNull(easing, "easing");
+            Objects.requireNonNull(keys, "keys");
             Check.that(!keys.isEmpty(), "keys", "must hold at least one frame");
             keys.forEach((frame, value) -> {
                 Check.that(frame >= 0, "keys/" + frame, "must be the number of a frame, at least 0");

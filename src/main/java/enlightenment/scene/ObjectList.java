@@ -49,10 +49,10 @@ final class ObjectList extends AbstractList<SceneObject> implements RandomAccess
     /**
      * A list of these objects, or the list itself if it is one.
      *
-     * @throws NullPointerException if an object is missing
+     * @throws NullPointerException if the list or an object is missing; the message says which
      */
     static List<SceneObject> copyOf(List<SceneObject> objects) {
-        return objects instanceof ObjectList ? objects : new ObjectList(List.copyOf(objects));
+        return objects instanceof ObjectList ? objects : new ObjectList(Present.list("objects", "object", objects));
     }
 
     @Override

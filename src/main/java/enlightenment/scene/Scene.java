@@ -60,7 +60,8 @@ public record Scene(
      *
      * @throws InvalidValueException if the size is out of range, two objects have the same name, or an object's material has no
      *     meaning in the scene's shading; its key is the place
-     * @throws NullPointerException if something is missing, the name of a texture or a material too; the message says what
+     * @throws NullPointerException if something is missing, be it one thing in a list or the name of a texture or a material; the
+     *     message says what
      */
     public Scene {
         Objects.requireNonNull(name, "name");
@@ -68,13 +69,13 @@ public record Scene(
         Objects.requireNonNull(camera, "camera");
         Objects.requireNonNull(shading, "shading");
         Objects.requireNonNull(display, "display");
-        textures = named("texture", textures);
-        materials = named("material", materials);
-        lights = List.copyOf(lights);
+        textures = named("textures", "texture", textures);
+        materials = named("materials", "material", materials);
+        lights = Present.list("lights", "light", lights);
         objects = ObjectList.copyOf(objects);
         Objects.requireNonNull(render, "render");
         Objects.requireNonNull(animation, "animation");
-        instants = List.copyOf(instants);
+        instants = Present.list("instants", "instant", instants);
         for (Scene instant : instants) {
             Check.that(
                     instant.instants.isEmpty() && instant.shading.model() == shading.model(),
@@ -96,7 +97,8 @@ public record Scene(
         fit.require(camera);
     }
 
-    private static <T> Map<String, T> named(String what, Map<String, T> things) {
+    private static <T> Map<String, T> named(String key, String what, Map<String, T> things) {
+        Objects.requireNonNull(things, key);
         things.forEach((name, thing) -> {
             Objects.requireNonNull(name, () -> "the name of a " + what);
             Objects.requireNonNull(thing, () -> "the " + what + " \"" + name + "\"");

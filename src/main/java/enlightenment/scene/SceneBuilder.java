@@ -115,7 +115,7 @@ public final class SceneBuilder {
      *
      * @throws enlightenment.math.InvalidValueException if the camera is missing, the size is out of range or two objects
      *     have the same name; its key is the place
-     * @throws NullPointerException if something else was set to null or added as null, or named null
+     * @throws NullPointerException if something else was set to null or added as null, or named null; the message says what
      */
     public Scene build() {
         Check.that(camera != null, "camera", "is missing; a scene needs it");

@@ -1,7 +1,11 @@
 package enlightenment.scene;
 
+import enlightenment.material.Texture;
+import enlightenment.math.InvalidValueException;
 import enlightenment.text.Plain;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 
 /** A scene that cannot be used. Every problem that was found is listed, not just the first. */
 public final class SceneException extends RuntimeException {
@@ -50,6 +54,23 @@ public final class SceneException extends RuntimeException {
     /** A single problem without a place in a file: the JSON pointer of the value, or "", and what is wrong. */
     public static SceneException of(String pointer, String message) {
         return new SceneException(List.of(new Problem("", 0, 0, pointer, message)));
+    }
+
+    /** A value that cannot be used, at the place that its key names. */
+    public static SceneException of(InvalidValueException e) {
+        return of(e.key().isEmpty() ? "" : "/" + e.key(), e.problem());
+    }
+
+    /** A texture's file that cannot be used, for this reason: at the first texture of the scene that names it. */
+    public static SceneException ofTexture(Scene scene, Path file, String reason) {
+        for (Map.Entry<String, Texture> named : scene.textures().entrySet()) {
+            if (named.getValue() instanceof Texture.File texture
+                    && texture.file().equals(file)) {
+                return of("/textures/" + escaped(named.getKey()) + "/file", reason);
+            }
+        }
+        // Scenes made by programs have textures without names.
+        return of("", "a texture cannot be used: " + reason);
     }
 
     /** A key as a part of a JSON pointer (RFC 6901). */

@@ -49,7 +49,7 @@ final class BeamTree {
             }
             return;
         }
-        int axis = longestSide(first, end);
+        int axis = LongestSide.of(first, end, (k, side) -> start(beams[k], side));
         Arrays.sort(beams, first, end, (a, b) -> Double.compare(start(a, axis), start(b, axis)));
         int middle = first + (end - first) / 2;
         build(2 * node + 1, first, middle, paths);
@@ -69,24 +69,6 @@ final class BeamTree {
 
     private static double start(MediumBeam beam, int axis) {
         return axis == 0 ? beam.x : axis == 1 ? beam.y : beam.z;
-    }
-
-    private int longestSide(int first, int end) {
-        int longest = 0;
-        double length = Double.NEGATIVE_INFINITY;
-        for (int axis = 0; axis < 3; axis++) {
-            double least = Double.POSITIVE_INFINITY;
-            double greatest = Double.NEGATIVE_INFINITY;
-            for (int k = first; k < end; k++) {
-                least = Math.min(least, start(beams[k], axis));
-                greatest = Math.max(greatest, start(beams[k], axis));
-            }
-            if (greatest - least > length) {
-                length = greatest - least;
-                longest = axis;
-            }
-        }
-        return longest;
     }
 
     /** Spreads the beams of a group by how far they are apart: any width keeps their power. */

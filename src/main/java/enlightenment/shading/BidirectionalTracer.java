@@ -124,6 +124,44 @@ public final class BidirectionalTracer implements Shader {
         out[2] = blue;
     }
 
+    /**
+     * What connections alone bring to a camera ray's path, without what is aimed at lights or runs into them.
+     *
+     * @param ofLight draws the path from the light
+     */
+    void connect(Ray ray, Sampler sampler, Sampler ofLight, double[] out) {
+        red = 0;
+        green = 0;
+        blue = 0;
+        followLight(ofLight);
+        eye.begin(ray, sampler);
+        while (stepToConnect(sampler)) {}
+        out[0] = red;
+        out[1] = green;
+        out[2] = blue;
+    }
+
+    private boolean stepToConnect(Sampler sampler) {
+        switch (eye.next(sampler)) {
+            case NOTHING, ENDED:
+                return false;
+            case PASSED:
+                return true;
+            case SURFACE:
+                eye.passDye();
+                break;
+            default:
+                break;
+        }
+        if (!eye.mayScatter()) {
+            return false;
+        }
+        if (!eye.bsdf.isDelta()) {
+            connect(sampler, eye.vertices.size() + 1);
+        }
+        return eye.leave(sampler);
+    }
+
     private void followLight(Sampler sampler) {
         boolean goes = light.begin(sampler);
         while (goes) {

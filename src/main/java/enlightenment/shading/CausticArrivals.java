@@ -9,6 +9,7 @@ import enlightenment.primitive.Hit;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 
 /**
  * Where some paths of light come to the first surface over mirrors and smooth glass, in groups by place: a k-d tree (J. L. Bentley 1975).
@@ -67,9 +68,15 @@ final class CausticArrivals extends LightWalker {
 
     private final MirrorBalls balls;
 
-    /** Those of a scene with a pass of caustics; null if no light comes to surfaces so, but what is found by other ways. */
-    static CausticArrivals of(CompiledScene scene) {
+    /**
+     * Those of a scene with a pass of caustics; null if no light comes to surfaces so, but what is found by other ways.
+     *
+     * @param cancelled asked now and then
+     * @throws java.util.concurrent.CancellationException soon after that has become true
+     */
+    static CausticArrivals of(CompiledScene scene, BooleanSupplier cancelled) {
         CausticArrivals all = new CausticArrivals(scene);
+        all.stopWhen(cancelled);
         for (int k = 0; k < PATHS; k++) {
             all.follow(k);
         }
@@ -123,31 +130,13 @@ final class CausticArrivals extends LightWalker {
             first[node - axes.length] = from;
             return;
         }
-        int axis = longestSide(from, to);
+        int axis = LongestSide.of(from, to, (k, side) -> arrivals[k][side]);
         Arrays.sort(arrivals, from, to, (a, b) -> Double.compare(a[axis], b[axis]));
         int middle = from + (to - from) / 2;
         axes[node] = axis;
         cuts[node] = arrivals[middle][axis];
         cut(2 * node + 1, from, middle);
         cut(2 * node + 2, middle, to);
-    }
-
-    private int longestSide(int from, int to) {
-        int longest = 0;
-        double length = Double.NEGATIVE_INFINITY;
-        for (int axis = 0; axis < 3; axis++) {
-            double least = Double.POSITIVE_INFINITY;
-            double greatest = Double.NEGATIVE_INFINITY;
-            for (int k = from; k < to; k++) {
-                least = Math.min(least, arrivals[k][axis]);
-                greatest = Math.max(greatest, arrivals[k][axis]);
-            }
-            if (greatest - least > length) {
-                length = greatest - least;
-                longest = axis;
-            }
-        }
-        return longest;
     }
 
     /**

@@ -2,38 +2,36 @@ package enlightenment.shading;
 
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
-import enlightenment.compiled.ChanceLight;
-import enlightenment.compiled.ChanceLights;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.HomogeneousMedium;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.RefractingMedia;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
-import enlightenment.sampling.SobolSampler;
+import enlightenment.sampling.Sampler;
 import java.util.Arrays;
+import java.util.function.BooleanSupplier;
 
 /**
- * Finds out how much of a picture paths from the eye find by chance only: at surfaces that are seen in mirrors or through glass, and in
+ * Follows paths from the eye, and looks up what they find by chance only: at surfaces that are seen in mirrors or through glass, and in
  * media behind borders that refract, how bright light is there that mirrors or glass send to them, by {@link CausticArrivals} and {@link
- * MediumBeams}. Nothing of it is part of a picture.
+ * MediumBeams}. Nothing of it is part of a picture. Of one moment of a scene of physical shading.
  */
-public final class ChanceProbe {
-    private static final long SEED = 0x6368616e6365L;
+final class ChanceProbe {
+    /** The first group of what is found: light on surfaces; the others are those of {@link MediumBeams}. */
+    static final int SURFACES = 0;
 
-    /** Paths in all. */
-    private static final int PATHS = 1 << 13;
-
-    /** Of each part of the picture at least. */
-    private static final int LEAST = 8;
+    static final int GROUPS = 1 + MediumBeams.GROUPS;
 
     /** From this event on not all of a path's places in media are looked at: of twice as many every second one, and so on. */
     private static final int LONG = 16;
 
-    /** The first group of what is found: light on surfaces; the others are those of {@link MediumBeams}. */
-    private static final int SURFACES = 0;
+    final CompiledScene scene;
 
-    private static final int GROUPS = 1 + MediumBeams.GROUPS;
+    /** What was found since it was forgotten, by group: radiance of such light, and how many directions find it; both sums over paths. */
+    final double[][] light = new double[GROUPS][3];
+
+    final double[] chance = new double[GROUPS];
 
     /** Null if no such light comes to surfaces. */
     private final CausticArrivals arrivals;
@@ -41,66 +39,47 @@ public final class ChanceProbe {
     /** Null if none comes to media. */
     private final MediumBeams beams;
 
-    /** What the last paths have found, by group: of such light, and how many directions find it. */
-    private final double[][] light = new double[GROUPS][3];
+    private final PathTracer tracer;
 
-    private final double[] chance = new double[GROUPS];
-
-    private ChanceProbe(CausticArrivals arrivals, MediumBeams beams) {
-        this.arrivals = arrivals;
-        this.beams = beams;
-    }
-
-    /** What is left to chance in the picture of a scene of physical shading. */
-    public static ChanceLights find(CompiledScene scene) {
-        if (!scene.physical.hasCausticPass()) {
-            return ChanceLights.NONE;
-        }
-        MediumBeams beams = RefractingMedia.areThere(scene) ? MediumBeams.of(scene) : null;
-        boolean showsCaustics = scene.physical.showsMirrored || beams != null;
-        CausticArrivals arrivals = showsCaustics ? CausticArrivals.of(scene) : null;
-        return arrivals == null && beams == null ? ChanceLights.NONE : new ChanceProbe(arrivals, beams).look(scene);
-    }
-
-    /** The picture is cut into as many parts as there are enough paths for, of about the shape of pixels. */
-    private ChanceLights look(CompiledScene scene) {
-        int columns = (int) Math.ceil(scene.camera.columns);
-        int rows = (int) Math.ceil(scene.camera.rows);
-        int side = 1;
-        while ((long) ((columns + side - 1) / side) * ((rows + side - 1) / side) > PATHS / LEAST) {
-            side++;
-        }
-        int across = (columns + side - 1) / side;
-        int down = (rows + side - 1) / side;
-        PathTracer tracer = PathTracer.probing(scene, new RayCounters(scene.kindNames.size()), this);
+    /**
+     * Prepares for one thread what {@link #follow} looks up.
+     *
+     * @param cancelled asked now and then, by that as well
+     * @throws java.util.concurrent.CancellationException soon after that has become true
+     */
+    ChanceProbe(CompiledScene scene, BooleanSupplier cancelled) {
+        this.scene = scene;
+        boolean hasCaustics = scene.physical.hasCausticPass();
+        beams = hasCaustics && RefractingMedia.areThere(scene) ? MediumBeams.of(scene, cancelled) : null;
+        boolean showsCaustics = hasCaustics && (scene.physical.showsMirrored || beams != null);
+        arrivals = showsCaustics ? CausticArrivals.of(scene, cancelled) : null;
+        tracer = PathTracer.probing(scene, new RayCounters(scene.kindNames.size()), this);
+        tracer.stopWhen(cancelled);
         tracer.beginTile(0, 0, 1, 1);
-        ChanceLight.Builder[] parts = new ChanceLight.Builder[GROUPS];
-        Arrays.setAll(parts, k -> new ChanceLight.Builder(across, down));
-        SobolSampler sampler = new SobolSampler();
-        Ray ray = new Ray();
-        double[] color = new double[3];
-        int paths = PATHS / (across * down);
-        double white = Math.scalb(1.0, (int) Math.ceil(Math.max(-scene.display.exposure(), -1000)));
-        for (int part = 0; part < across * down; part++) {
-            double[] other = new double[3];
-            sampler.pixel(SEED, part % across, part / across);
-            forget();
-            for (int k = 0; k < paths; k++) {
-                sampler.sample(k);
-                scene.camera.ray(
-                        (part % across + sampler.filmX()) / across, (part / across + sampler.filmY()) / down, ray);
-                tracer.shade(ray, sampler, color);
-                for (int c = 0; c < 3; c++) {
-                    // What is whiter than white was found by chance, or shows nothing else.
-                    other[c] += Math.min(Math.max(color[c], 0), white) / paths;
-                }
-            }
-            set(parts, part, other, paths);
-        }
-        return gather(parts);
     }
 
-    private void forget() {
+    /** Whether there is anything to find. */
+    boolean isOfUse() {
+        return arrivals != null || beams != null;
+    }
+
+    /** Whether some of it is in media. */
+    boolean hasBeams() {
+        return beams != null;
+    }
+
+    /**
+     * Follows the path of a camera ray.
+     *
+     * @param x where it begins, as a share of the picture's width; and y, of its height
+     * @param color receives the radiance that it finds
+     */
+    void follow(double x, double y, Sampler sampler, Ray ray, double[] color) {
+        scene.camera.ray(x, y, ray);
+        tracer.shade(ray, sampler, color);
+    }
+
+    void forget() {
         for (double[] bands : light) {
             Arrays.fill(bands, 0);
         }
@@ -110,30 +89,26 @@ public final class ChanceProbe {
         }
     }
 
-    /** Sets what was found in a part of the picture by so many paths. Light that is easier to find is there where other light is sought. */
-    private void set(ChanceLight.Builder[] parts, int part, double[] other, int paths) {
+    /**
+     * Takes what was found in media over from the beams.
+     *
+     * @param fromBothEnds whether only what paths from both ends do not meet on is wanted, but for the sun's
+     */
+    void gatherBeams(boolean fromBothEnds) {
         for (int k = 0; beams != null && k < MediumBeams.GROUPS; k++) {
-            light[1 + k] = beams.light[k];
-            chance[1 + k] = beams.chance[k];
-        }
-        for (int k = GROUPS - 1; k >= 0; k--) {
-            double[] hidden = new double[3];
-            for (int c = 0; c < 3; c++) {
-                hidden[c] = light[k][c] / paths;
-            }
-            parts[k].set(part, other, hidden, chance[k] / paths);
-            for (int c = 0; k != SURFACES && c < 3; c++) {
-                other[c] += hidden[c];
-            }
+            boolean isApart = fromBothEnds && k != MediumBeams.SUN;
+            System.arraycopy(isApart ? beams.lightApart[k] : beams.light[k], 0, light[1 + k], 0, 3);
+            chance[1 + k] = isApart ? beams.chanceApart[k] : beams.chance[k];
         }
     }
 
-    private static ChanceLights gather(ChanceLight.Builder[] parts) {
-        ChanceLights all = ChanceLights.NONE.and(ChanceLights.Kind.SURFACES, parts[SURFACES].build());
-        for (int k = 0; k < MediumBeams.GROUPS; k++) {
-            all = all.and(MediumBeams.kind(k), parts[1 + k].build());
+    /** Adds what was found of light in media that paths from both ends meet on: a sum over paths, by band. */
+    void addConnected(double[] bands) {
+        for (int k = 0; beams != null && k < MediumBeams.GROUPS; k++) {
+            for (int c = 0; c < 3 && k != MediumBeams.SUN; c++) {
+                bands[c] += beams.light[k][c] - beams.lightApart[k][c];
+            }
         }
-        return all;
     }
 
     /** The path is at a surface that the eye sees in mirrors or through glass, or from media behind borders. */
@@ -152,15 +127,16 @@ public final class ChanceProbe {
      * The path is where a medium scatters it.
      *
      * @param medium null if lamps are sampled from there
-     * @param events how many it had before
+     * @param history of what it had before
      */
-    void look(HomogeneousMedium medium, Scattering s, PathFollower path, PathValue value, int events) {
+    void look(HomogeneousMedium medium, Scattering s, PathFollower path, PathValue value, PathHistory history) {
         if (beams == null || medium == null) {
             return;
         }
-        int step = Math.max(Integer.highestOneBit(events / LONG), 1);
-        if (events % step == 0) {
-            beams.look(medium, s, path.hit, value, step, path.bounces());
+        int step = Math.max(Integer.highestOneBit(history.events / LONG), 1);
+        if (history.events % step == 0) {
+            boolean isApart = !history.meetsOtherEnd();
+            beams.look(medium, s, path.hit, value, step, path.bounces(), isApart);
         }
     }
 }

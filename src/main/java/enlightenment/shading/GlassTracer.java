@@ -239,7 +239,7 @@ final class GlassTracer {
             }
         }
         int after = inside.current();
-        boundary = before == after ? NONE : coincident.ofMedium(after, before);
+        boundary = before == after ? NONE : coincident.border(after, before);
     }
 
     /**
@@ -331,7 +331,7 @@ final class GlassTracer {
         return (isBeyond ? beyond : inside).current();
     }
 
-    /** Whether the last {@link #cross} did not turn the ray: it passed a pane, or between media of equal index. */
+    /** Whether the last {@link #cross} did not turn the ray: it passed a pane, between media of equal index, or what is no border. */
     boolean passedStraight() {
         return straight;
     }

@@ -12,6 +12,7 @@ import enlightenment.primitive.Hit;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 
 /**
  * Light that mirrors and smooth glass send into media behind borders that refract, where paths from the eye find it by chance only: as
@@ -52,7 +53,12 @@ final class MediumBeams extends LightWalker {
 
     final double[] chance = new double[GROUPS];
 
-    private MediumBeams(CompiledScene scene) {
+    /** The same of what paths from both ends leave apart: they meet nowhere between these places and the eye. */
+    final double[][] lightApart = new double[GROUPS][3];
+
+    final double[] chanceApart = new double[GROUPS];
+
+    private MediumBeams(CompiledScene scene, BooleanSupplier cancelled) {
         super(
                 scene,
                 new CausticSource(scene.physical.caustics),
@@ -61,6 +67,7 @@ final class MediumBeams extends LightWalker {
                 1,
                 1,
                 new RayCounters(scene.kindNames.size()));
+        stopWhen(cancelled);
         int paths = 0;
         while (paths < PATHS && found.size() < MOST) {
             follow(paths++);
@@ -68,18 +75,25 @@ final class MediumBeams extends LightWalker {
         tree = found.isEmpty() ? null : new BeamTree(found, paths);
     }
 
-    /** Those of a scene with a pass of caustics; null if there are none. */
-    static MediumBeams of(CompiledScene scene) {
-        MediumBeams all = new MediumBeams(scene);
+    /**
+     * Those of a scene with a pass of caustics; null if there are none.
+     *
+     * @param cancelled asked now and then
+     * @throws java.util.concurrent.CancellationException soon after that has become true
+     */
+    static MediumBeams of(CompiledScene scene, BooleanSupplier cancelled) {
+        MediumBeams all = new MediumBeams(scene, cancelled);
         return all.tree == null ? null : all;
     }
 
     /** Forgets what was found. */
     void forget() {
-        for (double[] bands : light) {
-            Arrays.fill(bands, 0);
+        for (int group = 0; group < GROUPS; group++) {
+            Arrays.fill(light[group], 0);
+            Arrays.fill(lightApart[group], 0);
         }
         Arrays.fill(chance, 0);
+        Arrays.fill(chanceApart, 0);
     }
 
     /** What a group is of. */
@@ -128,19 +142,23 @@ final class MediumBeams extends LightWalker {
         return beam.isUsable(Math.max(source.red, Math.max(source.green, source.blue))) ? beam : null;
     }
 
-    /** The group of the light that the path began at, as it is seen from here; -1 if so many paths find it that pictures tell. */
+    /** The group of the light that the path began at, as it is seen from here. */
     private int group() {
         PhysicalLight[] lights = physical.caustics.lights;
         if (source.light == lights.length) {
             return SUN;
         }
-        PhysicalLight l = lights[source.light];
+        return group(lights[source.light], start[0], start[1], start[2]);
+    }
+
+    /** The group of a light as it is seen from a point; -1 if so many paths find it that pictures tell. */
+    static int group(PhysicalLight l, double px, double py, double pz) {
         if (l.isPoint) {
             return POINTS;
         }
-        double x = start[0] - l.ballX;
-        double y = start[1] - l.ballY;
-        double z = start[2] - l.ballZ;
+        double x = px - l.ballX;
+        double y = py - l.ballY;
+        double z = pz - l.ballZ;
         double share = l.ballRadius * l.ballRadius / (2 * (x * x + y * y + z * z));
         if (!(share < LARGE)) {
             return -1;
@@ -157,17 +175,25 @@ final class MediumBeams extends LightWalker {
      *
      * @param weight how many such places this one stands for
      * @param bounces how many events the path had before
+     * @param isApart whether paths from both ends could not have met there or before
      */
-    void look(HomogeneousMedium medium, Scattering s, Hit at, PathValue value, double weight, int bounces) {
+    void look(
+            HomogeneousMedium medium,
+            Scattering s,
+            Hit at,
+            PathValue value,
+            double weight,
+            int bounces,
+            boolean isApart) {
         tree.at(at.px, at.py, at.pz, beam -> {
             double deep = beam.depth(at.px, at.py, at.pz);
             if (deep >= 0 && beam.medium == medium && beam.bounces + bounces < physical.maxBounces) {
-                add(beam, deep, s, value, weight);
+                add(beam, deep, s, value, weight, isApart);
             }
         });
     }
 
-    private void add(MediumBeam beam, double deep, Scattering s, PathValue value, double weight) {
+    private void add(MediumBeam beam, double deep, Scattering s, PathValue value, double weight, boolean isApart) {
         s.ix = -beam.dx;
         s.iy = -beam.dy;
         s.iz = -beam.dz;
@@ -179,11 +205,19 @@ final class MediumBeams extends LightWalker {
         if (!(most > 0 && most < Double.POSITIVE_INFINITY)) {
             return;
         }
-        double[] sum = light[beam.group];
+        double each = Math.max(value.throughputR, Math.max(value.throughputG, value.throughputB)) * beam.radiance;
+        double found = each > 0 ? most / each : 0;
+        add(light[beam.group], r, g, b);
+        chance[beam.group] += found;
+        if (isApart) {
+            add(lightApart[beam.group], r, g, b);
+            chanceApart[beam.group] += found;
+        }
+    }
+
+    private static void add(double[] sum, double r, double g, double b) {
         sum[0] += r;
         sum[1] += g;
         sum[2] += b;
-        double each = Math.max(value.throughputR, Math.max(value.throughputG, value.throughputB)) * beam.radiance;
-        chance[beam.group] += each > 0 ? most / each : 0;
     }
 }

@@ -23,6 +23,12 @@ final class PathHistory {
     /** Whether a medium scattered the path that no lamp outside is sampled from, or whose light the pass of caustics leaves alone. */
     boolean behindBorder;
 
+    /** Whether paths from both ends may meet between two events, the eye counted, neither of which is one of a delta lobe. */
+    private boolean hasMet;
+
+    /** Whether the last event, or the eye, could be the end of such a segment. */
+    private boolean connects;
+
     /** Whether the path goes on to a surface in the same place, whose light only chance finds. */
     boolean isThere;
 
@@ -33,6 +39,8 @@ final class PathHistory {
         deltaFirst = false;
         gathered = false;
         behindBorder = false;
+        hasMet = false;
+        connects = true;
         isThere = false;
     }
 
@@ -43,6 +51,8 @@ final class PathHistory {
             scatteredFirst = !deltaFirst;
         }
         deltaFirst |= !scattered;
+        hasMet |= connects && !isDelta;
+        connects = !isDelta;
         gathered = !isDelta;
         isThere = false;
     }
@@ -57,6 +67,8 @@ final class PathHistory {
     void leaveInMedium(boolean hasGathered, boolean leavesCaustics) {
         scatteredFirst = leavesCaustics && (scattered ? scatteredFirst : !deltaFirst);
         scattered = true;
+        hasMet |= connects;
+        connects = true;
         gathered = hasGathered;
         behindBorder |= !leavesCaustics;
     }
@@ -64,5 +76,10 @@ final class PathHistory {
     /** Whether the eye sees the surface that the path is at, or the first that it was scattered by, in a mirror or through glass. */
     boolean isSeenByMirrors() {
         return scattered ? !scatteredFirst : deltaFirst;
+    }
+
+    /** Whether a path from a light that is scattered where this one is could have met it there or before. */
+    boolean meetsOtherEnd() {
+        return hasMet || connects;
     }
 }

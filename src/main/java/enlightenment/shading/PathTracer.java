@@ -177,7 +177,7 @@ public final class PathTracer extends EyePathTracer {
         }
         forgetMirrors();
         if (probe != null) {
-            probe.look(walk.behindBorder(), walk.event, path, value, history.events);
+            probe.look(walk.behindBorder(), walk.event, path, value, history);
         }
         return walk.scatter(ray, light, history, sampler, address++) && path.goesOn();
     }

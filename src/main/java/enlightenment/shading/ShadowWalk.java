@@ -9,8 +9,9 @@ import enlightenment.primitive.Ray;
 import java.util.Arrays;
 
 /**
- * Follows a shadow ray through glass that does not turn it: panes, and borders between media of equal index of refraction. Paths pass the
- * same surfaces by the same rules, so both find the same light. One per thread, and only for scenes with such glass.
+ * Follows a shadow ray through glass that does not turn it: panes, borders between media of equal index of refraction, and faces of solids
+ * where another solid fills the place. Paths pass the same surfaces by the same rules, so both find the same light. One per thread, and
+ * only for scenes with such glass.
  */
 final class ShadowWalk {
     private final CompiledScene scene;

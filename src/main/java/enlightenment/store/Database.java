@@ -213,27 +213,31 @@ final class Database implements Closeable {
     private <T> T once(Work<T> work) throws SQLException, IOException {
         Connection c = open();
         c.setAutoCommit(false);
-        boolean isDone = false;
+        T result;
         try {
-            T result = work.run(c);
+            result = work.run(c);
             c.commit();
-            isDone = true;
-            return result;
-        } finally {
-            if (!isDone) {
-                rollBack(c);
-            }
-            if (!c.isClosed()) {
-                c.setAutoCommit(true);
-            }
+        } catch (SQLException | IOException | RuntimeException | Error e) {
+            undo(c, e);
+            throw e;
         }
+        c.setAutoCommit(true);
+        return result;
     }
 
-    private static void rollBack(Connection c) {
+    /**
+     * Makes a connection fit for the next transaction, or drops it: SQLite on a full disk has undone all by itself, and refuses to end a
+     * transaction that there is no more. What failed before says more.
+     */
+    private void undo(Connection c, Throwable failure) {
         try {
-            c.rollback();
+            if (!c.isClosed()) {
+                c.rollback();
+                c.setAutoCommit(true);
+            }
         } catch (SQLException e) {
-            // What failed before says more.
+            failure.addSuppressed(e);
+            drop();
         }
     }
 

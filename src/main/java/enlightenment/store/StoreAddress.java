@@ -1,5 +1,6 @@
 package enlightenment.store;
 
+import enlightenment.text.PathText;
 import enlightenment.text.Plain;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -41,7 +42,7 @@ public record StoreAddress(String url, Optional<Path> file) {
                 }
                 return new StoreAddress(SQLITE + path, Optional.of(path));
             } catch (InvalidPathException e) {
-                throw new IllegalArgumentException(Plain.quoted(text) + " is no path: " + e.getReason(), e);
+                throw noPath(e);
             }
         }
         if (PASSWORD.matcher(text).find()) {
@@ -65,7 +66,18 @@ public record StoreAddress(String url, Optional<Path> file) {
             // It may be anything, in memory too, and nobody but SQLite knows which file it is.
             throw new IllegalArgumentException(Plain.quoted(text) + " is the URL of a URL: give the path of the file");
         }
-        return new StoreAddress(url, Optional.of(Path.of(path)));
+        try {
+            return new StoreAddress(url, Optional.of(Path.of(path)));
+        } catch (InvalidPathException e) {
+            throw noPath(e);
+        }
+    }
+
+    private static IllegalArgumentException noPath(InvalidPathException e) {
+        String why = PathText.isAboutLocale(e)
+                ? PathText.reason(e)
+                : Plain.quoted(e.getInput()) + " is no path: " + e.getReason();
+        return new IllegalArgumentException(why, e);
     }
 
     /**

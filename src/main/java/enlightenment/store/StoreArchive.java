@@ -5,6 +5,8 @@ import enlightenment.engine.KeptPlan;
 import enlightenment.film.SampleLog;
 import enlightenment.render.SampleArchive;
 import java.io.IOException;
+import java.sql.Connection;
+import java.sql.SQLException;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashMap;
@@ -44,6 +46,9 @@ public final class StoreArchive implements SampleArchive {
     private long waiting;
     private long lastWrite = System.nanoTime();
     private long damaged;
+
+    /** Whether the last write failed, and whoever asked for it has heard why. */
+    private boolean isFailureTold;
 
     /**
      * What is to be kept.
@@ -196,33 +201,45 @@ public final class StoreArchive implements SampleArchive {
         if (parts.isEmpty() && blocks.isEmpty()) {
             return;
         }
+        isFailureTold = true;
         database.write(c -> {
-            for (Block block : blocks) {
-                if (!parts.containsKey(block.place())) {
-                    // More of its samples follow: what was kept without them must not be taken for whole meanwhile.
-                    Part.deleteResult(c, block.place());
-                }
-                block.insert(c, database.dialect());
-            }
-            for (Part part : parts.values()) {
-                BitSet given = replayed.get(part.place().pass());
-                part.insert(
-                        c,
-                        database.dialect(),
-                        given != null && given.get(part.place().tile()));
-            }
+            insertAll(c);
             return null;
         });
+        isFailureTold = false;
         parts.clear();
         blocks.clear();
         waiting = 0;
         lastWrite = System.nanoTime();
     }
 
+    private void insertAll(Connection c) throws SQLException, IOException {
+        for (Block block : blocks) {
+            if (!parts.containsKey(block.place())) {
+                // More of its samples follow: what was kept without them must not be taken for whole meanwhile.
+                Part.deleteResult(c, block.place());
+            }
+            block.insert(c, database.dialect());
+        }
+        for (Part part : parts.values()) {
+            BitSet given = replayed.get(part.place().pass());
+            part.insert(
+                    c,
+                    database.dialect(),
+                    given != null && given.get(part.place().tile()));
+        }
+    }
+
+    /** Writes what waits, also what could not be written before; whoever has heard why it could not does not hear it again. */
     @Override
     public void close() throws IOException {
+        boolean wasTold = isFailureTold;
         try (database) {
             write();
+        } catch (IOException e) {
+            if (!wasTold) {
+                throw e;
+            }
         }
     }
 }

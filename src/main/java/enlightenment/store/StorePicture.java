@@ -76,9 +76,15 @@ public record StorePicture(RenderResult result, Map<String, String> texts, int u
             some = some == null && there > 0 ? plans.get(i) : some;
         }
         if (some == null) {
-            throw unknown(store, render);
+            boolean areKnown = plans.stream().allMatch(plan -> units(plan).isPresent());
+            throw areKnown ? nothingYet(store, render) : unknown(store, render);
         }
         return some;
+    }
+
+    private static StoreException nothingYet(SampleStore store, RenderRow render) {
+        return new StoreException(store.name() + ": nothing of the picture is in the store yet (render "
+                + SampleStore.shortId(render) + ")");
     }
 
     private static StoreException unknown(SampleStore store, RenderRow render) {

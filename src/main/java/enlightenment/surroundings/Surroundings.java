@@ -34,6 +34,15 @@ public final class Surroundings {
     /** About how much light falls on surfaces that face along an axis: x, y, z, each up and down. */
     private final double[] irradiance = new double[AXES];
 
+    /**
+     * How the texels of a picture become radiance.
+     *
+     * @param areLight whether whole numbers are proportional to light, rather than display-referred; floats always are
+     * @param areNearest whether a direction has the radiance of the texel that it falls into, rather than what is bilinear between the
+     *     centres of four
+     */
+    public record Texels(boolean areLight, boolean areNearest) {}
+
     private Surroundings(DirectionMap map, double degrees, Sun sun) throws IOException {
         this.map = map;
         this.sun = sun;
@@ -50,11 +59,12 @@ public final class Surroundings {
      * @param scale by which its light is multiplied, by band
      * @param degrees by which it is turned around the y axis: the picture's middle is seen in this direction then, counted from the z
      *     axis to the x axis
-     * @param isLight whether whole numbers are proportional to light, rather than display-referred; floats always are
+     * @param texels what its numbers mean
      * @throws IOException with the reason, if it cannot be read or one of its numbers is no radiance
+     * @throws enlightenment.math.InvalidValueException (key {@code radiance}) if what it is multiplied by is too much
      */
-    public static Surroundings of(byte[] file, Rgb scale, double degrees, boolean isLight) throws IOException {
-        return new Surroundings(DirectionMap.of(RasterFiles.decode(file), scale, isLight), degrees, null);
+    public static Surroundings of(byte[] file, Rgb scale, double degrees, Texels texels) throws IOException {
+        return new Surroundings(DirectionMap.of(RasterFiles.decode(file), scale, texels), degrees, null);
     }
 
     /**
@@ -62,8 +72,8 @@ public final class Surroundings {
      *
      * @throws IOException with a message that names the file and the reason
      */
-    public static Surroundings read(Path file, Rgb scale, double degrees, boolean isLight) throws IOException {
-        return RasterFiles.read(file, bytes -> of(bytes, scale, degrees, isLight));
+    public static Surroundings read(Path file, Rgb scale, double degrees, Texels texels) throws IOException {
+        return RasterFiles.read(file, bytes -> of(bytes, scale, degrees, texels));
     }
 
     /**
@@ -75,6 +85,7 @@ public final class Surroundings {
      * @param ground what the ground reflects
      * @param hasSun whether the sun's disk shines
      * @param scale by which all light is multiplied, by band
+     * @throws enlightenment.math.InvalidValueException (key {@code radiance}) if that is too much
      */
     public static Surroundings sky(
             double elevation, double azimuth, double turbidity, Rgb ground, boolean hasSun, Rgb scale) {
@@ -105,7 +116,8 @@ public final class Surroundings {
 
     private static DirectionMap skyMap(Daylight daylight, double height, Rgb ground, Sun sun, Rgb scale) {
         float[] rgb = new float[3 * SKY_WIDTH * SKY_HEIGHT];
-        double[] factor = {scale.r(), scale.g(), scale.b()};
+        double unit = DirectionMap.unit(scale);
+        double[] factor = {scale.r() / unit, scale.g() / unit, scale.b() / unit};
         double[] falls = new double[3];
         double[] color = new double[3];
         double step = Math.PI / 2 / SKY_HEIGHT;
@@ -123,10 +135,10 @@ public final class Surroundings {
                         cosine * StrictMath.sin(height) + sine * StrictMath.cos(height) * StrictMath.cos(turn);
                 daylight.sky(cosine, cosineGamma, color);
                 for (int c = 0; c < 3; c++) {
-                    float value = (float) (color[c] * factor[c]);
+                    float value = DirectionMap.radiance(color[c], factor[c], "sky");
                     rgb[3 * (row * SKY_WIDTH + x) + c] = value;
                     rgb[3 * (row * SKY_WIDTH + SKY_WIDTH - 1 - x) + c] = value;
-                    falls[c] += 2 * weight * value;
+                    falls[c] += 2 * weight * unit * value;
                 }
             }
         }
@@ -135,7 +147,7 @@ public final class Surroundings {
                 ground.r() / Math.PI * (falls[0] + (sun == null ? 0 : direct * sun.r)),
                 ground.g() / Math.PI * (falls[1] + (sun == null ? 0 : direct * sun.g)),
                 ground.b() / Math.PI * (falls[2] + (sun == null ? 0 : direct * sun.b)));
-        return new DirectionMap(SKY_WIDTH, SKY_HEIGHT, true, rgb, below);
+        return new DirectionMap(SKY_WIDTH, SKY_HEIGHT, true, false, rgb, unit, below);
     }
 
     /** Sums over directions that are chosen as paths choose them, by Hammersley's points. */

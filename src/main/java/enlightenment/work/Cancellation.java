@@ -7,8 +7,8 @@ public final class Cancellation implements BooleanSupplier {
     private final Thread caller = Thread.currentThread();
     private final BooleanSupplier asked;
 
-    /** An interrupt once seen stays seen: waiting for helpers takes it from the caller's thread for a moment. */
-    private volatile boolean interrupted;
+    /** What is once seen stays so: waiting for helpers takes an interrupt from the caller's thread for a moment. */
+    private volatile boolean seen;
 
     private Cancellation(BooleanSupplier asked) {
         this.asked = asked;
@@ -21,9 +21,9 @@ public final class Cancellation implements BooleanSupplier {
 
     @Override
     public boolean getAsBoolean() {
-        if (caller.isInterrupted()) {
-            interrupted = true;
+        if (!seen && (caller.isInterrupted() || asked.getAsBoolean())) {
+            seen = true;
         }
-        return interrupted || asked.getAsBoolean();
+        return seen;
     }
 }

@@ -26,24 +26,26 @@ public final class Workers {
 
     /**
      * Does pieces 0 .. count − 1 on this many threads, the calling one among them, and returns when all are done or it is
-     * cancelled, which a piece may also tell by a {@link CancellationException}. What else a piece throws ends the work and is
-     * thrown here. An interrupt while it waits for the helpers ends the work, too, and is set again before it returns.
+     * cancelled, which a piece may also tell by a {@link CancellationException}. What else a piece or the condition throws ends the work
+     * and is thrown here, whatever its type: a {@link CancellationException}, too, while nothing is cancelled. An interrupt while it waits
+     * for the helpers ends the work, too, and is set again before it returns.
      *
-     * @param work makes what one thread works with; called by one thread at a time, in order
+     * @param cancelled asked by all threads; once true, it stays so
+     * @param work makes what one thread works with; called by this thread, in order, before there are others
      */
     public static void run(int threads, int count, BooleanSupplier cancelled, Supplier<IntConsumer> work) {
         Workers workers = new Workers(count, cancelled);
         List<IntConsumer> each = new ArrayList<>();
-        List<Thread> helpers = new ArrayList<>();
         for (int i = 0; i < Math.min(threads, count); i++) {
-            IntConsumer mine = work.get();
-            each.add(mine);
-            if (i > 0) {
-                Thread helper = new Thread(() -> workers.work(mine), "render-" + i);
-                helper.setDaemon(true);
-                helper.start();
-                helpers.add(helper);
-            }
+            each.add(work.get());
+        }
+        List<Thread> helpers = new ArrayList<>();
+        for (int i = 1; i < each.size(); i++) {
+            IntConsumer mine = each.get(i);
+            Thread helper = new Thread(() -> workers.work(mine), "render-" + i);
+            helper.setDaemon(true);
+            helper.start();
+            helpers.add(helper);
         }
         if (!each.isEmpty()) {
             workers.work(each.get(0));
@@ -54,12 +56,15 @@ public final class Workers {
         if (workers.interrupted) {
             Thread.currentThread().interrupt();
         }
-        rethrow(workers.failure.get());
+        Throwable failure = workers.failure.get();
+        if (failure != null) {
+            Workers.<RuntimeException>rethrow(failure);
+        }
     }
 
     private void work(IntConsumer piece) {
         try {
-            while (failure.get() == null && !interrupted && !cancelled.getAsBoolean()) {
+            while (!isEnded()) {
                 int index = next.getAndIncrement();
                 if (index >= count) {
                     return;
@@ -67,10 +72,27 @@ public final class Workers {
                 piece.accept(index);
             }
         } catch (CancellationException e) {
-            // In the middle of a piece, which is not done then.
-            return;
-        } catch (RuntimeException | Error e) {
-            failure.compareAndSet(null, e);
+            // In the middle of a piece, which is not done then; or it is a program's own, from a call of its listener.
+            if (!isKnownToBeEnded()) {
+                failure.compareAndSet(null, e);
+            }
+        } catch (Throwable t) {
+            // Checked exceptions are among them: other languages than Java declare none.
+            failure.compareAndSet(null, t);
+        }
+    }
+
+    private boolean isEnded() {
+        return failure.get() != null || interrupted || cancelled.getAsBoolean();
+    }
+
+    /** Whether that is why a piece gave up. */
+    private boolean isKnownToBeEnded() {
+        try {
+            return isEnded();
+        } catch (Throwable t) {
+            // The condition cannot tell: it was the condition that threw.
+            return false;
         }
     }
 
@@ -85,12 +107,9 @@ public final class Workers {
         }
     }
 
-    private static void rethrow(Throwable t) {
-        if (t instanceof Error e) {
-            throw e;
-        }
-        if (t instanceof RuntimeException e) {
-            throw e;
-        }
+    /** Throws whatever it is: the compiler takes it for unchecked. */
+    @SuppressWarnings("unchecked")
+    private static <T extends Throwable> void rethrow(Throwable t) throws T {
+        throw (T) t;
     }
 }

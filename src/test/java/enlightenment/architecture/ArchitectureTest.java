@@ -204,7 +204,8 @@ class ArchitectureTest {
                     "net",
                     "cli")
             .whereLayer("text")
-            .mayOnlyBeAccessedByLayers("codec", "image", "scene", "json", "engine", "listen", "net", "cli", "store")
+            .mayOnlyBeAccessedByLayers(
+                    "codec", "image", "scene", "json", "engine", "render", "listen", "net", "cli", "store")
             .whereLayer("codec")
             .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings", "video")
             .whereLayer("surroundings")

@@ -32,7 +32,7 @@ import tools.jackson.databind.ObjectMapper;
  */
 public final class Browser implements BeforeAllCallback, AfterAllCallback {
     private static final ObjectMapper JSON = new ObjectMapper();
-    private static final long PATIENCE_SECONDS = 30;
+    private static final long PATIENCE_SECONDS = 300;
 
     private Path profile;
     private Process process;
@@ -203,7 +203,7 @@ public final class Browser implements BeforeAllCallback, AfterAllCallback {
         try {
             session = null;
             call("Browser.close", "{}");
-            process.waitFor(5, TimeUnit.SECONDS);
+            process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
         } catch (Exception e) {
             // Then it is ended from outside.
             problems.add(e.toString());

@@ -292,6 +292,32 @@ class AnimateCommandTest {
     }
 
     @Test
+    void aReportMayLieInTheFolderThatIsMadeForTheFramesAndInNoOther() throws IOException {
+        Path report = frames.resolve("r.json");
+        assertEquals(new CliRun(0, "", ""), CliRun.of("animate", scene, "-o", pattern, "--report", report));
+        assertTrue(Files.size(report) > 0);
+        CliRun other = CliRun.of("animate", scene, "-o", pattern, "--report", folder.resolve("none/r.json"));
+        assertEquals(1, other.code());
+        assertTrue(other.err().contains("there is no folder"), other.err());
+        CliRun frame = CliRun.of(
+                "animate", scene, "-o", folder.resolve("new/%d.png"), "--report", folder.resolve("new/3.png"));
+        assertEquals(2, frame.code());
+        assertTrue(frame.err().contains("--report and -o would write the same file"), frame.err());
+        CliRun both = CliRun.of(
+                "animate",
+                scene,
+                "-o",
+                folder.resolve("new/%d.png"),
+                "--report",
+                folder.resolve("new/a.gif"),
+                "--video",
+                folder.resolve("new/a.gif"));
+        assertEquals(2, both.code());
+        assertTrue(both.err().contains("--video and --report would write the same file"), both.err());
+        assertFalse(Files.exists(folder.resolve("new")));
+    }
+
+    @Test
     void furtherFilesAreThoseThatRenderWritesAndAFrameWithoutThemIsNotThere() throws IOException {
         assertEquals(
                 0, CliRun.of("animate", scene, "-o", pattern, "--frames", "0-2").code());

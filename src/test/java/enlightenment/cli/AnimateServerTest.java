@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Films by {@code animate --server}. */
-@Timeout(60)
+@Timeout(600)
 class AnimateServerTest {
     @TempDir
     Path folder;

@@ -130,7 +130,9 @@ class CheckpointCommandTest extends SceneFixture {
             stop.request();
         });
         impatient.start();
-        CliRun stopped = CliRun.of(stop, "render", scene, "-o", picture, "--samples", 4096, "--checkpoint", checkpoint);
+        // By one thread: as many as there are tiles would end all of them at about the same time.
+        Object[] slowly = words("render", "--samples", 4096, "--checkpoint", checkpoint, "--threads", 1);
+        CliRun stopped = CliRun.of(stop, slowly);
         impatient.join();
         assertEquals(1, stopped.code());
         assertTrue(stopped.err().contains("; what is done is kept: --resume goes on with it"), stopped.err());

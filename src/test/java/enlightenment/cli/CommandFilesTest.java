@@ -321,7 +321,7 @@ class CommandFilesTest {
     }
 
     @Test
-    @Timeout(120)
+    @Timeout(600)
     void whatAKilledRenderLeftIsGoneWhenTheNextOneStarts() throws Exception {
         Map<String, Path> files = inputs(CommandLines.RENDER, "", "");
         Path out = Files.createDirectory(folder.resolve("out"));

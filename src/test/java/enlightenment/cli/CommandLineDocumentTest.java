@@ -3,6 +3,7 @@ package enlightenment.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.image.ImageFormat;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
 
 /** docs/cli.md lists the commands and options that there are. */
 class CommandLineDocumentTest {
@@ -64,6 +66,20 @@ class CommandLineDocumentTest {
             }
         }
         assertEquals(known, listed);
+    }
+
+    @Test
+    void compareTakesEveryFormatThereIs() throws IOException {
+        String section = section("compare");
+        for (ImageFormat format : ImageFormat.values()) {
+            for (PositionalParamSpec picture : line("compare").getCommandSpec().positionalParameters()) {
+                String described = String.join("", picture.description());
+                assertTrue(
+                        format.extensions().stream().anyMatch(e -> described.contains("." + e)),
+                        format + " in " + described);
+            }
+            assertTrue(section.contains(format.name()), format + " in\n" + section);
+        }
     }
 
     @Test

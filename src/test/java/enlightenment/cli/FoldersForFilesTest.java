@@ -3,8 +3,8 @@ package enlightenment.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import enlightenment.file.NamedPipe;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Folders, and devices without an end, where files are expected. */
-@Timeout(120)
+@Timeout(600)
 class FoldersForFilesTest {
     private static final Path ZERO = Path.of("/dev/zero");
 
@@ -62,6 +62,20 @@ class FoldersForFilesTest {
     }
 
     @Test
+    void anEmptyNameIsNoFolderButAnEmptyName() {
+        assertTold(ExitCode.WRONG_INPUT, "SCENE must not be empty", "render", "", "-o", out);
+        assertTold(ExitCode.WRONG_INPUT, "SCENE must not be empty", "validate", scene, "");
+        assertTold(ExitCode.WRONG_INPUT, "B must not be empty", "compare", out, "");
+        assertTold(ExitCode.WRONG_INPUT, "--report must not be empty", "render", scene, "-o", out, "--report", "");
+    }
+
+    @Test
+    void whatIsNoPathIsToldAsSuch() {
+        assertTold(ExitCode.WRONG_INPUT, "SCENE is not a path: \"a?b.json\"", "validate", "a\0b.json");
+        assertTold(ExitCode.WRONG_INPUT, "--output is not a path: \"a?b.png\"", "render", scene, "-o", "a\0b.png");
+    }
+
+    @Test
     void aFolderIsToldByItsNameWhereverAFileIsExpected() throws IOException {
         Path certificate = resource("server-cert.pem");
         Path key = resource("server-key.pem");
@@ -97,17 +111,7 @@ class FoldersForFilesTest {
     void pipesAreReadAsFilesAre() throws Exception {
         CliRun.picture("render", scene, "-o", out);
         Path pipe = folder.resolve("pipe.png");
-        assumeTrue(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0);
-        byte[] picture = Files.readAllBytes(out);
-        Thread writer = new Thread(() -> {
-            try {
-                Files.write(pipe, picture);
-            } catch (IOException e) {
-                throw new UncheckedIOException(e);
-            }
-        });
-        writer.setDaemon(true);
-        writer.start();
+        NamedPipe.writing(pipe, Files.readAllBytes(out));
         CliRun run = CliRun.of("compare", pipe, out, "--max-rmse", 0);
         assertEquals(0, run.code(), run.err());
     }

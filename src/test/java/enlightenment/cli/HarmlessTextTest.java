@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -66,6 +67,32 @@ class HarmlessTextTest {
         assertHarmless(CliRun.of("render", scene, "-o", folder.resolve("x.png"), "--progress", "none", "--stats"));
         String broken = Files.readString(scene).replace("\"radius\": 0.5", "\"" + NASTY + "\": \"" + NASTY + "\"");
         assertHarmless(CliRun.of("validate", Files.writeString(scene, broken)));
+    }
+
+    @Test
+    void soAreTheNamesOfOutputs() throws IOException {
+        Path scene = CliRun.scene(folder, "\"width\": 8, \"height\": 8");
+        String nasty = "x\nenlightenment: all is well";
+        for (Object[] args : List.of(
+                new Object[] {"render", scene, "-o", nasty + ".gif"},
+                new Object[] {"render", scene, "-o", folder.resolve(nasty).resolve("o.png")},
+                new Object[] {
+                    "render",
+                    scene,
+                    "-o",
+                    folder.resolve("o.png"),
+                    "--report",
+                    folder.resolve(nasty).resolve("r.json")
+                },
+                new Object[] {"animate", scene, "-o", nasty + ".png"},
+                new Object[] {"server", scene, "-o", nasty + ".gif"},
+                new Object[] {"compare", nasty + ".png", nasty + ".png"},
+                new Object[] {"store-info", folder.resolve(nasty)},
+                new Object[] {nasty})) {
+            CliRun run = CliRun.of(args);
+            assertHarmless(run);
+            assertTrue(run.code() != 0 && run.err().contains("x?enlightenment: all is well"), run.err());
+        }
     }
 
     @Test

@@ -39,7 +39,8 @@ class KilledRenderTest extends SceneFixture {
     }
 
     private Processes.Running start(Path checkpoint) throws IOException {
-        return processes.start(folder, words("render", "--samples", 256, "--checkpoint", checkpoint, "--resume"));
+        return processes.start(
+                folder, words("render", "--threads", 2, "--samples", 256, "--checkpoint", checkpoint, "--resume"));
     }
 
     /** How many results the file holds. */

@@ -19,12 +19,14 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the command line does with pictures of linear light. */
 class LightCommandsTest {
@@ -218,6 +220,62 @@ class LightCommandsTest {
         assertFalse(CliRun.of(args).err().contains("hint"));
         Object[] plain = java.util.Arrays.copyOf(args, 8);
         assertTrue(CliRun.of(plain).err().contains("hint: the picture is dark"));
+    }
+
+    /** Light in another unit, a power of two, and the exposure that makes up for it. */
+    private Path dim(int stops, int exposure) throws IOException {
+        String text = Files.readString(CORNELL)
+                .replace(
+                        "[17, 12, 4]",
+                        "[" + 17 * Math.scalb(1.0, -stops) + ", " + 12 * Math.scalb(1.0, -stops) + ", "
+                                + 4 * Math.scalb(1.0, -stops) + "]");
+        return Files.writeString(
+                folder.resolve("dim.json"),
+                text.substring(0, text.lastIndexOf('}')) + ", \"display\": { \"exposure\": " + exposure + " } }");
+    }
+
+    private CliRun shown(Path scene, String method) {
+        return CliRun.of(
+                "render",
+                scene,
+                "-o",
+                png,
+                "--size",
+                "16x16",
+                "--samples",
+                8,
+                "--method",
+                method,
+                "--progress",
+                "none");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"raytrace", "cluster", "light", "bidirectional", "metropolis"})
+    void lightBelowTheRangeOfFloatsIsToldWhereTheExposureShowsIt(String method) throws IOException {
+        for (int stops : new int[] {150, 160, 250}) {
+            CliRun run = shown(dim(stops, stops), method);
+            assertEquals(1, run.code(), run.err());
+            assertTrue(run.err().contains("numbers of the picture are below the range of floats"), run.err());
+            assertFalse(run.err().contains("hint"), run.err());
+            assertTrue(
+                    run.err().contains("2^" + stops + " times as much, and the exposure " + stops + " less"),
+                    run.err());
+            run = shown(dim(stops, 0), method);
+            assertEquals(0, run.code(), run.err());
+            assertFalse(run.err().contains("--exposure"), run.err());
+            assertFalse(run.err().contains("no light was found"), run.err());
+        }
+    }
+
+    @Test
+    void withinTheRangeOfFloatsTheUnitOfLightDoesNotMatter() throws IOException {
+        List<byte[]> pictures = new ArrayList<>();
+        for (int stops : new int[] {0, 100}) {
+            assertEquals(0, shown(dim(stops, stops), "raytrace").code());
+            pictures.add(Files.readAllBytes(png));
+        }
+        assertArrayEquals(pictures.get(0), pictures.get(1));
     }
 
     @Test

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
@@ -17,6 +18,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -81,6 +83,64 @@ class LightNotesTest {
                 e.getMessage().startsWith("1 numbers of the picture are beyond the range of floats"), e.getMessage());
     }
 
+    /** A worker that lies may send sums which are finite, and whose own sum is not. */
+    @Test
+    void whatIsNoNumberFailsTheCommandWhateverThePictureIsOf() throws Exception {
+        RenderResult good = result(0);
+        for (Encoding encoding : Encoding.values()) {
+            Image bad = new Image(1, 2, new float[] {0, Float.NaN, 0, 0, Float.NaN, 0}, encoding);
+            CliException e = assertThrows(CliException.class, () -> LightNotes.require(good, bad));
+            assertEquals(ExitCode.FAILED, e.exitCode());
+            assertTrue(e.getMessage().startsWith("2 numbers of the picture are no numbers"), e.getMessage());
+            List<String> told = new ArrayList<>();
+            LightNotes.tell(good, bad, line -> told.add(line));
+            assertEquals(List.of(), told, "that it is dark says less");
+        }
+    }
+
+    private static Image image(double exposure, double value) {
+        return new Image(1, 1, new float[] {0, (float) value, 0}, DisplayCurve.SRGB.withExposure(exposure));
+    }
+
+    /**
+     * Numbers near 0 are 2⁻¹⁴⁹ apart. The curve's slope is 12.92 there, so that they are seen 12.92·2^(E − 149) apart: a step of 8 bits,
+     * 1/255, at E = 137.3.
+     */
+    @Test
+    void lightBelowTheRangeOfFloatsFailsTheCommandWhereTheExposureShowsIt() throws Exception {
+        RenderResult good = result(0);
+        double few = 4 * Float.MIN_VALUE;
+        for (double exposure : new double[] {-1000, 0, 100, 137}) {
+            assertDoesNotThrow(() -> LightNotes.require(good, image(exposure, few)));
+        }
+        CliException e = assertThrows(CliException.class, () -> LightNotes.require(good, image(138, few)));
+        assertTrue(e.getMessage().startsWith("1 numbers of the picture are below the range of floats"), e.getMessage());
+        assertTrue(e.getMessage().endsWith("2^138 times as much, and the exposure 138 less"), e.getMessage());
+        // Nothing, and what is normal or white, is as it should be at any exposure.
+        assertDoesNotThrow(() -> LightNotes.require(good, image(1000, 0)));
+        assertDoesNotThrow(() -> LightNotes.require(good, image(1000, 1)));
+        assertDoesNotThrow(() -> LightNotes.require(good, image(125, Float.MIN_NORMAL)));
+    }
+
+    @Test
+    void anExposureIsRecommendedOnlyWhereItHelps() throws Exception {
+        RenderResult good = result(0);
+        String advice = ": --exposure auto shows more of it";
+        assertEquals(List.of("hint: the picture is dark, 0.0000 in the mean" + advice), told(good, 0, 0x1p-100));
+        assertEquals(
+                List.of("hint: the picture is dark, 0.0000 in the mean: its light is at the end of the range of floats;"
+                        + " give the lights more"),
+                told(good, 0, Float.MIN_VALUE));
+        assertEquals(List.of("hint: the picture is black: no light was found"), told(good, 0, 0));
+        assertEquals(List.of(), told(good, 150, Float.MIN_VALUE));
+    }
+
+    private static List<String> told(RenderResult result, double exposure, double value) {
+        List<String> told = new ArrayList<>();
+        LightNotes.tell(result, image(exposure, value), line -> told.add(line));
+        return told;
+    }
+
     @Test
     void whatOneSampleDoesNotTellIsLeftOut() throws Exception {
         Scene scene = SceneReader.read(Path.of("src/test/resources/physical/cornell.json"));
@@ -91,6 +151,17 @@ class LightNotesTest {
                     .report());
             assertEquals(samples > 1, stats.contains("of linear light"), stats);
             assertFalse(stats.contains("NaN"), stats);
+        }
+    }
+
+    @Test
+    void theStatisticsCallTheErrorOfFewSamplesAGuess() throws Exception {
+        Scene scene = SceneReader.read(Path.of("src/test/resources/physical/cornell.json"));
+        for (int samples = 1; samples <= 4; samples++) {
+            RenderSettings settings =
+                    RenderSettings.of(scene).withSize(8, 8).withBudget(Budget.NONE.withSamples(samples));
+            RenderResult r = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
+            assertEquals(samples < 4, StatsTable.of(r.report()).contains("a guess"), samples + " samples per pixel");
         }
     }
 }

@@ -79,7 +79,9 @@ class MethodExtensionCommandTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"render", "inspect", "validate", "part", "server", "trade"})
-    void aShadingThatTheMethodCannotRenderIsRefusedByName(String command) {
+    void aShadingThatTheMethodCannotRenderIsRefusedByName(String command) throws IOException {
+        // The scene is one line.
+        String place = ":1:" + (Files.readString(physical).indexOf("\"physical\"") + 1);
         Path out = folder.resolve("out");
         CliRun run =
                 switch (command) {
@@ -93,7 +95,7 @@ class MethodExtensionCommandTest {
         assertEquals(2, run.code(), run.err());
         String all = run.out() + run.err();
         assertTrue(
-                all.contains(physical + ": /shading/model: the method " + AmbientOcclusion.WORD
+                all.contains(physical + place + ": /shading/model: the method " + AmbientOcclusion.WORD
                         + " cannot render physical shading, only"
                         + " classic; what can: "),
                 all);

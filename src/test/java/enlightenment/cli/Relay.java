@@ -12,22 +12,27 @@ import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * Stands between workers and a server. Of what workers say it passes on so many bytes and loses the others, so that the picture
- * cannot be done, however fast the machine is, before the line is freed.
+ * cannot be done, however fast the machine is, before the line is freed. Workers know its port, which it keeps while servers at any
+ * port come and go.
  */
 final class Relay implements AutoCloseable {
     private final ServerSocket door = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     private final List<Socket> sockets = new CopyOnWriteArrayList<>();
     private final AtomicLong left;
-    private final int server;
+    private volatile int server;
 
-    Relay(int server, long bytes) throws IOException {
-        this.server = server;
+    Relay(long bytes) throws IOException {
         left = new AtomicLong(bytes);
         start(this::accept);
     }
 
     int port() {
         return door.getLocalPort();
+    }
+
+    /** Where new connections lead to, from now on. */
+    void leadTo(int port) {
+        server = port;
     }
 
     /** From now on new connections are passed on whole. */

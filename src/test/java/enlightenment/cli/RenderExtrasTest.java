@@ -138,7 +138,7 @@ class RenderExtrasTest extends SceneFixture {
 
     /** The clock of this test goes on by a minute at each look, after the preview that is under way has been written. */
     @Test
-    @Timeout(300)
+    @Timeout(600)
     void previewsAreWholePicturesAndBecomeFiner() throws IOException {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Terminal terminal = new Terminal(null, new PrintStream(err, true), new ShutdownSignal());
@@ -204,15 +204,16 @@ class RenderExtrasTest extends SceneFixture {
 
     @ParameterizedTest
     @ValueSource(strings = {"0.25", "0.001", "0.000000001", "1e-9"})
-    @Timeout(60)
+    @Timeout(600)
     void aTimeIsToldAsANumberOfSamplesThatMakesTheSameBytes(String time) throws IOException {
         CliRun run = render("--time", time, "--threads", "2");
         assertEquals(0, run.code());
         List<String> said = run.errLines();
         String last = said.get(said.size() - 1);
         assertTrue(last.matches("time [0-9.]+ s: --samples [0-9.]+ makes the same picture"), run.err());
-        // How much fits into a quarter of a second depends on the machine, but nothing fits into less than an instant.
-        assertTrue(said.size() == 1 && time.equals("0.25") || said.get(0).contains(" is too short: "), run.err());
+        // How much fits into a moment depends on the machine, but nothing fits into less than an instant.
+        boolean mayFit = Double.parseDouble(time) >= 0.001;
+        assertTrue(said.size() == 1 && mayFit || said.get(0).contains(" is too short: "), run.err());
         assertTrue(said.size() <= 2, run.err());
         byte[] timed = Files.readAllBytes(picture);
         String samples = last.replaceAll(".*--samples ([0-9.]+) .*", "$1");
@@ -286,7 +287,7 @@ class RenderExtrasTest extends SceneFixture {
     }
 
     @Test
-    @Timeout(300)
+    @Timeout(600)
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a process cannot be asked to end there")
     void aSignalAfterAPreviewLeavesAWholePicture() throws Exception {
         // Minutes of work wherever it runs, in tiles of less than a second.

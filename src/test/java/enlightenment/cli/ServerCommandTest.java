@@ -14,7 +14,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
+@Timeout(600)
 class ServerCommandTest extends SceneFixture {
     ServerCommandTest() {
         super(50, 34);
@@ -141,6 +141,20 @@ class ServerCommandTest extends SceneFixture {
         assertEquals(1, run.code());
         assertTrue(run.err().contains("is the checkpoint of another render, which differs in the scene"), run.err());
         assertArrayEquals(before, Files.readAllBytes(checkpoint));
+    }
+
+    /** A label of more than 63 letters cannot be asked for (RFC 1035): nobody is, and the test stays on this machine. */
+    @Test
+    void aHostThatIsNotKnownIsSaidToBeNone() {
+        String host = "x".repeat(64) + ".invalid";
+        String words = "the host " + host + " is not known";
+        CliRun run = CliRun.of("worker", host + ":1", "--reconnect", "0");
+        assertEquals(1, run.code());
+        assertTrue(run.err().matches("(?s).*no server for \\d+ s: " + words + ".*"), run.err());
+        run = CliRun.of("server", scene, "-o", picture, "--host", host, "--port", 0);
+        assertEquals(1, run.code());
+        assertTrue(run.err().contains(words), run.err());
+        assertFalse(run.err().contains(host + ": "), run.err());
     }
 
     @Test

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -21,7 +20,7 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Server and workers as processes of their own, which are killed as {@code kill -9} does. */
-@Timeout(180)
+@Timeout(600)
 class ServerProcessTest {
     private static final String SIZE = "\"width\": 96, \"height\": 72";
 
@@ -43,7 +42,6 @@ class ServerProcessTest {
 
     private Path scene;
     private Path picture;
-    private int port;
     private Relay relay;
 
     /** What one process makes of the scene. */
@@ -59,10 +57,7 @@ class ServerProcessTest {
     void scene() throws IOException {
         scene = CliRun.scene(folder, SIZE);
         picture = folder.resolve("picture.png");
-        try (ServerSocket free = new ServerSocket(0)) {
-            port = free.getLocalPort();
-        }
-        relay = new Relay(port, SOME_TILES);
+        relay = new Relay(SOME_TILES);
     }
 
     @AfterEach
@@ -70,24 +65,41 @@ class ServerProcessTest {
         relay.close();
     }
 
-    private Processes.Running server(Object... more) throws IOException {
-        List<Object> args = new ArrayList<>(List.of("server", scene, "-o", picture, "--port", port));
+    /** A server at any port that is free: one that was free before may be somebody else's by now. The relay leads to it. */
+    private Processes.Running server(Object... more) throws Exception {
+        List<Object> args = new ArrayList<>(List.of("server", scene, "-o", picture, "--port", 0));
         args.addAll(WORK);
-        args.addAll(List.of("--local-threads", 0, "--wait", 60));
+        args.addAll(List.of("--local-threads", 0, "--wait", 600));
         args.addAll(List.of(more));
-        return processes.start(folder, args.toArray());
+        Processes.Running server = processes.start(folder, args.toArray());
+        relay.leadTo(port(server));
+        return server;
+    }
+
+    /** Where a server listens, once it says so. */
+    private static int port(Processes.Running server) throws Exception {
+        return Integer.parseInt(said(server, " worker 127\\.0\\.0\\.1:(\\d+)\\s"));
+    }
+
+    /** What it says at the first place that matches. */
+    private static String said(Processes.Running server, String words) throws Exception {
+        Pattern pattern = Pattern.compile(words);
+        server.until("it says " + words, () -> pattern.matcher(server.said()).find());
+        return pattern.matcher(server.said())
+                .results()
+                .findFirst()
+                .orElseThrow()
+                .group(1);
     }
 
     private Processes.Running worker(int at, Object... more) throws IOException {
-        List<Object> args = new ArrayList<>(List.of("worker", "127.0.0.1:" + at, "--threads", 1));
+        List<Object> args = new ArrayList<>(List.of("worker", "127.0.0.1:" + at, "--threads", 1, "--reconnect", 600));
         args.addAll(List.of(more));
         return processes.start(folder, args.toArray());
     }
 
     private static String pin(Processes.Running server) throws Exception {
-        Pattern pin = Pattern.compile(" --pin ([0-9a-f]{64})\\R");
-        server.until("it says its pin", () -> pin.matcher(server.said()).find());
-        return pin.matcher(server.said()).results().findFirst().orElseThrow().group(1);
+        return said(server, " --pin ([0-9a-f]{64})\\R");
     }
 
     /** Waits until half of what the relay passes on is kept; more than that the server does not get until the relay is freed. */
@@ -104,7 +116,7 @@ class ServerProcessTest {
         awaitSomeTiles(server, checkpoint);
         first.kill();
         server.untilSaid("left:");
-        Processes.Running second = worker(port);
+        Processes.Running second = worker(port(server));
         server.ended(0);
         String said = second.ended(0);
         assertTrue(said.contains("the picture is done"), said);

@@ -32,7 +32,7 @@ class ShutdownSignalTest {
     final Processes processes = new Processes();
 
     @Test
-    @Timeout(300)
+    @Timeout(600)
     @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a process cannot be asked to end there")
     void aSignalLeavesThePartOfThePictureThatIsDone() throws Exception {
         // Days of work, if nobody stopped it.
@@ -65,7 +65,7 @@ class ShutdownSignalTest {
     /** The wish is heard in the middle of a tile: waiting for its end would take hours. */
     @ParameterizedTest
     @ValueSource(strings = {"raytrace", "cluster"})
-    @Timeout(300)
+    @Timeout(600)
     void aSignalEndsARenderOfWhichEachTileTakesHours(String method) throws IOException, InterruptedException {
         Path scene = Files.writeString(
                 folder.resolve("scene.json"),

@@ -118,6 +118,21 @@ class StandardStreamsTest {
         assertTrue(run(new byte[] {(byte) 0xff}, "validate", "-").err().contains("UTF-8"));
     }
 
+    /** Also of what is seen only when the scene is put together. */
+    @Test
+    void problemsOfLightsThatAreTooSmallHaveTheirPlace() {
+        String text =
+                """
+                { "image": { "width": 4, "height": 4 }, "shading": { "model": "physical" }, "objects": [],
+                  "camera": { "type": "isometric", "lookAt": [0, 0, 0], "height": 4 },
+                  "lights": [ { "type": "sphere", "center": [0, 3, 0], "radius": 1e-60, "color": "#fff",
+                    "power": 1e60 } ] }
+                """;
+        Run run = run(text.getBytes(StandardCharsets.UTF_8), "validate", "-");
+        assertEquals(2, run.code());
+        assertTrue(run.err().startsWith("standard input:4:14: /lights/0/power: is too much"), run.err());
+    }
+
     @Test
     void texturesAreRelativeToTheWorkingFolder() {
         String text =

@@ -100,6 +100,18 @@ class StoreCommandsTest extends SceneFixture {
     }
 
     @Test
+    void aStoreThatCannotBeReadIsBlamedAndNotTheFileThatItIsUnpackedInto() throws Exception {
+        ok("render", scene, "-o", picture, "--store", store, "--store-samples");
+        sql(store, "UPDATE sample_block SET tile = 'x' WHERE tile = 1");
+        sql(store, "UPDATE film_part SET tile = 'x' WHERE tile = 1");
+        Path csv = folder.resolve("s.csv");
+        CliRun run = CliRun.of("store-export", store, "--csv", csv);
+        assertEquals(List.of("enlightenment: " + store + ": the numbers of its blocks are no numbers"), run.errLines());
+        assertEquals(1, run.code());
+        assertFalse(Files.exists(csv));
+    }
+
+    @Test
     void whatIsMissingIsBlackAndSaidAndIsAllThatIsRenderedNext() throws Exception {
         ok("render", scene, "-o", direct, "--store", store);
         int units = sql(store, "SELECT COUNT(*) FROM film_part");
@@ -122,6 +134,17 @@ class StoreCommandsTest extends SceneFixture {
         assertSame(direct, picture);
         assertEquals(left, (int) sql(store, "SELECT COUNT(*) FROM film_part WHERE worker = 'before'"));
         assertEquals(units, (int) sql(store, "SELECT COUNT(*) FROM film_part"));
+    }
+
+    /** Whoever looks early finds a render, then its plan, and then its units. */
+    @Test
+    void aRenderThatHasNoPlanOrNoUnitYetIsNotBlamedOnAnotherVersion() throws Exception {
+        ok("render", scene, "-o", direct, "--store", store);
+        for (String table : List.of("film_part", "render_plan")) {
+            sql(store, "DELETE FROM " + table);
+            assertRefused(1, "nothing of the picture is in the store yet", "render-store", store, "-o", picture);
+            assertFalse(Files.exists(picture));
+        }
     }
 
     @Test
@@ -241,6 +264,18 @@ class StoreCommandsTest extends SceneFixture {
         assertTrue(ok("store-export", store, "--rows").err().contains("units were kept without them"));
         CliRun third = ok("render", scene, "-o", picture, "--store", store, "--store-samples");
         assertTrue(third.err().contains("units are kept from before"), third.err());
+    }
+
+    /** The empty tables take less than 20 pages of 4096 bytes, the rays of 50 x 34 pixels more. */
+    @Test
+    void aFullStoreCostsThePictureNothingAndIsToldOnceWithTheReason() throws IOException {
+        ok("render", scene, "-o", direct, "--samples", 256);
+        String full = "jdbc:sqlite:" + store + "?max_page_count=20";
+        CliRun run = ok("render", scene, "-o", picture, "--samples", 256, "--store", full, "--store-rays");
+        assertSame(direct, picture);
+        assertEquals(1, run.errLines().size(), run.err());
+        assertTrue(run.err().startsWith("enlightenment: store " + store + ": "), run.err());
+        assertTrue(run.err().contains(": [SQLITE_FULL] "), run.err());
     }
 
     @Test

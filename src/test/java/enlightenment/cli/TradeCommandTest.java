@@ -117,6 +117,10 @@ class TradeCommandTest {
         if (!args.contains("--methods")) {
             args.addAll(List.of("--methods", METHODS));
         }
+        if (!args.contains("--threads")) {
+            // As the usual one: what is usual otherwise depends on the machine.
+            args.addAll(List.of("--threads", 2));
+        }
         return CliRun.of(args.toArray());
     }
 

@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.scene.Animation;
@@ -13,6 +14,8 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What is wrong with an animation shows in some of its frames only. */
 class ValidateFramesTest {
@@ -55,6 +58,41 @@ class ValidateFramesTest {
         assertEquals(
                 scene + ": 6 of all 11 frames cannot be used: 5..10",
                 run.errLines().get(2));
+    }
+
+    /** What physical light cannot be computed of is known before a frame is rendered, too. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "/lights/0/radius | 1e-160 | /lights/0/power: is too much for a light of this size",
+                "/lights/0/center/1 | 1e250 | /lights/0: is about 1e250 times as far from the eye"
+            })
+    void aFrameOfPhysicalLightIsAsStrictlyLookedAtAsItIsRendered(String target, String value, String problem)
+            throws IOException {
+        Path scene = Files.writeString(
+                folder.resolve("lamp.json"),
+                """
+                { "image": { "width": 8, "height": 8 },
+                  "camera": { "type": "perspective", "eye": [0, 0, -5], "lookAt": [0, 0, 0], "fieldOfView": 40 },
+                  "shading": { "model": "physical" },
+                  "materials": { "grey": { "type": "matte", "color": "#808080" } },
+                  "lights": [{ "type": "sphere", "center": [0, 4, -4], "radius": 1, "color": "#ffffff", "power": 100 }],
+                  "objects": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "grey" }],
+                  "animation": { "frames": 4, "framesPerSecond": 25,
+                    "tracks": [{ "target": "%s", "keys": { "0": 1, "2": 1, "3": %s } }] } }
+                """
+                        .formatted(target, value));
+        CliRun run = CliRun.of("validate", scene);
+        assertEquals(2, run.code());
+        assertTrue(run.errLines().get(0).contains(problem), run.err());
+        assertTrue(run.errLines().get(0).endsWith("(in frame 3)"), run.err());
+        assertEquals(
+                scene + ": 1 of all 4 frames cannot be used: 3", run.errLines().get(1));
+        CliRun film = CliRun.of("animate", scene, "-o", folder.resolve("f/%d.png"), "--samples", "1");
+        assertEquals(2, film.code());
+        assertEquals(run.errLines().get(0), film.errLines().get(0).replaceFirst("^enlightenment: ", ""));
+        assertFalse(Files.exists(folder.resolve("f")));
     }
 
     /** Coordinates may be as far apart as numbers go, and farther: such a frame is valid, and a picture. */

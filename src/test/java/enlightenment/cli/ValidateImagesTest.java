@@ -34,8 +34,9 @@ class ValidateImagesTest {
         CliRun run = CliRun.of("validate", scene);
         assertEquals(2, run.code());
         assertEquals(2, run.errLines().size(), run.err());
-        assertTrue(run.errLines().get(0).startsWith(scene + ": /textures/a/file: cannot read "), run.err());
-        assertTrue(run.errLines().get(1).startsWith(scene + ": /shading/model: the method light cannot"), run.err());
+        assertTrue(run.errLines().get(0).startsWith(scene + ":4:32: /textures/a/file: cannot read "), run.err());
+        assertTrue(
+                run.errLines().get(1).startsWith(scene + ":1:1: /shading/model: the method light cannot"), run.err());
     }
 
     private byte[] png() throws IOException {
@@ -60,7 +61,13 @@ class ValidateImagesTest {
         CliRun run = CliRun.of("validate", scene);
         assertEquals(2, run.code());
         assertEquals(2, run.errLines().size(), run.err());
-        assertTrue(run.errLines().get(0).startsWith(scene + ": /textures/a/file: cannot read "), run.err());
-        assertTrue(run.errLines().get(1).startsWith(scene + ": /textures/c~0~1d/file: cannot read "), run.err());
+        assertTrue(
+                run.errLines().get(0).matches("(?s)\\Q" + scene + "\\E:\\d+:\\d+: /textures/a/file: cannot read .*"),
+                run.err());
+        assertTrue(
+                run.errLines()
+                        .get(1)
+                        .matches("(?s)\\Q" + scene + "\\E:\\d+:\\d+: /textures/c~0~1d/file: cannot read .*"),
+                run.err());
     }
 }

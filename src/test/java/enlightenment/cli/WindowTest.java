@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The window on a real X server without a screen, Xvfb, where there is one on the path. */
-@Timeout(180)
+@Timeout(600)
 class WindowTest {
     private static Process server;
     private static String display;

@@ -57,9 +57,9 @@ class CoincidentSurfacesTest {
     private static Set<String> pairs(CompiledScene scene) {
         Set<String> pairs = new TreeSet<>();
         for (int id = 0; id < scene.primitives.length; id++) {
-            int[] of = scene.coincident.of(id);
-            for (int k = 0; k < of.length; k += CoincidentSurfaces.ENTRY) {
-                pairs.add(id + "." + of[k] + " " + of[k + 1] + "." + of[k + 2]);
+            CoincidentFaces of = scene.coincident.of(id);
+            for (int k = 0; of != null && k < of.size(); k++) {
+                pairs.add(id + "." + of.face(k) + " " + of.other(k) + "." + of.otherFace(k));
             }
         }
         return pairs;

@@ -12,6 +12,7 @@ import java.nio.channels.Pipe;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -109,8 +110,15 @@ class FilePlaceTest {
     @Test
     void newNamesThatDifferInCaseOrInTheMakingOfAccentsAreWhatTheFileSystemSays() throws IOException {
         for (String[] names : new String[][] {{"a.png", "A.png"}, {"\u00fc", "u\u0308"}}) {
-            Path one = folder.resolve(names[0]);
-            Path two = folder.resolve(names[1]);
+            Path one;
+            Path two;
+            try {
+                one = folder.resolve(names[0]);
+                two = folder.resolve(names[1]);
+            } catch (InvalidPathException e) {
+                // Where the user's language has no accents, names have none.
+                continue;
+            }
             boolean said = FilePlace.same(one, two);
             Files.createFile(one);
             assertEquals(Files.exists(two), said);

@@ -3,12 +3,14 @@ package enlightenment.file;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.UserPrincipal;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -17,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(120)
+@Timeout(600)
 class TemporaryFileTest {
     @TempDir
     Path folder;
@@ -110,10 +112,12 @@ class TemporaryFileTest {
         long pid = ProcessHandle.current().pid();
         Path theirs = folder.resolve(".enlightenment-" + HostTag.HASH + "-" + pid + "-1.tmp");
         Files.writeString(theirs, "x");
+        UserPrincipal ours = Files.getOwner(theirs);
         try {
             Files.setOwner(
                     theirs,
                     folder.getFileSystem().getUserPrincipalLookupService().lookupPrincipalByName("nobody"));
+            assumeFalse(ours.equals(Files.getOwner(theirs)), "we are nobody");
         } catch (IOException | UnsupportedOperationException e) {
             assumeTrue(false, "only the superuser can try this");
         }

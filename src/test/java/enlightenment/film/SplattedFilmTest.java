@@ -113,4 +113,35 @@ class SplattedFilmTest {
         // Runs of Sobol points that are no powers of two differ by more than their means err.
         assertEquals(1, Math.sqrt(told / found), samples < 4 || Integer.bitCount(samples) > 1 ? 0.25 : 0.1);
     }
+
+    /** Paths are of four groups however few samples there are beside them: of black pixels, which tell nothing, all is by paths. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void theErrorOfFewPathsIsToldBesideFewSamplesAsBesideFour(int samples) {
+        // One path for three pixels: most are black still, and what is not so shows much less of its noise than there
+        // is.
+        SplatFilm splats = splats(SIDE * SIDE / 3 / UNITS, 1, inOrder());
+        ErrorEstimate few = black(samples).plus(splats).error();
+        ErrorEstimate four = black(4).plus(splats).error();
+        assertEquals(1, few.rmse() / four.rmse(), 1e-5);
+        assertTrue(few.high() > CURVE.of(MEAN), few.high() + " where all that is missing is " + CURVE.of(MEAN));
+        assertTrue(few.linear().orElseThrow().hasHeavyTail());
+    }
+
+    private static Film black(int samples) {
+        FilmTile tile = new FilmTile(0, 0, SIDE, SIDE, CURVE);
+        SampleSpread spread = new SampleSpread();
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            spread.begin(samples);
+            for (int s = 0; s < samples; s++) {
+                tile.add(i % SIDE, i / SIDE, 0, 0, 0);
+                spread.at(0.25 + 0.5 * s / samples, 0.5);
+                spread.add(0, 0, 0);
+            }
+            tile.spread(i % SIDE, i / SIDE, spread);
+        }
+        Film film = new Film(0, 0, SIDE, SIDE, CURVE);
+        film.put(tile);
+        return film;
+    }
 }

@@ -15,9 +15,13 @@ import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
@@ -27,7 +31,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What many machines are to make is not begun with a plan that was made while it was stopped. */
-@Timeout(120)
+@Timeout(600)
 class CancelledPlanNetTest {
     private static final RenderSettings SURVEYED =
             Farm.SETTINGS.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(8));
@@ -94,9 +98,13 @@ class CancelledPlanNetTest {
     void aServersFurtherRoundIsNotBegun() throws IOException {
         RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.01));
         AtomicBoolean stop = new AtomicBoolean();
+        List<String> said = Collections.synchronizedList(new ArrayList<>());
         ServerOptions options = Farm.options()
                 .localThreads(1)
-                .log(line -> stop.set(stop.get() || line.contains("once more with")))
+                .log(line -> {
+                    said.add(line);
+                    stop.set(stop.get() || line.contains("once more with"));
+                })
                 .build();
         try (RenderServer server = RenderServer.start(Farm.SCENE, settings, options, stop::get)) {
             RenderResult result = server.await(RenderProgress.NONE, () -> false);
@@ -107,6 +115,64 @@ class CancelledPlanNetTest {
             RenderSettings first = settings.withBudget(Budget.NONE.withSamples(samples));
             assertArrayEquals(
                     Renderer.render(Farm.SCENE, first).toArray(), result.image().toArray());
+            assertTrue(said.contains(stopped(samples)), said.toString());
+        }
+    }
+
+    /** What {@code render} says, too. */
+    private static String stopped(double samples) {
+        return String.format(
+                Locale.ROOT, "stopped: the picture is that of the round before, with %.0f samples per pixel", samples);
+    }
+
+    @Test
+    void aServerThatIsStoppedInAFurtherRoundSaysThatItWas() throws Exception {
+        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.01));
+        try (Farm farm = new Farm(Farm.SCENE, settings, Farm.options()).begin()) {
+            CountDownLatch isOver = new CountDownLatch(1);
+            CountDownLatch isFurther = new CountDownLatch(1);
+            // Of the further round no tile is ever sent.
+            farm.join(Farm.worker(1).tamper((tile, bytes) -> {
+                if (farm.logHas("once more with")) {
+                    isFurther.countDown();
+                    Farm.until(() -> isOver.getCount() == 0, "the server is stopped");
+                }
+                return bytes;
+            }));
+            Farm.until(() -> isFurther.getCount() == 0, "the further round has begun");
+            RenderResult result = farm.stop();
+            isOver.countDown();
+            assertTrue(result.complete());
+            assertEquals(1, result.report().sampling().rounds());
+            String expected = stopped(result.report().sampling().plannedSamples());
+            assertTrue(farm.logHas(expected), farm.log.toString());
+        }
+    }
+
+    @Test
+    void aServerThatIsStoppedBetweenRoundsSaysThatItWas() throws Exception {
+        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.01));
+        List<String> said = Collections.synchronizedList(new ArrayList<>());
+        ServerOptions options = Farm.options().localThreads(1).log(said::add).build();
+        AtomicBoolean stop = new AtomicBoolean();
+        RenderProgress whole = (done, total, soFar) -> stop.set(done == total);
+        try (RenderServer server = RenderServer.start(Farm.SCENE, settings, options, () -> false)) {
+            RenderResult result = server.await(whole, stop::get);
+            assertTrue(result.complete());
+            assertTrue(said.contains(stopped(result.report().sampling().plannedSamples())), said.toString());
+        }
+    }
+
+    @Test
+    void aServerWhosePictureIsAsExactAsAskedIsNotSaidToBeStopped() throws Exception {
+        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.9));
+        List<String> said = Collections.synchronizedList(new ArrayList<>());
+        ServerOptions options = Farm.options().localThreads(1).log(said::add).build();
+        AtomicBoolean stop = new AtomicBoolean();
+        RenderProgress whole = (done, total, soFar) -> stop.set(done == total);
+        try (RenderServer server = RenderServer.start(Farm.SCENE, settings, options, () -> false)) {
+            assertTrue(server.await(whole, stop::get).report().isErrorMet());
+            assertTrue(said.stream().noneMatch(line -> line.startsWith("stopped")), said.toString());
         }
     }
 

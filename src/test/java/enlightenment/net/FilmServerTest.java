@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.engine.DividedRender;
 import enlightenment.image.Image;
-import enlightenment.net.protocol.Timing;
 import enlightenment.physical.InvarianceScenes;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
@@ -24,6 +24,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
@@ -35,9 +36,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** The frames of a film as one job: workers come, stay, die and lie, and each frame is that of one process. */
-@Timeout(120)
+@Timeout(600)
 class FilmServerTest {
-    private static final Timing PATIENT = new Timing(120_000, 60_000, 60_000, 120_000, 50, 60_000);
     private static final Scene ROOM = TestScenes.whiteFireAndIce().build();
     private static final Scene PHYSICAL_ROOM = InvarianceScenes.byRadiance();
 
@@ -56,6 +56,15 @@ class FilmServerTest {
                 .withSize(40 + number, 21)
                 .with(new RayTraceSettings(1));
         return new FilmServer.Frame(isPhysical ? PHYSICAL_ROOM : ROOM, settings.withSeed(number));
+    }
+
+    /** Number of units of the first so many frames. */
+    private static int unitsOfFirst(int count) {
+        return numbers(count).stream()
+                .map(FilmServerTest::frame)
+                .mapToInt(f -> DividedRender.prepare(f.scene(), f.settings(), () -> false)
+                        .units())
+                .sum();
     }
 
     private static List<Integer> numbers(int count) {
@@ -127,24 +136,52 @@ class FilmServerTest {
 
     @Test
     void twoWorkersStayFromTheFirstFrameToTheLastAndEachFrameIsThatOfOneProcess() throws Exception {
-        CompletableFuture<Boolean> film = serve(7, Farm.options().awaitWorkers(2, 60));
-        List<CompletableFuture<RenderWorker.Outcome>> workers =
-                List.of(worker(Farm.worker(1), server.port()), worker(Farm.worker(2), server.port()));
-        assertTrue(film.get(60, TimeUnit.SECONDS));
+        CompletableFuture<Boolean> film = serve(7, Farm.options().awaitWorkers(2, Farm.TIMEOUT_SECONDS));
+        // Neither goes on before both have made something, however the machine shares its time out.
+        List<AtomicInteger> made = List.of(new AtomicInteger(), new AtomicInteger());
+        List<CompletableFuture<RenderWorker.Outcome>> workers = new ArrayList<>();
+        for (int i = 0; i < 2; i++) {
+            AtomicInteger mine = made.get(i);
+            AtomicInteger others = made.get(1 - i);
+            workers.add(worker(
+                    Farm.worker(i + 1).tamper((unit, bytes) -> {
+                        mine.incrementAndGet();
+                        Farm.until(() -> others.get() > 0, "the other worker has made something");
+                        return bytes;
+                    }),
+                    server.port()));
+        }
+        assertTrue(film.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
         check(frames, 7);
         assertEquals(2, log.stream().filter(line -> line.endsWith(" joined")).count(), log.toString());
         for (CompletableFuture<RenderWorker.Outcome> worker : workers) {
-            assertTrue(worker.get(20, TimeUnit.SECONDS).isDone());
+            assertTrue(worker.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS).isDone());
             assertTrue(worker.get().tiles() > 0);
         }
     }
 
+    /** What is left of a film may be one frame, whose units are a film's all the same. */
+    @Test
+    void aWorkerMakesTheOnlyFrameOfAFilm() throws Exception {
+        CompletableFuture<Boolean> film = serve(1, Farm.options().auditRate(1).awaitWorkers(1, Farm.TIMEOUT_SECONDS));
+        CompletableFuture<RenderWorker.Outcome> worker = worker(Farm.worker(1), server.port());
+        assertTrue(film.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
+        check(frames, 1);
+        assertTrue(log.stream().noneMatch(line -> line.contains("expelled")), log.toString());
+        assertTrue(worker.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS).tiles() > 0);
+    }
+
     @Test
     void aWorkerThatDiesInTheMiddleChangesNothing() throws Exception {
-        CompletableFuture<Boolean> film = serve(7, Farm.options().awaitWorkers(2, 60));
+        CompletableFuture<Boolean> film = serve(7, Farm.options().awaitWorkers(2, Farm.TIMEOUT_SECONDS));
         try (FaultProxy proxy = new FaultProxy(server.port())) {
-            worker(Farm.slow(20), server.port());
             AtomicInteger made = new AtomicInteger();
+            worker(
+                    Farm.worker(1).tamper((unit, bytes) -> {
+                        Farm.until(() -> made.get() >= 12, "the other worker is dead");
+                        return bytes;
+                    }),
+                    server.port());
             worker(
                     Farm.worker(1).reconnectSeconds(0).tamper((tile, bytes) -> {
                         if (made.incrementAndGet() == 12) {
@@ -154,38 +191,38 @@ class FilmServerTest {
                         return bytes;
                     }),
                     proxy.port());
-            assertTrue(film.get(60, TimeUnit.SECONDS));
-            assertTrue(made.get() >= 12, "it died too late");
+            assertTrue(film.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
         }
         check(frames, 7);
     }
 
     @Test
     void theServerAloneMakesItToo() throws Exception {
-        assertTrue(serve(4, Farm.options().localThreads(2)).get(60, TimeUnit.SECONDS));
+        assertTrue(serve(4, Farm.options().localThreads(2)).get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
         check(frames, 4);
     }
 
     /** What it said of frames that are whole and were given away is not believed any more: they are made again. */
     @Test
     void framesThatAMachineMadeWhichIsFoundOutComeAgain() throws Exception {
-        CompletableFuture<Boolean> film =
-                serve(6, Farm.options().timing(PATIENT).auditRate(0).awaitWorkers(1, 60));
+        CompletableFuture<Boolean> film = serve(6, Farm.options().auditRate(0).awaitWorkers(1, Farm.TIMEOUT_SECONDS));
+        int ofTwoFrames = unitsOfFirst(2);
         worker(
-                Farm.worker(1)
-                        .timing(PATIENT)
-                        .machine("liar")
-                        .tamper((tile, bytes) -> frames.size() < 2 ? lie(bytes) : new byte[3]),
+                Farm.worker(1).machine("liar").tamper((unit, bytes) -> {
+                    if (unit < ofTwoFrames) {
+                        return lie(bytes);
+                    }
+                    // Of no further frame it makes all units, however long it takes until two are given away.
+                    Farm.until(() -> frames.size() == 2, "two frames are given away");
+                    return new byte[3];
+                }),
                 server.port());
         Farm.until(() -> log.stream().anyMatch(line -> line.contains(" expelled")), "it is found out");
-        List<Image> wrong = List.copyOf(frames.values());
-        assertTrue(wrong.size() >= 2);
-        worker(Farm.worker(2).timing(PATIENT).machine("honest"), server.port());
-        assertTrue(film.get(60, TimeUnit.SECONDS));
+        assertEquals(Set.of(0, 1), frames.keySet());
+        worker(Farm.worker(2).machine("honest"), server.port());
+        assertTrue(film.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
         check(frames, 6);
-        assertEquals(2, times.get(0));
-        assertEquals(2, times.get(1));
-        assertEquals(1, times.get(5));
+        assertEquals(Map.of(0, 2, 1, 2, 2, 1, 3, 1, 4, 1, 5, 1), times);
     }
 
     /** Bytes with nothing wrong about them but what they say. */
@@ -204,10 +241,12 @@ class FilmServerTest {
                         .withSize(48, 24)
                         .withSeed(n)
                         .withBudget(Budget.NONE.withError(0.03)));
-        CompletableFuture<Boolean> done =
-                serve(numbers(3), film, Farm.options().awaitWorkers(1, 60).localThreads(1));
+        CompletableFuture<Boolean> done = serve(
+                numbers(3),
+                film,
+                Farm.options().awaitWorkers(1, Farm.TIMEOUT_SECONDS).localThreads(1));
         worker(Farm.worker(1), server.port());
-        assertTrue(done.get(100, TimeUnit.SECONDS));
+        assertTrue(done.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
         for (int n = 0; n < 3; n++) {
             FilmServer.Frame frame = film.apply(n);
             assertArrayEquals(
@@ -218,11 +257,18 @@ class FilmServerTest {
 
     @Test
     void aFilmThatIsStoppedKeepsTheFramesThatAreWhole() throws Exception {
-        CompletableFuture<Boolean> film = serve(6, Farm.options().awaitWorkers(1, 60));
-        worker(Farm.slow(5), server.port());
+        CompletableFuture<Boolean> film = serve(6, Farm.options().awaitWorkers(1, Farm.TIMEOUT_SECONDS));
+        int ofFiveFrames = unitsOfFirst(5);
+        worker(
+                Farm.worker(1).tamper((unit, bytes) -> {
+                    // Not only until it is told to stop: it hears that a little later.
+                    Farm.until(() -> unit < ofFiveFrames || film.isDone(), "the film is stopped");
+                    return bytes;
+                }),
+                server.port());
         Farm.until(() -> frames.size() >= 2, "two frames are whole");
         stop.set(true);
-        assertFalse(film.get(60, TimeUnit.SECONDS));
+        assertFalse(film.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
         for (Map.Entry<Integer, Image> e : frames.entrySet()) {
             FilmServer.Frame frame = frame(e.getKey());
             assertArrayEquals(

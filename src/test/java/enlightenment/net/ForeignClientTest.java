@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * docs/distributed-protocol.md is enough to write a client from: {@code client.py} was. Its units are made from a picture that was
  * rendered before, and the server makes the same picture of them.
  */
-@Timeout(300)
+@Timeout(600)
 class ForeignClientTest {
     @TempDir
     Path folder;
@@ -36,7 +36,7 @@ class ForeignClientTest {
         try {
             Process process =
                     new ProcessBuilder("python3", "-c", "import sys; sys.exit(sys.version_info < (3, 7))").start();
-            return process.waitFor(60, TimeUnit.SECONDS) && process.exitValue() == 0;
+            return process.waitFor(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS) && process.exitValue() == 0;
         } catch (IOException | InterruptedException e) {
             return false;
         }
@@ -61,7 +61,7 @@ class ForeignClientTest {
         try (Farm farm = new Farm(scene, settings, options.awaitWorkers(1, 10_000)).begin()) {
             Process client = client(farm.server.port(), token, picture);
             Farm.until(() -> farm.server.round().snapshot().finished() || !client.isAlive(), "it has ended");
-            assertTrue(client.waitFor(60, TimeUnit.SECONDS));
+            assertTrue(client.waitFor(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
             String said = Files.readString(folder.resolve("said"));
             assertEquals(0, client.exitValue(), said);
             RenderResult result = farm.result();

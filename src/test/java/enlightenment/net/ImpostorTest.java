@@ -9,12 +9,16 @@ import enlightenment.file.ContentHash;
 import enlightenment.net.protocol.Frames;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;
+import enlightenment.net.protocol.Timing;
 import enlightenment.net.secure.Handshake;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -28,7 +32,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A server that does not know the token decides nothing about a worker. */
-@Timeout(120)
+@Timeout(600)
 class ImpostorTest {
     private static final byte[] ALONE = Farm.alone();
     private static final ContentHash HASH = ContentHash.of(new byte[1]);
@@ -121,11 +125,85 @@ class ImpostorTest {
         // The thread that listened there may need a moment to let go of the place.
         Farm.until(() -> Farm.isFree(port), "the place is free again");
         ServerOptions.Builder real =
-                Farm.options().address("127.0.0.1", port).tokenFile(token).awaitWorkers(1, 60);
+                Farm.options().address("127.0.0.1", port).tokenFile(token).awaitWorkers(1, Farm.TIMEOUT_SECONDS);
         try (Farm farm = new Farm(real).begin()) {
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
-            assertEquals("the picture is done", worker.get(60, TimeUnit.SECONDS).reason());
+            assertEquals(
+                    "the picture is done",
+                    worker.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS).reason());
         }
+    }
+
+    /** Somebody at a port who speaks something else, or nothing. */
+    private static RenderWorker.Outcome atStranger(byte[] words, WorkerOptions.Builder options) throws Exception {
+        try (ServerSocket socket = new ServerSocket(0, 50, InetAddress.getLoopbackAddress())) {
+            Thread thread = new Thread(
+                    () -> {
+                        while (!socket.isClosed()) {
+                            try (Socket worker = socket.accept()) {
+                                worker.getOutputStream().write(words);
+                                worker.getInputStream().readAllBytes();
+                            } catch (IOException e) {
+                                continue;
+                            }
+                        }
+                    },
+                    "stranger");
+            thread.setDaemon(true);
+            thread.start();
+            RenderWorker.Outcome outcome = RenderWorker.run(
+                    "127.0.0.1",
+                    socket.getLocalPort(),
+                    options.reconnectSeconds(0.1).build(),
+                    () -> false);
+            assertFalse(outcome.isDone());
+            String who = "who answers at 127.0.0.1:" + socket.getLocalPort() + ", not proved to be the server, ";
+            assertTrue(outcome.reason().contains(": " + who), outcome.reason());
+            return outcome;
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"HTTP/1.1 400 Bad Request\r\n\r\n", "SSH-2.0-OpenSSH_9.2\r\n", "220 mail ESMTP\r\n"})
+    void whoSpeaksSomethingElseIsToldByTheAddress(String words) throws Exception {
+        byte[] bytes = words.getBytes(StandardCharsets.US_ASCII);
+        String reason = atStranger(bytes, Farm.worker(1)).reason();
+        long length = ByteBuffer.wrap(bytes).getInt();
+        assertTrue(
+                reason.endsWith(
+                        ", speaks another protocol: a frame of " + length + " bytes is outside the limits 1..4096"),
+                reason);
+    }
+
+    @Test
+    void whoSaysNothingIsToldByTheAddress() throws Exception {
+        Timing hurried = new Timing(300, 10_000, 10_000, 60_000, 1_000, 5_000);
+        String reason = atStranger(new byte[0], Farm.worker(1).timing(hurried)).reason();
+        assertTrue(reason.endsWith(", says nothing within 0.3 s"), reason);
+    }
+
+    @Test
+    void whoSaysSomethingAndThenNoMoreIsToldByTheAddress() throws Exception {
+        Timing hurried = new Timing(300, 10_000, 10_000, 60_000, 1_000, 5_000);
+        ByteArrayOutputStream words = new ByteArrayOutputStream();
+        Frames.write(words, lines("a wrong proof").get(0), Limits.FRAME);
+        String reason =
+                atStranger(words.toByteArray(), Farm.worker(1).timing(hurried)).reason();
+        assertTrue(reason.endsWith(", says no more within 0.3 s"), reason);
+    }
+
+    @Test
+    void whoSaysNothingThroughTlsIsToldByTheAddress() throws Exception {
+        Timing hurried = new Timing(300, 10_000, 10_000, 60_000, 1_000, 5_000);
+        WorkerOptions.Builder options = Farm.worker(1).timing(hurried).pin("00".repeat(32));
+        String reason = atStranger(new byte[0], options).reason();
+        assertTrue(reason.endsWith(", says nothing within 0.3 s"), reason);
+    }
+
+    @Test
+    void whoSpeaksNoTlsWhereItIsExpectedIsToldByTheAddress() throws Exception {
+        byte[] words = "SSH-2.0-OpenSSH_9.2\r\n".getBytes(StandardCharsets.US_ASCII);
+        atStranger(words, Farm.worker(1).pin("00".repeat(32)));
     }
 
     @Test

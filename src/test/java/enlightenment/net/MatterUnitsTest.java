@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Media, dyes, dispersion, pictures and skies: threads, tiles, crops, parts and workers make the same bytes, in every method. */
-@Timeout(120)
+@Timeout(600)
 class MatterUnitsTest {
     @TempDir
     static Path images;
@@ -116,8 +116,7 @@ class MatterUnitsTest {
     void aServerWithTwoWorkersMakesTheSame(String name) throws Exception {
         Scene scene = scenes.get(name);
         RenderSettings settings = settings(scene, BuiltInMethod.RAYTRACE);
-        try (Farm farm =
-                new Farm(scene, settings, Farm.options().timing(Farm.PATIENT).awaitWorkers(2, 60)).begin()) {
+        try (Farm farm = new Farm(scene, settings, Farm.options().awaitWorkers(2, Farm.TIMEOUT_SECONDS)).begin()) {
             farm.join(Farm.worker(1));
             farm.join(Farm.worker(1));
             assertArrayEquals(picture(scene, settings), farm.result().image().toArray());

@@ -22,7 +22,7 @@ public final class RawPeer implements Closeable {
 
     public RawPeer(int port) throws IOException {
         socket = new Socket("127.0.0.1", port);
-        socket.setSoTimeout(60_000);
+        socket.setSoTimeout(1_000 * Farm.TIMEOUT_SECONDS);
         socket.setTcpNoDelay(true);
         in = socket.getInputStream();
     }

@@ -28,6 +28,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -37,7 +38,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@Timeout(120)
+@Timeout(600)
 class RenderServerTest {
     private static final byte[] ALONE = Farm.alone();
 
@@ -47,7 +48,7 @@ class RenderServerTest {
     @ParameterizedTest
     @CsvSource({"0,0", "1,1", "2,1", "5,2", "3,4"})
     void anyNumberOfWorkersMakesTheBytesOfOneProcess(int workers, int threads) throws Exception {
-        ServerOptions.Builder options = Farm.options().awaitWorkers(workers, workers == 0 ? 0.2 : 30);
+        ServerOptions.Builder options = Farm.options().awaitWorkers(workers, workers == 0 ? 0.2 : Farm.TIMEOUT_SECONDS);
         try (Farm farm = new Farm(options).begin()) {
             for (int i = 0; i < workers; i++) {
                 farm.join(Farm.worker(threads));
@@ -56,7 +57,7 @@ class RenderServerTest {
             assertTrue(result.complete());
             assertArrayEquals(ALONE, Farm.png(result.image()));
             for (CompletableFuture<RenderWorker.Outcome> worker : farm.workers) {
-                RenderWorker.Outcome outcome = worker.get(10, TimeUnit.SECONDS);
+                RenderWorker.Outcome outcome = worker.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS);
                 assertEquals("the picture is done", outcome.reason());
                 assertTrue(outcome.isDone());
             }
@@ -65,7 +66,7 @@ class RenderServerTest {
 
     @Test
     void theServersOwnThreadsAreAWorkerAmongOthers() throws Exception {
-        try (Farm farm = new Farm(Farm.options().localThreads(2).awaitWorkers(1, 30)).begin()) {
+        try (Farm farm = new Farm(Farm.options().localThreads(2).awaitWorkers(1, Farm.TIMEOUT_SECONDS)).begin()) {
             farm.join(Farm.worker(1));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
         }
@@ -105,7 +106,7 @@ class RenderServerTest {
         }
         // Everything is made twice: what one process has made must be what workers make, to the byte.
         ServerOptions.Builder options =
-                Farm.options().checkpoint(file).auditRate(1).awaitWorkers(1, 30);
+                Farm.options().checkpoint(file).auditRate(1).awaitWorkers(1, Farm.TIMEOUT_SECONDS);
         try (Farm farm = new Farm(Farm.SCENE, settings, options).begin()) {
             farm.join(Farm.worker(2));
             assertArrayEquals(alone.image().toArray(), farm.result().image().toArray());
@@ -129,7 +130,8 @@ class RenderServerTest {
         RenderResult alone = Renderer.render(RenderRequest.of(Farm.SCENE, settings));
         assertTrue(alone.report().sampling().rounds() > 1);
         Path checkpoint = folder.resolve("checkpoint");
-        ServerOptions.Builder options = Farm.options().awaitWorkers(1, 30).checkpoint(checkpoint);
+        ServerOptions.Builder options =
+                Farm.options().awaitWorkers(1, Farm.TIMEOUT_SECONDS).checkpoint(checkpoint);
         for (int run = 0; run < (isRestarted ? 2 : 1); run++) {
             try (Farm farm = new Farm(Farm.SCENE, settings, options).begin()) {
                 CompletableFuture<RenderWorker.Outcome> worker = farm.join(Farm.worker(2));
@@ -141,7 +143,7 @@ class RenderServerTest {
                 if (run == 0) {
                     assertEquals(
                             "the picture is done",
-                            worker.get(20, TimeUnit.SECONDS).reason());
+                            worker.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS).reason());
                 }
                 try (Stream<Path> files = Files.list(folder)) {
                     assertEquals(List.of(checkpoint), files.toList(), "one file for all rounds");
@@ -207,7 +209,7 @@ class RenderServerTest {
 
     @Test
     void aWorkerThatComesLateGetsItsShare() throws Exception {
-        try (Farm farm = new Farm(Farm.options().timing(Farm.PATIENT)).begin()) {
+        try (Farm farm = new Farm(Farm.options()).begin()) {
             UnitAssembly film = farm.server.round().job().film();
             // After a few tiles the first worker makes no other until the second has made a dozen.
             farm.join(Farm.worker(1).tamper((tile, bytes) -> {
@@ -243,20 +245,25 @@ class RenderServerTest {
     @Test
     void whatIsDoneWhenTheServerIsStoppedIsThePictureSoFar() throws Exception {
         Path checkpoint = folder.resolve("checkpoint");
+        CountDownLatch isStopped = new CountDownLatch(1);
         int done;
         try (Farm farm = new Farm(Farm.options().checkpoint(checkpoint)).begin()) {
-            farm.join(Farm.slow(20));
+            farm.join(Farm.stuckAfter(11, isStopped));
             Farm.until(() -> farm.server.round().job().film().done() > 10, "some tiles are done");
             RenderResult result = farm.stop();
+            isStopped.countDown();
             done = farm.server.round().job().film().done();
             assertFalse(result.complete());
             assertTrue(result.report().pixels() >= 64 * 5);
         }
-        try (Farm farm = new Farm(Farm.options().checkpoint(checkpoint).awaitWorkers(1, 30))) {
+        try (Farm farm = new Farm(Farm.options().checkpoint(checkpoint).awaitWorkers(1, Farm.TIMEOUT_SECONDS))) {
             assertEquals(done, farm.server.round().job().film().done());
             farm.begin().join(Farm.worker(2));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
-            assertTrue(farm.workers.get(0).get(10, TimeUnit.SECONDS).tiles()
+            assertTrue(farm.workers
+                            .get(0)
+                            .get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS)
+                            .tiles()
                     < farm.server.round().job().tiles());
         }
         try (Farm farm = new Farm(Farm.options().checkpoint(checkpoint)).begin()) {
@@ -276,10 +283,10 @@ class RenderServerTest {
             farm.stop();
         }
         ServerOptions.Builder again =
-                Farm.options().address("127.0.0.1", port).checkpoint(checkpoint).awaitWorkers(1, 30);
+                Farm.options().address("127.0.0.1", port).checkpoint(checkpoint).awaitWorkers(1, Farm.TIMEOUT_SECONDS);
         try (Farm farm = new Farm(again).begin()) {
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
-            assertTrue(worker.get(20, TimeUnit.SECONDS).isDone());
+            assertTrue(worker.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS).isDone());
         }
     }
 

@@ -16,7 +16,8 @@ final class ScalingRun {
     private static double busy(int workers) throws Exception {
         RenderSettings settings =
                 Farm.SETTINGS.withSize(400, 200).withAntialias(1).with(new RayTraceSettings(1));
-        ServerOptions.Builder options = Farm.options().awaitWorkers(workers, 30).auditRate(0);
+        ServerOptions.Builder options =
+                Farm.options().awaitWorkers(workers, Farm.TIMEOUT_SECONDS).auditRate(0);
         try (Farm farm = new Farm(Farm.SCENE, settings, options)) {
             for (int i = 0; i < workers; i++) {
                 farm.join(Farm.slow(TILE_MILLIS).machine("machine " + i));

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What a server keeps in archives, beside its checkpoint and without one. */
-@Timeout(120)
+@Timeout(600)
 class ServerArchivesTest {
     private static final RenderSettings SETTINGS = Farm.SETTINGS.withBudget(Budget.NONE.withSamples(4));
 

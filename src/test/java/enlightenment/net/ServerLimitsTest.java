@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;
-import enlightenment.net.protocol.Timing;
 import enlightenment.net.secure.Token;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,14 +13,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Limits that honest peers do not meet. */
-@Timeout(120)
+@Timeout(600)
 class ServerLimitsTest {
     private static final byte[] ALONE = Farm.alone();
 
     @Test
     void moreWorkersThanThereArePlacesAreToldToComeAgain() throws Exception {
-        Timing patient = new Timing(15_000, 10_000, 10_000, 30_000, 5_000, 20_000);
-        try (Farm farm = new Farm(Farm.options().timing(patient).awaitWorkers(300, 60)).begin()) {
+        try (Farm farm = new Farm(Farm.options().awaitWorkers(300, Farm.TIMEOUT_SECONDS)).begin()) {
             List<RawPeer> peers = new ArrayList<>();
             for (int i = 0; i < Limits.WORKERS; i++) {
                 RawPeer peer = new RawPeer(farm.server.port());
@@ -42,7 +40,7 @@ class ServerLimitsTest {
 
     @Test
     void framesAreBoundedAfterTheHandshakeToo() throws Exception {
-        try (Farm farm = new Farm(Farm.options().timing(Farm.QUICK)).begin();
+        try (Farm farm = new Farm(Farm.options()).begin();
                 RawPeer peer = new RawPeer(farm.server.port())) {
             peer.enter("large", Token.NONE);
             peer.bytes("02000001");

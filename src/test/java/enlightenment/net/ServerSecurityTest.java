@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@Timeout(120)
+@Timeout(600)
 class ServerSecurityTest {
     private static final double FOR_EVER = 1e9;
 
@@ -53,7 +53,7 @@ class ServerSecurityTest {
 
     @Test
     void overTlsWithAPinnedCertificateThePictureIsTheSame() throws Exception {
-        try (Farm farm = new Farm(secured().awaitWorkers(2, 60)).begin()) {
+        try (Farm farm = new Farm(secured().awaitWorkers(2, Farm.TIMEOUT_SECONDS)).begin()) {
             farm.join(Farm.worker(1).pin(farm.server.pin()).tokenFile(token));
             farm.join(Farm.worker(1).authorities(certificate).tokenFile(token));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));
@@ -67,7 +67,7 @@ class ServerSecurityTest {
     @ValueSource(booleans = {false, true})
     void whoIsStillShakingHandsWhenThePictureIsDoneIsToldSo(boolean isOverTls) throws Exception {
         ServerOptions.Builder options = isOverTls ? secured() : Farm.options().tokenFile(token);
-        try (Farm farm = new Farm(options.timing(Farm.PATIENT)).begin();
+        try (Farm farm = new Farm(options).begin();
                 FaultProxy proxy = new FaultProxy(farm.server.port())) {
             proxy.freeze(Integer.MAX_VALUE);
             CompletableFuture<RenderWorker.Outcome> late =
@@ -85,7 +85,7 @@ class ServerSecurityTest {
     }
 
     private WorkerOptions.Builder patient(Farm farm, boolean isOverTls) {
-        WorkerOptions.Builder worker = Farm.worker(1).tokenFile(token).timing(Farm.PATIENT);
+        WorkerOptions.Builder worker = Farm.worker(1).tokenFile(token);
         return isOverTls ? worker.pin(farm.server.pin()) : worker;
     }
 
@@ -95,7 +95,7 @@ class ServerSecurityTest {
             String other = "00".repeat(32);
             RenderWorker.Outcome outcome = farm.join(
                             Farm.worker(1).pin(other).tokenFile(token).reconnectSeconds(FOR_EVER))
-                    .get(60, TimeUnit.SECONDS);
+                    .get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS);
             String words = "certificate is not trusted: it is " + farm.server.pin() + ", not " + other;
             assertTrue(outcome.reason().contains(words), outcome.reason());
             assertEquals(0, farm.server.round().job().film().done());
@@ -118,7 +118,7 @@ class ServerSecurityTest {
     private void assertUntrusted(Farm farm, Path authorities) throws Exception {
         RenderWorker.Outcome outcome = farm.join(
                         Farm.worker(1).authorities(authorities).tokenFile(token).reconnectSeconds(FOR_EVER))
-                .get(60, TimeUnit.SECONDS);
+                .get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS);
         assertEquals(false, outcome.isDone());
         assertTrue(outcome.reason().startsWith("the server's certificate is not trusted: "), outcome.reason());
     }
@@ -153,7 +153,7 @@ class ServerSecurityTest {
         try (Farm farm = new Farm(secured()).begin()) {
             RenderWorker.Outcome outcome = farm.join(
                             Farm.worker(1).tokenFile(token).reconnectSeconds(0))
-                    .get(20, TimeUnit.SECONDS);
+                    .get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS);
             assertEquals(false, outcome.isDone());
             Farm.until(() -> farm.logHas("TLS failed"), "the server says why");
             assertTrue(
@@ -168,7 +168,7 @@ class ServerSecurityTest {
         try (Farm farm = new Farm(Farm.options().tokenFile(other)).begin()) {
             RenderWorker.Outcome outcome = farm.join(
                             Farm.worker(1).tokenFile(token).reconnectSeconds(0.3))
-                    .get(20, TimeUnit.SECONDS);
+                    .get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS);
             assertTrue(outcome.reason().contains("token"), outcome.reason());
         }
     }
@@ -184,7 +184,7 @@ class ServerSecurityTest {
     void aServerThatMadeItsSecretsIsJoinedWithTokenAndPin() throws Exception {
         Path made = folder.resolve("made-token");
         ServerOptions.Builder options =
-                Farm.options().tls(folder.resolve("made.pem")).tokenFile(made).awaitWorkers(2, 60);
+                Farm.options().tls(folder.resolve("made.pem")).tokenFile(made).awaitWorkers(2, Farm.TIMEOUT_SECONDS);
         try (Farm farm = new Farm(options).begin()) {
             farm.join(Farm.worker(1).pin(farm.server.pin()).tokenFile(made));
             farm.join(Farm.worker(1).pin(farm.server.pin()).token(Files.readString(made)));
@@ -201,7 +201,7 @@ class ServerSecurityTest {
         try (Farm farm = new Farm(Farm.options().tls(expired)).begin()) {
             RenderWorker.Outcome refused = farm.join(
                             Farm.worker(1).authorities(expired).reconnectSeconds(0))
-                    .get(20, TimeUnit.SECONDS);
+                    .get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS);
             assertFalse(refused.isDone());
             farm.join(Farm.worker(1).pin(farm.server.pin()));
             assertArrayEquals(ALONE, Farm.png(farm.result().image()));

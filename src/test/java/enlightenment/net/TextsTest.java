@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** What peers say reaches nobody's terminal, log or page as they said it. */
-@Timeout(60)
+@Timeout(600)
 class TextsTest {
     private static final String NASTY =
             "\u001b[2J\u009b31m\r\nenlightenment: done\u202egnp\u0000\u2066" + "x".repeat(5_000);
@@ -21,8 +21,10 @@ class TextsTest {
     @Test
     void logAndStatusShowOneHarmlessLine() throws Exception {
         List<String> lines = new ArrayList<>();
-        ServerOptions.Builder options =
-                Farm.options().localThreads(1).awaitWorkers(1, 60).statusPort(0);
+        ServerOptions.Builder options = Farm.options()
+                .localThreads(1)
+                .awaitWorkers(1, Farm.TIMEOUT_SECONDS)
+                .statusPort(0);
         try (Farm farm = new Farm(options).begin();
                 RawPeer peer = new RawPeer(farm.server.port())) {
             Message.Hello h = RawPeer.hello(NASTY);

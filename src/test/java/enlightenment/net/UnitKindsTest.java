@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.net.worker.RenderPool;
 import enlightenment.physical.InvarianceScenes;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
@@ -25,7 +24,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntFunction;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,7 +31,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** Passes over tiles and batches of paths go wherever tiles do, and make the picture of one process. */
-@Timeout(120)
+@Timeout(600)
 class UnitKindsTest {
     private static final Scene ROOM = TestScenes.whiteFireAndIce().build();
     private static final Scene PHYSICAL_ROOM = InvarianceScenes.byRadiance();
@@ -180,8 +178,8 @@ class UnitKindsTest {
     @ParameterizedTest
     @EnumSource
     void aServerAndItsWorkersMakeIt(Kind kind) throws Exception {
-        ServerOptions.Builder options = Farm.options().timing(Farm.PATIENT).localThreads(1);
-        try (Farm farm = new Farm(kind.scene, kind.settings, options.awaitWorkers(2, 60)).begin()) {
+        ServerOptions.Builder options = Farm.options().localThreads(1);
+        try (Farm farm = new Farm(kind.scene, kind.settings, options.awaitWorkers(2, Farm.TIMEOUT_SECONDS)).begin()) {
             farm.join(Farm.worker(1));
             farm.join(Farm.worker(2));
             kind.check(farm.result());
@@ -196,7 +194,7 @@ class UnitKindsTest {
         int done = kind.units - 1;
         CountDownLatch stop = new CountDownLatch(1);
         try (Farm farm = new Farm(kind.scene, kind.settings, Farm.options().checkpoint(checkpoint)).begin()) {
-            farm.join(Farm.worker(1).tamper(stuckAfter(done, stop)));
+            farm.join(Farm.stuckAfter(done, stop));
             Farm.until(() -> farm.server.round().job().film().done() == done, "all units but one are done");
             RenderResult stopped = farm.stop();
             assertFalse(stopped.complete());
@@ -205,35 +203,21 @@ class UnitKindsTest {
             stop.countDown();
         }
         try (Farm farm = new Farm(
-                kind.scene, kind.settings, Farm.options().checkpoint(checkpoint).awaitWorkers(1, 60))) {
+                kind.scene,
+                kind.settings,
+                Farm.options().checkpoint(checkpoint).awaitWorkers(1, Farm.TIMEOUT_SECONDS))) {
             assertEquals(done, farm.server.round().job().film().done());
             farm.begin().join(Farm.worker(2));
             kind.check(farm.result());
         }
     }
 
-    /** A worker that says so many units and then nothing until it may, however fast the machine is. */
-    private static RenderPool.Tamper stuckAfter(int units, CountDownLatch stop) {
-        AtomicInteger said = new AtomicInteger();
-        return (unit, bytes) -> {
-            try {
-                if (said.getAndIncrement() >= units) {
-                    stop.await();
-                }
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-            }
-            return bytes;
-        };
-    }
-
     /** What it said is added up with what others said, and has to be taken out again. */
     @ParameterizedTest
     @EnumSource
     void whatAMachineSaidThatIsFoundOutLeavesNothing(Kind kind) throws Exception {
-        ServerOptions.Builder options =
-                Farm.options().timing(Farm.PATIENT).auditRate(1).localThreads(1);
-        try (Farm farm = new Farm(kind.scene, kind.settings, options.awaitWorkers(2, 60)).begin()) {
+        ServerOptions.Builder options = Farm.options().auditRate(1).localThreads(1);
+        try (Farm farm = new Farm(kind.scene, kind.settings, options.awaitWorkers(2, Farm.TIMEOUT_SECONDS)).begin()) {
             farm.join(Farm.worker(1).machine("liar").tamper((unit, bytes) -> liesLike(kind, bytes)));
             farm.join(Farm.worker(1).machine("honest"));
             kind.check(farm.result());

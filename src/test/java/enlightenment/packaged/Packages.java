@@ -61,7 +61,15 @@ final class Packages {
             throws IOException, InterruptedException {
         ProcessBuilder builder =
                 new ProcessBuilder(Arrays.stream(command).map(Object::toString).toList()).directory(folder.toFile());
-        builder.environment().keySet().removeAll(List.of("JAVA_OPTS", "ENLIGHTENMENT_OPTS", "XDG_CACHE_HOME"));
+        builder.environment()
+                .keySet()
+                .removeAll(List.of(
+                        "JAVA_OPTS",
+                        "ENLIGHTENMENT_OPTS",
+                        "XDG_CACHE_HOME",
+                        "JAVA_TOOL_OPTIONS",
+                        "_JAVA_OPTIONS",
+                        "JDK_JAVA_OPTIONS"));
         environment.forEach((name, value) -> {
             if (value.isEmpty()) {
                 builder.environment().remove(name);

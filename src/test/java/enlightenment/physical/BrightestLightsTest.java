@@ -14,13 +14,14 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
-import enlightenment.math.InvalidValueException;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import java.util.List;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,10 +39,26 @@ class BrightestLightsTest {
     }
 
     private static void assertRefused(String key, Light light) {
-        InvalidValueException e = assertThrows(
-                InvalidValueException.class, () -> render(light, PhysicalScenes.WHITE, BuiltInMethod.RAYTRACE));
-        assertEquals(key, e.key());
-        assertTrue(e.problem().contains("of this size"), e.problem());
+        SceneException e =
+                assertThrows(SceneException.class, () -> render(light, PhysicalScenes.WHITE, BuiltInMethod.RAYTRACE));
+        assertEquals(1, e.problems().size(), e.getMessage());
+        assertEquals("/" + key, e.problems().get(0).pointer());
+        assertTrue(e.getMessage().contains("of this size"), e.getMessage());
+    }
+
+    @Test
+    void allLightsThatAreTooMuchAreToldAtOnce() {
+        Emission much = Emission.power(Rgb.gray(1e308));
+        Scene scene = PhysicalScenes.view(8, 8)
+                .light(new Light.Sphere(at(0, 2, 0), 1, Rgb.WHITE, much))
+                .light(new Light.Sphere(at(0, 3, 0), 1, Rgb.WHITE, Emission.power(Rgb.gray(10))))
+                .light(new Light.Point(at(0, 4, 0), Rgb.WHITE, Emission.intensity(Rgb.gray(1e308))))
+                .light(new Light.Sphere(at(0, 5, 0), 1e-60, Rgb.WHITE, much))
+                .build();
+        SceneException e = assertThrows(SceneException.class, () -> Renderer.render(scene));
+        assertEquals(
+                List.of("/lights/0/power", "/lights/2/intensity", "/lights/3/power"),
+                e.problems().stream().map(SceneException.Problem::pointer).toList());
     }
 
     @Test

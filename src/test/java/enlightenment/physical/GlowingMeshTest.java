@@ -19,6 +19,8 @@ import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
+import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** Meshes of many small triangles that glow, and solids that do: each triangle is a lamp, and half of them are behind the others. */
@@ -81,12 +83,14 @@ class GlowingMeshTest {
         Scene scene = mesh(view(), 12, new Vec3(0.3, -0.4, 10), 0.9 * PIXEL).build();
         int seeds = 16;
         int samples = 8;
+        List<Image> pictures = IntStream.rangeClosed(1, seeds)
+                .mapToObj(seed -> Rendered.zoomed(scene, 1, samples, BuiltInMethod.RAYTRACE, seed))
+                .toList();
         for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
             double sum = 0;
             double squares = 0;
-            for (long seed = 1; seed <= seeds; seed++) {
-                double v = Rendered.zoomed(scene, 1, samples, BuiltInMethod.RAYTRACE, seed)
-                        .component(pixel % SIZE, pixel / SIZE, 0);
+            for (Image picture : pictures) {
+                double v = picture.component(pixel % SIZE, pixel / SIZE, 0);
                 sum += v;
                 squares += v * v;
             }

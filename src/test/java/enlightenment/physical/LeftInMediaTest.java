@@ -47,6 +47,7 @@ class LeftInMediaTest {
     private static final Medium WAX = new Medium.Coefficients(new Rgb(8, 7, 5), new Rgb(0.05, 0.1, 0.4), 0);
     private static final Medium MILK = new Medium.Coefficients(Rgb.gray(25), Rgb.gray(0.05), 0.5);
     private static final Medium THIN = new Medium.Coefficients(new Rgb(1, 0.7, 0.3), Rgb.gray(0.05), 0);
+    private static final Medium BLACK = new Medium.Coefficients(Rgb.gray(0x1p-20), Rgb.gray(0x1p10), 0);
     private static final Material GLASS = Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5);
 
     private static final Map<String, RenderResult> TRUTHS = new ConcurrentHashMap<>();
@@ -76,6 +77,7 @@ class LeftInMediaTest {
             case "wax" -> floor(0.02).object(ball(0, 0.9, 0, 0.8), solid(WAX, 1.4));
             case "milk" -> floor(0.02).object(ball(0, 0.9, 0, 0.8), solid(MILK, 1.33));
             case "juice" -> floor(0.02).object(ball(0, 0.9, 0, 0.8), solid(THIN, 1.5));
+            case "black" -> floor(0.02).object(ball(0, 0.9, 0, 0.8), solid(BLACK, 1.5));
             case "sky" -> floor(0.3).object(ball(0, 0.9, 0, 0.8), solid(WAX, 1.4));
             case "glass" ->
                 floor(0.02).object(ball(0, 0.9, 0, 0.9), GLASS).object(ball(0, 0.9, 0, 0.75), solid(MILK, 1.35));
@@ -136,9 +138,53 @@ class LeftInMediaTest {
         assertTrue(told > 0.7 * real && told < 1.5 * real, told + " is told of " + real);
     }
 
+    /** One path from the lamp of some fifty comes into the body, and of those most are far from where the path from the eye is. */
+    @ParameterizedTest
+    @CsvSource({"wax, 0.02", "wax, 0", "milk, 0.02", "milk, 0", "juice, 0.02", "sky, 0", "glass, 0.02"})
+    void whatFewSamplesOfPathsFromBothEndsLackIsInTheirEstimatedError(String name, double radius) {
+        RenderResult truth = truth(name);
+        for (int samples : new int[] {4, 16}) {
+            RenderResult lacking = render(body(name).light(lamp(radius)), BuiltInMethod.BIDIRECTIONAL, samples);
+            double told = lacking.report().sampling().estimatedError();
+            double real = difference(truth, lacking);
+            assertTrue(told > 0.75 * real && told < 1.5 * real, told + " is told of " + real);
+        }
+    }
+
+    /**
+     * Paths from the two ends do not meet where light of a point is scattered once between two borders: no number of samples finds it.
+     * Of a black body there is only what its border reflects, which of a point cannot be seen.
+     */
     @Test
-    void whoConnectsPointsOfMediaLeavesNoLightOfLampsToChance() {
-        assertEquals(0, leftToChance(render(body("wax").light(lamp(0)), BuiltInMethod.BIDIRECTIONAL, 4)));
+    void lightThatIsScatteredOnceIsLackingForEver() {
+        RenderResult lacking = render(body("juice").light(lamp(0)), BuiltInMethod.BIDIRECTIONAL, 4096);
+        float[] seen = lacking.image().toArray();
+        float[] reflected = render(body("black").light(lamp(0)), BuiltInMethod.BIDIRECTIONAL, 256)
+                .image()
+                .toArray();
+        float[] all = render(body("juice").light(lamp(LARGE)), BuiltInMethod.RAYTRACE, 16_000)
+                .image()
+                .toArray();
+        float[] allReflected = truth("black").image().toArray();
+        double sum = 0;
+        for (int i = 0; i < seen.length; i++) {
+            double light = reflected[i] + all[i] - allReflected[i];
+            double d = shown(Math.max(light, 0)) - shown(seen[i]);
+            sum += d * d;
+        }
+        double told = lacking.report().sampling().estimatedError();
+        double real = Math.sqrt(sum / seen.length);
+        assertTrue(leftToChance(lacking) > 0.5 * told, "of another reason");
+    }
+
+    @Test
+    void pathsFromBothEndsAreToldToFindWhatLampsSendEverywhere() {
+        assertEquals(0, leftToChance(render(body("sky"), BuiltInMethod.BIDIRECTIONAL, 4)));
+        SceneBuilder open =
+                floor(0.02).object(ball(0, 0.9, 0, 0.8), solid(WAX, 1)).light(lamp(0.02));
+        assertEquals(0, leftToChance(render(open, BuiltInMethod.BIDIRECTIONAL, 4)));
+        SceneBuilder large = body("wax").light(lamp(0.8));
+        assertEquals(0, leftToChance(render(large, BuiltInMethod.BIDIRECTIONAL, 4)));
     }
 
     /** Samples tell all that there is to tell: of large lamps, of light from everywhere, and where lamps are sampled. */

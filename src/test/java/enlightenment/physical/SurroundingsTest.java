@@ -53,13 +53,18 @@ class SurroundingsTest {
     static Path folder;
 
     private static Background.Picture picture(String name, int width, int height, double turn, Pictures.Texel texels) {
+        return picture(name, width, height, turn, Texture.Filter.BILINEAR, texels);
+    }
+
+    private static Background.Picture picture(
+            String name, int width, int height, double turn, Texture.Filter filter, Pictures.Texel texels) {
         Path file = folder.resolve(name + ".pfm");
         try {
             Files.write(file, Pictures.pfm(width, height, texels));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        Texture.File texture = new Texture.File(file, Texture.Filter.BILINEAR, Texture.Encoding.SRGB);
+        Texture.File texture = new Texture.File(file, filter, Texture.Encoding.SRGB);
         return new Background.Picture(texture, Rgb.WHITE, turn);
     }
 
@@ -99,6 +104,16 @@ class SurroundingsTest {
         Background half = picture("half", 64, 64, 0, (x, y) -> new double[] {y < 32 ? 1 : 0, 1, y < 32 ? 2 : 2});
         Scene scene = floor(matte(0.5, 0.25, 0.75)).shading(shading(1, half)).build();
         assertShown(scene, method, 8, new double[] {0.5 * rowsAbove(64), 0.25, 1.5});
+    }
+
+    /** Two texels that are not interpolated are the upper and the lower half of all directions. */
+    @ParameterizedTest
+    @EnumSource(BuiltInMethod.class)
+    void aPictureThatIsNotInterpolatedLightsByItsTexels(BuiltInMethod method) {
+        Background half = picture(
+                "halves", 1, 2, 30, Texture.Filter.NEAREST, (x, y) -> new double[] {y == 0 ? 1 : 0, y, 2 - 2 * y});
+        Scene scene = floor(matte(0.5, 0.25, 0.75)).shading(shading(1, half)).build();
+        assertShown(scene, method, 8, new double[] {0.5, 0, 1.5});
     }
 
     /** The irradiance of the interpolated rows over π, by quadrature. */

@@ -1,6 +1,7 @@
 package enlightenment.plan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.scene.Budget;
@@ -18,12 +19,12 @@ class PaceTest {
         for (double seconds : new double[] {Double.MIN_VALUE, 1e-300, 1e-9, 1e-3, 1, 1e9, Double.MAX_VALUE}) {
             for (double took : EXTREMES) {
                 for (double step : EXTREMES) {
-                    check(new Pace(seconds, 1 << 20, 4096), took, step, seconds + " s, " + took + " s, " + step + " s");
+                    check(pace(seconds, 1 << 20, 4096), took, step, seconds + " s, " + took + " s, " + step + " s");
                 }
-                check(new Pace(seconds, 1, 1), took, -1, "a clock that runs backwards");
-                check(new Pace(seconds, 1, 1), -took, 1, "a trial that ends before it begins");
-                check(new Pace(seconds, 1, 1), Double.NaN, Double.NaN, "no clock");
-                check(new Pace(seconds, 4e9, 64), took, 0, "a clock that stands still");
+                check(pace(seconds, 1, 1), took, -1, "a clock that runs backwards");
+                check(pace(seconds, 1, 1), -took, 1, "a trial that ends before it begins");
+                check(pace(seconds, 1, 1), Double.NaN, Double.NaN, "no clock");
+                check(pace(seconds, 4e9, 64), took, 0, "a clock that stands still");
             }
         }
     }
@@ -52,7 +53,7 @@ class PaceTest {
             double pixels = Math.pow(10, 2 + 5 * random.nextDouble());
             double seconds = Math.pow(10, -2 + 6 * random.nextDouble());
             double trialPixels = Math.max(pixels / 16, 64);
-            Pace pace = new Pace(seconds, pixels, trialPixels);
+            Pace pace = pace(seconds, pixels, trialPixels);
             double now = 0;
             do {
                 double n = pace.next();
@@ -68,10 +69,27 @@ class PaceTest {
         }
     }
 
+    /** Whatever the time: an hour for what takes a second is no reason to try for minutes. */
+    @Test
+    void whereThereIsTimeForTwiceWhatIsWantedNothingMoreIsTried() {
+        for (double seconds : new double[] {10, 3600, 1e9, Double.MAX_VALUE}) {
+            Pace pace = new Pace(seconds, 1000, 100, 4);
+            assertFalse(pace.isPlenty());
+            pace.tried(pace.next(), 0.5, 0.5);
+            assertTrue(pace.next() <= 4, pace.next() + " samples");
+            // 200 samples of pixels per second: 8 per pixel take 40 seconds.
+            assertEquals(seconds > 50, pace.isPlenty(), seconds + " s");
+        }
+    }
+
+    private static Pace pace(double seconds, double pixels, double trialPixels) {
+        return new Pace(seconds, pixels, trialPixels, Budget.MAX_SAMPLES);
+    }
+
     @Test
     void withoutAnyTrialNothingIsPlanned() {
-        assertEquals(0, new Pace(1, 100, 10).planned(0));
-        assertEquals(0, new Pace(1, 100, 10).planned(Double.POSITIVE_INFINITY));
-        assertEquals(1, new Pace(1, 100, 10).next());
+        assertEquals(0, pace(1, 100, 10).planned(0));
+        assertEquals(0, pace(1, 100, 10).planned(Double.POSITIVE_INFINITY));
+        assertEquals(1, pace(1, 100, 10).next());
     }
 }

@@ -9,6 +9,7 @@ import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
@@ -22,23 +23,23 @@ class RoundsTest {
     private static final RenderSettings SETTINGS =
             RenderSettings.of(TestScenes.whiteFireAndIce().build());
 
+    /** Samples per pixel of the rounds of a small picture of caustics. */
+    private static final double[] SAMPLES = {1, 8, 64, 512, 4100};
+
     private static RenderReport report(Budget budget, double samples, double error, double rounding) {
+        return report(budget, samples, error / 1.2, error, rounding);
+    }
+
+    private static RenderReport report(Budget budget, double samples, double told, double high, double rounding) {
+        return report(SETTINGS.withBudget(budget), samples, told, high, rounding);
+    }
+
+    private static RenderReport report(
+            RenderSettings settings, double samples, double told, double high, double rounding) {
         RenderReport.Sampling sampling = new RenderReport.Sampling(
-                Method.RAYTRACE, "error", samples, samples, error / 1.2, error / 1.44, error, 0, 0, 0, rounding, 1);
+                Method.RAYTRACE, "error", samples, samples, told, told / 1.2, high, 0, 0, 0, rounding, 1);
         return new RenderReport(
-                "",
-                SETTINGS.withBudget(budget),
-                List.of(),
-                Map.of(),
-                0,
-                0,
-                sampling,
-                Map.of(),
-                Map.of(),
-                0,
-                List.of(),
-                0,
-                0);
+                "", settings, List.of(), Map.of(), 0, 0, sampling, Map.of(), Map.of(), 0, List.of(), 0, 0);
     }
 
     /** What all rounds took, and the number of the last. */
@@ -76,6 +77,16 @@ class RoundsTest {
         assertEquals("time", late.decidedBy());
         assertEquals("error", report(both, 800, 0.009, 0).decidedBy());
         assertEquals("error", report(Budget.NONE.withError(0.01), 8, 0.05, 0).decidedBy());
+    }
+
+    /** A little more is much more where it is the least that the method can do with. */
+    @Test
+    void withTimeLeftARoundOfTheMethodItselfFollowsThatOfTheMethodForFewSamples() {
+        Budget both = Budget.NONE.withError(0.01).withSeconds(100);
+        MethodTraits traits = Integrators.traits(Method.CLUSTER, false);
+        RenderSettings settings = SETTINGS.withMethod(Method.CLUSTER).withBudget(both);
+        RenderReport few = report(settings, traits.mostBelow(), 0.04, 0.05, 0);
+        assertEquals(traits.first(), new Rounds(both).next(few, 1, 2).orElseThrow());
     }
 
     @ParameterizedTest
@@ -172,23 +183,34 @@ class RoundsTest {
         assertFalse(report(budget, 4, 0.0101, 0).isErrorMet());
     }
 
+    private static void assertGoesOn(double asked, double[] told, double[] high) {
+        Budget budget = Budget.NONE.withError(asked);
+        Rounds rounds = new Rounds(budget);
+        for (int k = 0; k < high.length; k++) {
+            RenderReport report = report(budget, SAMPLES[k], told[k], high[k], 0);
+            assertTrue(rounds.next(report, 0, 0).isPresent(), "round " + (k + 1));
+        }
+    }
+
     /** The upper ends of a small picture of caustics, where rare bright samples come up first with 512 samples per pixel. */
     @Test
     void anErrorThatJumpsUpOnceIsNotGivenUp() {
-        Budget budget = Budget.NONE.withError(0.01);
-        Rounds rounds = new Rounds(budget);
-        double[] samples = {1, 8, 64, 512, 4100};
         double[] errors = {0.206, 0.0683, 0.0389, 0.104, 0.0575};
-        for (int k = 0; k < samples.length; k++) {
-            assertTrue(
-                    rounds.next(report(budget, samples[k], errors[k], 0), 0, 0).isPresent(), "round " + (k + 1));
-        }
+        assertGoesOn(0.01, Arrays.stream(errors).map(e -> e / 1.2).toArray(), errors);
+    }
+
+    /** The same picture with half of the error: by its upper ends independent samples would need 840,000, by what is told 86,000. */
+    @Test
+    void anIntervalThatIsWideEndsNoSearchWhoseErrorIsNear() {
+        double[] told = {0.05, 0.026, 0.0162, 0.027, 0.0216};
+        double[] high = {0.206, 0.0683, 0.0389, 0.104, 0.068};
+        assertGoesOn(0.005, told, high);
     }
 
     /** The error of light paths in a scene of narrow lobes: it falls as n^-0.14, and a tenth of it is asked for. */
     @Test
     void anErrorThatHardlyFallsIsGivenUpUnlessSomethingElseLimitsTheRender() {
-        DoubleUnaryOperator error = n -> 0.5 * Math.pow(n, -0.14);
+        DoubleUnaryOperator error = n -> 0.6 * Math.pow(n, -0.14);
         Rounds rounds = new Rounds(Budget.NONE.withError(0.02));
         double n = 4;
         double all = 0;

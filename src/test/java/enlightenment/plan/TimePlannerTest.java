@@ -12,6 +12,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.work.Stopwatch;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -27,11 +28,15 @@ class TimePlannerTest {
     }
 
     private static Planner planner(Method method, double seconds) {
+        return planner(method, Budget.NONE.withSeconds(seconds));
+    }
+
+    private static Planner planner(Method method, Budget budget) {
         RenderSettings settings = RenderSettings.of(SCENE)
                 .withMethod(method)
                 .withSize(64, 32)
                 .withThreads(1)
-                .withBudget(Budget.NONE.withSeconds(seconds));
+                .withBudget(budget);
         CompiledScene compiled = SceneCompiler.compile(SCENE, settings);
         return new Planner(compiled, settings, () -> false);
     }
@@ -56,6 +61,20 @@ class TimePlannerTest {
     @ClassicMethods
     void soItIsOnMachinesTenTimesAsFast(Method method) {
         assertPlans(method, 100_000, 10_000);
+    }
+
+    /** Of a minute that nobody needs trials would take seconds, of an hour minutes. */
+    @ParameterizedTest
+    @ClassicMethods
+    void aTimeThatIsFarMoreThanWhatIsAskedForCostsNoTrials(Method method) {
+        for (Budget asked : List.of(Budget.NONE.withSamples(8), Budget.NONE.withError(0.05))) {
+            AtomicLong clock = new AtomicLong();
+            Stopwatch time = new Stopwatch(() -> clock.getAndAdd(100_000));
+            RenderPlan plan = planner(method, asked.withSeconds(60)).plan(time, 0);
+            RenderPlan alone = planner(method, asked).plan(new Stopwatch(() -> 0), 0);
+            assertEquals(alone, plan);
+            assertTrue(clock.get() < 1_000_000_000L, plan + " after " + clock.get() / 1e9 + " s");
+        }
     }
 
     @Test

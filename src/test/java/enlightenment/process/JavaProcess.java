@@ -25,6 +25,9 @@ public final class JavaProcess {
                 System.getProperty("java.class.path"),
                 main.getName()));
         Stream.of(args).map(Object::toString).forEach(command::add);
-        return new ProcessBuilder(command);
+        ProcessBuilder builder = new ProcessBuilder(command);
+        // With these the virtual machine says at its start that it has seen them.
+        builder.environment().keySet().removeAll(List.of("JAVA_TOOL_OPTIONS", "_JAVA_OPTIONS", "JDK_JAVA_OPTIONS"));
+        return builder;
     }
 }

@@ -40,6 +40,9 @@ class CancelledPlanTest {
     /** What is done when something is noted. */
     private Runnable whenNoted = () -> {};
 
+    /** What is done when a round has all of its pixels. */
+    private Runnable whenDone = () -> {};
+
     /** A scene and its method; there is no other thread, so that each render asks in the same order whether to stop. */
     record Kind(String name, Scene scene, Method method) {
         RenderSettings settings(Budget budget) {
@@ -66,7 +69,11 @@ class CancelledPlanTest {
     private RenderResult render(Kind kind, Budget budget, BooleanSupplier cancelled) {
         RenderProgress listener = new RenderProgress() {
             @Override
-            public void progress(long done, long total, Supplier<Image> soFar) {}
+            public void progress(long done, long total, Supplier<Image> soFar) {
+                if (done == total) {
+                    whenDone.run();
+                }
+            }
 
             @Override
             public void planned(double samples, String decidedBy) {
@@ -127,7 +134,8 @@ class CancelledPlanTest {
     @ParameterizedTest
     @MethodSource("kinds")
     void aTimeThatWasNotTriedOutIsNotPlannedFor(Kind kind) {
-        Budget budget = Budget.NONE.withSeconds(1e6);
+        // Less than what the most samples take, or trials would end at once.
+        Budget budget = Budget.NONE.withSeconds(1000);
         for (int patience : new int[] {1, 2, 5, 30, 200}) {
             AtomicInteger asked = new AtomicInteger();
             RenderResult stopped = render(kind, budget, () -> asked.incrementAndGet() >= patience);
@@ -158,6 +166,17 @@ class CancelledPlanTest {
         whenNoted = () -> {};
         assertSame(expected, render(kind, budget, () -> false));
         assertEquals(plans.size(), archive.plans.size());
+    }
+
+    @Test
+    void aRenderThatIsStoppedBetweenRoundsSaysThatItWas() {
+        Kind kind = new Kind("fire and ice", FIRE, Method.RAYTRACE);
+        AtomicBoolean stop = new AtomicBoolean();
+        whenDone = () -> stop.set(true);
+        RenderResult first = render(kind, Budget.NONE.withError(0.02).withSamples(200), stop::get);
+        assertTrue(first.complete());
+        assertEquals(1, first.report().sampling().rounds());
+        assertTrue(notes.get(notes.size() - 1).startsWith("stopped: the picture is that of the round before"));
     }
 
     @Test

@@ -35,7 +35,7 @@ class KeptRenderTest {
     private static final Scene LAMP = SceneReader.read(Path.of("scenes/lamp-room.json"));
     private static final Scene CAUSTICS = SceneReader.read(Path.of("scenes/caustics.json"));
 
-    private final MemoryArchive archive = new MemoryArchive();
+    private MemoryArchive archive = new MemoryArchive();
     private final List<String> notes = new ArrayList<>();
 
     /** A scene and a method. */
@@ -233,11 +233,16 @@ class KeptRenderTest {
     @Test
     void aFullDiskCostsWhatIsKeptAndNotThePicture() {
         Kind kind = fire(Method.RAYTRACE);
-        archive.room = 4;
-        assertSame(alone(kind, 4), render(kind, 4));
-        assertEquals(
-                List.of("memory: No space left on device; it is not used any more, the render goes on without"), notes);
-        assertEquals(4, archive.given);
+        for (String named : List.of("", "memory: ")) {
+            archive = new MemoryArchive();
+            archive.room = 4;
+            archive.full = named + "No space left on device";
+            assertSame(alone(kind, 4), render(kind, 4));
+            assertEquals(
+                    List.of("memory: No space left on device; it is not used any more, the render goes on without"),
+                    notes);
+            assertEquals(4, archive.given);
+        }
     }
 
     @Test

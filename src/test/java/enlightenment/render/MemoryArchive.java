@@ -16,6 +16,9 @@ final class MemoryArchive implements ResultArchive {
     /** How many results it takes before its disk is full. */
     int room = Integer.MAX_VALUE;
 
+    /** What it says then. */
+    String full = "No space left on device";
+
     /** Whether its disk can no longer be read. */
     boolean isUnreadable;
 
@@ -70,7 +73,7 @@ final class MemoryArchive implements ResultArchive {
     @Override
     public void keep(int plan, int unit, String worker, byte[] result) throws IOException {
         if (given == room) {
-            throw new IOException("No space left on device");
+            throw new IOException(full);
         }
         given++;
         results.get(plan).put(unit, result);

@@ -90,9 +90,19 @@ class PhysicalErrorTest {
         assertTrue(outcome.kept >= 4, outcome::toString);
     }
 
+    /** A picture that a first sample shows black is not taken for one without noise, nor few pixels for certain to be wrong. */
+    @Test
+    void itIsKeptWhereFourPixelsCarryTheErrorAndNotByVeryManySamples() throws Exception {
+        Outcome outcome = ask("spot", 32, 32, 0.004, 8);
+        // By 36 samples the error is that in the root mean square.
+        assertTrue(outcome.kept >= 7 && outcome.samples < 30 * 36, outcome::toString);
+    }
+
     @Tag("full")
     @ParameterizedTest
     @CsvSource({
+        "spot, 32, 32, 0.004",
+        "spot, 32, 32, 0.002",
         "cornell, 64, 64, 0.02",
         "cornell, 64, 64, 0.01",
         "cornell, 64, 64, 0.005",

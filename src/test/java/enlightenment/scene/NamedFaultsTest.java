@@ -22,6 +22,7 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.net.WorkerOptions;
 import java.math.BigDecimal;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
@@ -132,6 +133,53 @@ class NamedFaultsTest {
         nullFails("the material \"x\"", () -> scene().material("x", null).build());
         nullFails("the name of a texture", () -> scene().texture(null, WHITE).build());
         nullFails("the texture \"x\"", () -> scene().texture("x", null).build());
+    }
+
+    @Test
+    void listsAndMapsOfASceneAreThereAndSoIsAllThatTheyHold() {
+        nullFails("the light 1", () -> scene().light(new Light.Point(O, DisplayRgb.WHITE))
+                .light(null)
+                .build());
+        nullFails("the object 0", () -> scene().object((SceneObject) null).build());
+        Scene s = scene().build();
+        nullFails("textures", () -> with(s, null, s.materials(), s.lights(), s.objects(), s.instants()));
+        nullFails("materials", () -> with(s, s.textures(), null, s.lights(), s.objects(), s.instants()));
+        nullFails("lights", () -> with(s, s.textures(), s.materials(), null, s.objects(), s.instants()));
+        nullFails("objects", () -> with(s, s.textures(), s.materials(), s.lights(), null, s.instants()));
+        nullFails("instants", () -> with(s, s.textures(), s.materials(), s.lights(), s.objects(), null));
+        nullFails(
+                "the instant 0",
+                () -> with(s, s.textures(), s.materials(), s.lights(), s.objects(), Collections.singletonList(null)));
+    }
+
+    private static Scene with(
+            Scene s,
+            Map<String, Texture> textures,
+            Map<String, Material> materials,
+            List<Light> lights,
+            List<SceneObject> objects,
+            List<Scene> instants) {
+        return new Scene(
+                s.name(),
+                s.width(),
+                s.height(),
+                s.camera(),
+                s.shading(),
+                s.display(),
+                textures,
+                materials,
+                lights,
+                objects,
+                s.render(),
+                s.animation(),
+                instants);
+    }
+
+    @Test
+    void anAnimationHasTracksAndItsTracksHaveKeys() {
+        nullFails("tracks", () -> new Animation(10, 25, null));
+        nullFails("the track 0", () -> new Animation(10, 25, Collections.singletonList(null)));
+        nullFails("keys", () -> new Animation.Track("/seed", null));
     }
 
     private static SceneBuilder scene() {

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** The page of a render in one process as a browser shows it, after its scripts ran. */
-@Timeout(120)
+@Timeout(600)
 class RenderPageTest {
     @RegisterExtension
     static final Browser browser = new Browser();
@@ -27,7 +27,8 @@ class RenderPageTest {
 
     @BeforeEach
     void serve() throws Exception {
-        server = StatusServer.start(render, 0, new ServerLog(line -> {}, System::nanoTime));
+        // Its clock stands still: a browser that is kept from its work for seconds is no page that is gone.
+        server = StatusServer.start(render, 0, Thread::new, new ServerLog(line -> {}, () -> 0), () -> 0);
         origin = "http://127.0.0.1:" + server.port() + "/";
     }
 
@@ -95,7 +96,7 @@ class RenderPageTest {
                 browser.requests().toString());
 
         render.ended(true);
-        server.awaitWatchers(60_000);
+        server.awaitWatchers(300_000);
         server.close();
         untilShown("0,255,0,255");
         // What the browser has been sent it may not have shown yet.

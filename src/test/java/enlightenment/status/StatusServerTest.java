@@ -33,8 +33,11 @@ import org.junit.jupiter.api.Timeout;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 
-@Timeout(60)
+@Timeout(600)
 class StatusServerTest {
+    /** As long as anything may take. */
+    private static final int PATIENCE_MILLIS = 300_000;
+
     private final AtomicLong clock = new AtomicLong();
     private final Render render = new Render();
     private final List<Thread> threads = new CopyOnWriteArrayList<>();
@@ -102,7 +105,7 @@ class StatusServerTest {
     private HttpURLConnection open(String path) throws Exception {
         URI uri = URI.create("http://127.0.0.1:" + server.port() + path);
         HttpURLConnection connection = (HttpURLConnection) uri.toURL().openConnection();
-        connection.setReadTimeout(20_000);
+        connection.setReadTimeout(PATIENCE_MILLIS);
         return connection;
     }
 
@@ -169,7 +172,7 @@ class StatusServerTest {
 
     @Test
     void theEndWaitsForPagesThatHaveNotSeenItAndForNobodyElse() throws Exception {
-        assertTrue(server.awaitWatchers(60_000));
+        assertTrue(server.awaitWatchers(PATIENCE_MILLIS));
         get("/status.json?page=gone");
         clock.addAndGet(Watchers.SILENCE_NANOS + 1);
         get("/status.json");
@@ -179,7 +182,7 @@ class StatusServerTest {
         render.state = State.FINISHED;
         get("/picture.png?page=one&state=finished");
         get("/status.json?page=three");
-        Thread end = new Thread(() -> server.awaitWatchers(60_000));
+        Thread end = new Thread(() -> server.awaitWatchers(PATIENCE_MILLIS));
         end.start();
         while (end.getState() != Thread.State.TIMED_WAITING) {
             Thread.sleep(1);
@@ -234,7 +237,7 @@ class StatusServerTest {
     @Test
     void whoSendsHalfARequestIsHungUpOnInTime() throws Exception {
         try (Socket half = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
-            half.setSoTimeout(20_000);
+            half.setSoTimeout(PATIENCE_MILLIS);
             half.getOutputStream().write("GET /heal".getBytes(StandardCharsets.US_ASCII));
             // Whoever comes later has been taken later: so the half is known by now.
             assertEquals("rendering\n", text("/health"));
@@ -243,7 +246,7 @@ class StatusServerTest {
             assertThrows(java.net.SocketTimeoutException.class, () -> half.getInputStream()
                     .read());
             server.check(clock.get() + SmallHttp.REQUEST_TIMEOUT_NANOS + 1);
-            half.setSoTimeout(20_000);
+            half.setSoTimeout(PATIENCE_MILLIS);
             assertTrue(isEnded(half));
         }
     }
@@ -311,7 +314,7 @@ class StatusServerTest {
 
     private String raw(String request) throws Exception {
         try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
-            socket.setSoTimeout(20_000);
+            socket.setSoTimeout(PATIENCE_MILLIS);
             OutputStream out = socket.getOutputStream();
             out.write((request + "Connection: close\r\n\r\n").getBytes(StandardCharsets.US_ASCII));
             out.flush();

@@ -16,7 +16,7 @@ import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
+@Timeout(600)
 class WatchedRenderTest {
     private static final long SECOND = 1_000_000_000L;
 
@@ -171,7 +171,7 @@ class WatchedRenderTest {
     @Test
     void whoeverAsksAfterALongTimeWaitsForANewPicture() throws Exception {
         Image next = new Image(2, 2, new float[12]);
-        WatchedRender patient = new WatchedRender("", image -> image, clock::get, 50_000);
+        WatchedRender patient = new WatchedRender("", image -> image, clock::get, 500_000);
         RenderProgress heard = patient.listening(RenderProgress.NONE);
         heard.progress(1, 10, this::copied);
         clock.addAndGet(WatchedRender.STALE_NANOS);

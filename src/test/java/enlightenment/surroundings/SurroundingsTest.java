@@ -8,17 +8,31 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Rgb;
+import enlightenment.math.InvalidValueException;
 import java.io.IOException;
+import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class SurroundingsTest {
+    private static final Surroundings.Texels BILINEAR = new Surroundings.Texels(false, false);
+
     private static Surroundings picture(int width, int height, double degrees, Pictures.Texel texels) {
+        return picture(width, height, degrees, BILINEAR, texels);
+    }
+
+    private static Surroundings nearest(int width, int height, double degrees, Pictures.Texel texels) {
+        return picture(width, height, degrees, new Surroundings.Texels(false, true), texels);
+    }
+
+    private static Surroundings picture(
+            int width, int height, double degrees, Surroundings.Texels meaning, Pictures.Texel texels) {
         try {
-            return Surroundings.of(pfm(width, height, texels), Rgb.WHITE, degrees, false);
+            return Surroundings.of(pfm(width, height, texels), Rgb.WHITE, degrees, meaning);
         } catch (IOException e) {
             throw new AssertionError(e);
         }
@@ -35,6 +49,7 @@ class SurroundingsTest {
                 picture(17, 9, 77.7, (x, y) -> grey(x == 4 && y == 6 ? 1e6 : 1)),
                 picture(64, 32, -200, (x, y) -> grey(x == 20 && y == 10 ? 5 : 0)),
                 picture(32, 16, 0, (x, y) -> grey(y < 8 ? 1 : 0)),
+                nearest(17, 9, 77.7, (x, y) -> grey(x == 4 && y == 6 ? 1e6 : 0)),
                 sky(35, 40, true),
                 sky(0, -100, false));
     }
@@ -252,6 +267,26 @@ class SurroundingsTest {
     }
 
     @Test
+    void texelsThatAreNotInterpolatedHaveOneRadianceUpToTheirEdges() {
+        Surroundings s = nearest(4, 3, 0, (x, y) -> new double[] {x, y, 1});
+        double[] rgb = new double[3];
+        for (int i = 0; i < 400; i++) {
+            double turn = (i % 40 + 0.5) / 40;
+            double theta = (i / 40 + 0.5) / 10 * Math.PI;
+            double phi = 2 * Math.PI * (turn - 0.5);
+            s.radiance(Math.sin(theta) * Math.sin(phi), Math.cos(theta), Math.sin(theta) * Math.cos(phi), rgb);
+            double row = Math.floor((i / 40 + 0.5) / 10 * 3);
+            assertArrayEquals(new double[] {Math.floor(turn * 4), row, 1}, rgb);
+        }
+        s.radiance(0, -1, 0, rgb);
+        assertEquals(2, rgb[1]);
+        // The integral over all directions, by texels: rows of three equal angles have cosines of 1, 1/2, -1/2 and -1.
+        double byColumn = 2 * Math.PI * 2 * 1.5;
+        double byRow = 2 * Math.PI * (1 * 1 + 2 * 0.5);
+        assertEquals(byColumn + byRow + 4 * Math.PI, s.power(), 1e-12 * s.power());
+    }
+
+    @Test
     void theEstimateOfIrradianceIsAboutRightAndNowhereZero() {
         Surroundings s = picture(32, 16, 0, (x, y) -> grey(y < 8 ? 1 : 0));
         // Half of a sphere of three bands of 1, and a sixteenth of all of it.
@@ -261,11 +296,60 @@ class SurroundingsTest {
         assertTrue(s.irradiance(0, -1, 0) > 0);
     }
 
+    /** Beyond floats in any texel: a texel of 1 times 2^128, and 2^-10 times 2^140. */
+    @Test
+    void moreLightThanFloatsHoldIsBlamedOnWhatItIsMultipliedBy() {
+        byte[] ones = pfm(4, 2, (x, y) -> grey(1));
+        byte[] dim = pfm(4, 2, (x, y) -> grey(0x1p-10));
+        for (Executable maker : List.<Executable>of(
+                () -> Surroundings.of(ones, new Rgb(1, 1, 0x1p128), 0, BILINEAR),
+                () -> Surroundings.of(dim, Rgb.gray(0x1p140), 0, BILINEAR),
+                () -> Surroundings.sky(40, 0, 3, Rgb.BLACK, false, Rgb.gray(1e45)),
+                () -> Surroundings.sky(40, 0, 3, Rgb.BLACK, true, new Rgb(1e100, 1, 1)))) {
+            InvalidValueException e = assertThrows(InvalidValueException.class, maker);
+            assertEquals("radiance", e.key());
+            assertTrue(e.problem().contains("beyond the range of floats"), e.problem());
+        }
+    }
+
+    /** A unit of light is arbitrary: in one that is a power of two, all is the same but the last of the numbers that no float can be. */
+    @Test
+    void howDimTheLightIsDoesNotMatter() throws IOException {
+        Rgb dim = Rgb.gray(0x1p-200);
+        byte[] file = pfm(16, 8, (x, y) -> grey((x + 1) * (y + 1)));
+        Surroundings[] bright = {
+            Surroundings.sky(30, 20, 3, Rgb.gray(0.2), true, Rgb.WHITE), Surroundings.of(file, Rgb.WHITE, 10, BILINEAR)
+        };
+        Surroundings[] dark = {
+            Surroundings.sky(30, 20, 3, Rgb.gray(0.2), true, dim), Surroundings.of(file, dim, 10, BILINEAR)
+        };
+        SplittableRandom random = new SplittableRandom(4);
+        double[] a = new double[3];
+        double[] b = new double[3];
+        for (int k = 0; k < 2; k++) {
+            assertEquals(bright[k].power() * 0x1p-200, dark[k].power(), 1e-12 * dark[k].power());
+            Surroundings half = dark[k].filtered(Rgb.gray(0.5));
+            for (int i = 0; i < 100; i++) {
+                double[] d = unit(random);
+                bright[k].all(d[0], d[1], d[2], a);
+                dark[k].all(d[0], d[1], d[2], b);
+                assertEquals(a[1] * 0x1p-200, b[1], 1e-12 * b[1]);
+                assertTrue(b[1] > 0);
+                half.all(d[0], d[1], d[2], a);
+                assertEquals(b[1] / 2, a[1], 1e-12 * b[1]);
+                assertEquals(
+                        bright[k].density(d[0], d[1], d[2]),
+                        dark[k].density(d[0], d[1], d[2]),
+                        1e-12 * bright[k].density(d[0], d[1], d[2]));
+            }
+        }
+    }
+
     @Test
     void numbersThatAreNoRadianceAreToldWithTheirPlace() {
         for (double wrong : new double[] {Double.NaN, Double.POSITIVE_INFINITY}) {
             byte[] file = pfm(4, 3, (x, y) -> grey(x == 2 && y == 1 ? wrong : 1));
-            IOException e = assertThrows(IOException.class, () -> Surroundings.of(file, Rgb.WHITE, 0, false));
+            IOException e = assertThrows(IOException.class, () -> Surroundings.of(file, Rgb.WHITE, 0, BILINEAR));
             assertEquals("the number " + (float) wrong + " in column 2, row 1 is no radiance", e.getMessage());
         }
         // What conversions between colour spaces leave a little below 0 is black.

@@ -149,7 +149,9 @@ class VideoFileTest {
     void aProgramIsKilledWhenWeAreToStop() throws IOException {
         AtomicBoolean stop = new AtomicBoolean();
         Path started = folder.resolve("started");
-        Ffmpeg stuck = program("echo $$ > '" + started + "'; exec sleep 1000\n");
+        // Moved into place: a file that is there has its number, even if the program is killed at once.
+        Path begun = folder.resolve("begun");
+        Ffmpeg stuck = program("echo $$ > '" + begun + "'; mv '" + begun + "' '" + started + "'; exec sleep 1000\n");
         VideoFile film = new VideoFile(frames, RATE, stop::get);
         Thread asks = new Thread(() -> {
             while (!Files.exists(started)) {

@@ -26,11 +26,13 @@ class CancellationTest {
     }
 
     @Test
-    void theCallersWishIsAskedEachTime() {
+    void theCallersWishIsAskedEachTimeUntilItIsSeenAndStaysSeen() {
         AtomicBoolean wish = new AtomicBoolean();
         BooleanSupplier cancelled = Cancellation.of(wish::get);
         assertFalse(cancelled.getAsBoolean());
         wish.set(true);
+        assertTrue(cancelled.getAsBoolean());
+        wish.set(false);
         assertTrue(cancelled.getAsBoolean());
     }
 }

@@ -101,15 +101,23 @@ public final class FilmContent {
     }
 
     /**
+     * What a job is of.
+     *
+     * @param frames its pictures, at least one
+     * @param isFilm whether the job is a film, if only of one picture: its units are not those of that picture
+     */
+    public record Pictures(List<Frame> frames, boolean isFilm) {}
+
+    /**
      * The pictures of a job's document: what was added, or the document itself where it is one picture's.
      *
      * @param tiles number of tiles of the whole job
      * @throws IOException if it makes no sense; the message says why
      */
-    public static List<Frame> read(byte[] document, int tiles, String build) throws IOException {
+    public static Pictures read(byte[] document, int tiles, String build) throws IOException {
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(document))) {
             if (!in.readUTF().equals(MAGIC)) {
-                return List.of(new Frame(1, tiles, document));
+                return new Pictures(List.of(new Frame(1, tiles, document)), false);
             }
             String theirs = in.readUTF();
             if (!theirs.equals(build)) {
@@ -131,7 +139,7 @@ public final class FilmContent {
             if (frames.isEmpty() || sum != tiles) {
                 throw new IOException("the job has " + tiles + " tiles at the server, " + sum + " here");
             }
-            return frames;
+            return new Pictures(frames, true);
         }
     }
 }

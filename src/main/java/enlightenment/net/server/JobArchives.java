@@ -3,6 +3,7 @@ package enlightenment.net.server;
 import enlightenment.checkpoint.Origin;
 import enlightenment.engine.UnitAssembly;
 import enlightenment.render.ResultArchive;
+import enlightenment.text.FailureText;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -61,8 +62,8 @@ final class JobArchives implements AutoCloseable {
                 use.of(kept);
             } catch (IOException | RuntimeException | LinkageError | OutOfMemoryError e) {
                 all.remove(kept);
-                String why = e instanceof IOException && e.getMessage() != null ? e.getMessage() : e.toString();
-                log.accept(kept.archive.name() + ": " + why + "; it is not used any more, the render goes on without");
+                log.accept(FailureText.of(kept.archive.name(), e)
+                        + "; it is not used any more, the render goes on without");
             }
         }
     }

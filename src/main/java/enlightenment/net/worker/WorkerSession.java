@@ -11,12 +11,15 @@ import enlightenment.net.schedule.WorkerCore;
 import enlightenment.net.secure.Handshake;
 import enlightenment.net.secure.Tls;
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.security.SecureRandom;
+import java.util.Locale;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLSocket;
 
 /** One connection of a worker, from its first byte to its last. */
@@ -36,6 +39,12 @@ public final class WorkerSession {
     private volatile RenderPool pool;
     private volatile boolean wasWelcome;
     private volatile boolean isOver;
+
+    /** Whether somebody took the connection, then said something; and whether the proof was waited for in vain. */
+    private volatile boolean isConnected;
+
+    private volatile boolean isAnswered;
+    private volatile boolean isTooLate;
     private volatile long opened;
     private volatile Socket socket;
     private ContentHash job;
@@ -93,12 +102,11 @@ public final class WorkerSession {
             ticker.setDaemon(true);
             ticker.start();
             plain.connect(new InetSocketAddress(server.host(), server.port()), CONNECT_TIMEOUT_MILLIS);
+            isConnected = true;
             plain.setTcpNoDelay(true);
             return talk(plain);
         } catch (IOException e) {
-            MessageChannel mine = channel;
-            String reason = mine == null || mine.reason().isEmpty() ? describe(e) : "the server " + mine.reason();
-            return new SessionEnd(jobs.failure() != null || e instanceof Tls.UntrustedException, false, reason);
+            return broken(e);
         } finally {
             isOver = true;
             current.compareAndSet(this, null);
@@ -111,13 +119,37 @@ public final class WorkerSession {
         }
     }
 
-    private String describe(IOException e) {
+    private SessionEnd broken(IOException e) {
         Throwable failure = jobs.failure();
-        if (e instanceof ProtocolException p && p.isAboutTls() && failure == null) {
-            return "the server speaks TLS: a worker of it needs --pin or --tls-ca";
+        MessageChannel mine = channel;
+        String closed = mine == null ? "" : mine.reason();
+        if (failure != null && closed.isEmpty()) {
+            return new SessionEnd(true, false, "rendering failed here: " + FileFailure.told(failure));
         }
-        String said = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-        return failure == null ? said : "rendering failed here: " + FileFailure.told(failure);
+        if (e instanceof ProtocolException p && p.isAboutTls()) {
+            return new SessionEnd(false, false, "the server speaks TLS: a worker of it needs --pin or --tls-ca");
+        }
+        boolean isUntrusted = e instanceof Tls.UntrustedException;
+        if (isConnected && !wasWelcome && !isUntrusted && failure == null) {
+            return unproven(closed.isEmpty() ? stranger(e) : closed);
+        }
+        String reason = closed.isEmpty() ? FileFailure.reason(e) : "the server " + closed;
+        return new SessionEnd(failure != null || isUntrusted, false, reason);
+    }
+
+    /** What somebody does who answers and has not proved to be the server. */
+    private String stranger(IOException e) {
+        if (isTooLate) {
+            return String.format(
+                    Locale.ROOT,
+                    "says %s within %s s",
+                    isAnswered ? "no more" : "nothing",
+                    BigDecimal.valueOf(timing.authenticationMillis(), 3)
+                            .stripTrailingZeros()
+                            .toPlainString());
+        }
+        return (e instanceof ProtocolException || e instanceof SSLException ? "speaks another protocol: " : "")
+                + FileFailure.reason(e);
     }
 
     private SessionEnd talk(Socket plain) throws IOException {
@@ -134,6 +166,7 @@ public final class WorkerSession {
         RANDOM.nextBytes(nonce);
         on.send(hello(nonce));
         Message answer = on.receive();
+        isAnswered = true;
         if (answer instanceof Message.Challenge challenge && challenge.protocol() == Message.PROTOCOL) {
             byte[] proof =
                     Handshake.proof(Handshake.Side.WORKER, server.token(), nonce, challenge.nonce(), certificate);
@@ -279,6 +312,7 @@ public final class WorkerSession {
             }
         }
         if (!wasWelcome && now - opened > timing.authenticationMillis() * 1_000_000L) {
+            isTooLate = isConnected;
             closeSocket();
         }
         if (on != null) {

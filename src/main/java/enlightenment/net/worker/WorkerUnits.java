@@ -46,10 +46,9 @@ public final class WorkerUnits {
             byte[] document, Map<ContentHash, byte[]> images, int tiles, String version, int threads)
             throws IOException {
         WorkerUnits units = new WorkerUnits(images, version, threads);
-        List<FilmContent.Frame> frames = FilmContent.read(document, tiles, version);
-        DividedRender first = units.render(frames.get(0));
-        boolean isPicture = frames.size() == 1 && frames.get(0).group() == 1;
-        return isPicture ? first : units.film(frames);
+        FilmContent.Pictures job = FilmContent.read(document, tiles, version);
+        DividedRender first = units.render(job.frames().get(0));
+        return job.isFilm() ? units.film(job.frames()) : first;
     }
 
     /** The units of a film; makers throw an {@link UncheckedIOException} if a frame cannot be used. */

@@ -3,8 +3,6 @@ package enlightenment.scene.json;
 import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
 import enlightenment.scene.Background;
-import enlightenment.text.Plain;
-import enlightenment.text.Suggestion;
 import java.util.List;
 import java.util.Map;
 
@@ -27,11 +25,12 @@ final class Backgrounds {
     /** Null after a problem, here or where a texture has its name. */
     static Background read(JsonValue v, JsonPointer place, Values values) {
         if (v instanceof JsonValue.Obj o && KINDS.stream().allMatch(key -> o.get(key) == null)) {
-            values.problems().add(v, place, "must be " + EXPECTED + ", not " + describe(o));
+            values.problems().add(v, place, "must be " + EXPECTED + ", not " + Values.describe(o, KINDS));
             return null;
         }
         if (!isMoreThanColor(v)) {
-            return new Background.Constant(values.color(v, place, EXPECTED).linear());
+            Rgb radiance = values.color(v, place, EXPECTED).linear();
+            return values.make(v, place, () -> new Background.Constant(radiance));
         }
         Fields f = Fields.of(v, place, FAMILY, values);
         return f == null ? null : FAMILY.read(f);
@@ -40,15 +39,6 @@ final class Backgrounds {
     /** Whether it says that it is a picture or a sky. */
     static boolean isMoreThanColor(JsonValue v) {
         return v instanceof JsonValue.Obj o && (o.get("texture") != null || o.get("type") != null);
-    }
-
-    /** Of an object that is none of them: its first key, which somebody may have misspelt. */
-    private static String describe(JsonValue.Obj o) {
-        if (o.size() == 0) {
-            return "an empty object";
-        }
-        String meant = Suggestion.nearest(o.key(0), KINDS);
-        return "an object with " + Plain.quoted(o.key(0)) + (meant == null ? "" : "; did you mean \"" + meant + "\"?");
     }
 
     private static Background read(String type, Fields f) {

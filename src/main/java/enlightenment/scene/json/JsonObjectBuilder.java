@@ -51,11 +51,17 @@ final class JsonObjectBuilder {
     }
 
     JsonObjectBuilder put(String key, JsonValue v) {
+        if (key.length() > JsonTree.LONGEST_KEY) {
+            throw SceneException.of(place.toString(), JsonTree.TOO_LONG);
+        }
         values.put(wellFormed(key, key), v);
         return this;
     }
 
     JsonObjectBuilder text(String key, String v) {
+        if (v.length() > JsonTree.LONGEST_TEXT) {
+            throw SceneException.of(place.child(key).toString(), JsonTree.TOO_LONG);
+        }
         return put(key, new JsonValue.Str(0, 0, wellFormed(v, key)));
     }
 

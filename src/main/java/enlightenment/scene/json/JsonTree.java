@@ -37,6 +37,10 @@ final class JsonTree {
     /** What is wrong with a text that UTF-8 cannot say. */
     static final String NO_TEXT = "is not a text: it holds half a character";
 
+    /** What is wrong with a part of a text that is longer than that. */
+    static final String TOO_LONG = "is too long: a number may have " + LONGEST_NUMBER + " characters, a text "
+            + LONGEST_TEXT + ", a key " + LONGEST_KEY;
+
     private static final int LONGEST_SHARED_TEXT = 64;
     private static final int MOST_SHARED_TEXTS = 10_000;
     private static final int FEW_KEYS = 16;

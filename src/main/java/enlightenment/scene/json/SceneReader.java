@@ -92,9 +92,30 @@ public final class SceneReader {
         return scene;
     }
 
+    /**
+     * The same problems with lines and columns, where they had none: of what was found only when the scene was put together.
+     *
+     * @param file where the scene was read from; if it cannot be read any more, or is another scene meanwhile, lines may be missing
+     */
+    public static SceneException located(SceneException e, Path file) {
+        return located(e, () -> decoded(Files.newInputStream(file)));
+    }
+
+    /** The same for bytes that are here already. */
+    public static SceneException located(SceneException e, byte[] json) {
+        return located(e, () -> decoded(new ByteArrayInputStream(json)));
+    }
+
+    private static SceneException located(SceneException e, JsonTree.Source source) {
+        return new SceneException(Places.find(e.problems(), source));
+    }
+
     private static Scene read(Path file, OptionalInt frame) {
         Problems problems = new Problems(file.toString(), remark(frame));
-        if (!Files.exists(file)) {
+        if (file.toString().isEmpty()) {
+            // For Java it is the working folder.
+            problems.add(0, 0, "", "the name of the scene file is empty");
+        } else if (!Files.exists(file)) {
             problems.add(0, 0, "", "there is no such file");
         } else if (Files.isDirectory(file)) {
             problems.add(0, 0, "", "is a folder; expected a scene file");

@@ -38,6 +38,11 @@ final class SyntaxError {
             problems.add(line, at.getColumnNr(), pointer, message);
             return;
         }
+        String withinText = WrongCharacter.withinText(e.getOriginalMessage());
+        if (withinText != null) {
+            problems.add(line, at.getColumnNr(), pointer, "is not JSON: " + withinText);
+            return;
+        }
         Word word = wordAt(source, line, at.getColumnNr());
         String wrongWord = wrongWord(word.text());
         if (wrongWord == null) {
@@ -50,8 +55,7 @@ final class SyntaxError {
     private static String tooMuch(String theirs) {
         return theirs.contains("nesting")
                 ? "is nested more than " + JsonTree.DEEPEST_NESTING + " levels deep"
-                : "is too long: a number may have " + JsonTree.LONGEST_NUMBER + " characters, a text "
-                        + JsonTree.LONGEST_TEXT + ", a key " + JsonTree.LONGEST_KEY;
+                : JsonTree.TOO_LONG;
     }
 
     /** What is wrong with a word, or null if the word is not what is wrong. */
@@ -68,8 +72,9 @@ final class SyntaxError {
 
     /** The parser's reason in the words of people who write scenes. */
     private static String reason(String theirs) {
-        if (theirs.contains("has to be escaped")) {
-            return "a text does not end in its line; a double quote is missing";
+        String betweenValues = WrongCharacter.betweenValues(theirs);
+        if (betweenValues != null) {
+            return betweenValues;
         }
         Matcher bracket = BRACKET.matcher(theirs);
         if (bracket.matches()) {

@@ -4,6 +4,7 @@ import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.image.ImageFormat;
 import enlightenment.material.Texture;
+import enlightenment.text.PathText;
 import enlightenment.text.Plain;
 import enlightenment.text.Suggestion;
 import java.io.IOException;
@@ -27,6 +28,9 @@ final class Textures {
 
     private static final String COLOR =
             Values.COLOR + ", [r, g, b] with components in 0..1, " + Values.LINEAR + ", or {\"texture\": NAME}";
+
+    /** Keys of which a colour in braces has one. */
+    private static final List<String> KINDS = List.of("linear", "texture");
 
     private Textures() {}
 
@@ -76,6 +80,10 @@ final class Textures {
         if (!(v instanceof JsonValue.Obj o) || o.get("linear") != null) {
             Color c = values.color(v, place, COLOR);
             return values.problems().count() > before ? null : Texture.of(c);
+        }
+        if (o.get("texture") == null) {
+            values.problems().add(v, place, "must be " + COLOR + ", not " + Values.describe(o, KINDS));
+            return null;
         }
         Fields f = Fields.of(v, place, Vocabulary.TEXTURE_REFERENCE, values);
         Texture texture = named(f);
@@ -141,7 +149,7 @@ final class Textures {
         try {
             file = f.values().library().folder.resolve(written).normalize();
         } catch (InvalidPathException e) {
-            f.problem("file", "is not a path: " + Plain.quoted(written));
+            f.problem("file", PathText.reason(e));
             return null;
         }
         String problem = problem(

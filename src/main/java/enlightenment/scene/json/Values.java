@@ -12,7 +12,9 @@ import enlightenment.text.Suggestion;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.util.Collection;
+import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 
 /**
  * Takes values of wanted kinds out of JSON. What is not of the kind becomes a problem that says what was found and what
@@ -192,7 +194,11 @@ final class Values {
     /** The same, where more than that is allowed and the message is to say so. */
     Color color(JsonValue v, JsonPointer place, String expected) {
         if (v instanceof JsonValue.Obj o && o.get("texture") == null) {
-            return linear(v, place);
+            if (o.get("linear") != null) {
+                return linear(v, place);
+            }
+            problems.add(v, place, "must be " + expected + ", not " + describe(o, List.of("linear")));
+            return DisplayRgb.BLACK;
         }
         if (v instanceof JsonValue.Str s) {
             int rgb = named(s.text);
@@ -209,6 +215,19 @@ final class Values {
             return DisplayRgb.BLACK;
         }
         return new DisplayRgb(component(a, 0, place), component(a, 1, place), component(a, 2, place));
+    }
+
+    /**
+     * An object that is nothing of what could stand there, for messages: by its first key, which somebody may have misspelt.
+     *
+     * @param kinds keys of which each that could stand there has one
+     */
+    static String describe(JsonValue.Obj o, List<String> kinds) {
+        if (o.size() == 0) {
+            return "an empty object";
+        }
+        String meant = Suggestion.nearest(o.key(0), kinds);
+        return "an object with " + Plain.quoted(o.key(0)) + (meant == null ? "" : "; did you mean \"" + meant + "\"?");
     }
 
     private Rgb linear(JsonValue v, JsonPointer place) {
@@ -232,8 +251,13 @@ final class Values {
         if (problems.count() > before) {
             return null;
         }
+        return make(v, place, () -> new WavelengthBand(low, high));
+    }
+
+    /** Makes a record of a value; what the record refuses becomes a problem with that. Null after it. */
+    <T> T make(JsonValue v, JsonPointer place, Supplier<T> maker) {
         try {
-            return new WavelengthBand(low, high);
+            return maker.get();
         } catch (InvalidValueException e) {
             problems.add(v, place, e.problem());
             return null;

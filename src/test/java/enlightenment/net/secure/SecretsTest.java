@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(120)
+@Timeout(600)
 class SecretsTest {
     /** Where a server has made its secrets; running keytool takes long, so that it is done once. */
     @TempDir

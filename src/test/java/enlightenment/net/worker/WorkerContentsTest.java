@@ -23,14 +23,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** A worker takes no more than a job may have, and nothing that is not what it asked for. */
-@Timeout(60)
+@Timeout(600)
 class WorkerContentsTest {
     /** What a worker makes of a server that answers its first request with this. */
     private static SessionEnd fetch(ContentHash wanted, Message answer, WorkerJobs jobs) throws Exception {
         try (ServerSocket listening = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
                 RawPeer server = new RawPeer(listening.getLocalPort());
                 Socket socket = listening.accept();
-                MessageChannel link = new MessageChannel(socket, socket, Farm.QUICK, "test").begin()) {
+                MessageChannel link = new MessageChannel(socket, socket, Farm.PATIENT, "test").begin()) {
             link.trust();
             server.send(answer);
             return new WorkerContents(link, jobs).fetch(new Message.Job(wanted, 1, List.of(wanted)));

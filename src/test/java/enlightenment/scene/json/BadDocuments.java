@@ -34,6 +34,22 @@ final class BadDocuments {
             edit("\"pupilRadius\"", "\"pupil\"", "/camera/pupil", "unknown key; a window camera has"),
             edit("\"ambient\"", "\"ambience\"", "/shading/ambience", "did you mean \"ambient\"?"),
             edit("\"filter\"", "\"filters\"", "/textures/ice/filters", "did you mean \"filter\"?"),
+            edit(
+                    "{ \"linear\": [0.25, 0.5, 1] }",
+                    "{ \"linaer\": [0.25, 0.5, 1] }",
+                    "/materials/ember/color",
+                    "or {\"texture\": NAME}, not an object with \"linaer\"; did you mean \"linear\"?"),
+            edit(
+                    "{ \"linear\": [0.25, 0.5, 1] }",
+                    "{}",
+                    "/materials/ember/color",
+                    "or {\"texture\": NAME}, not an empty object"),
+            edit(
+                    "\"color\": \"#ffffff\", \"radiance\": [200",
+                    "\"color\": {\"lineal\": [1, 1, 1]}, \"radiance\": [200",
+                    "/lights/0/color",
+                    "of at least 0, not an object with \"lineal\"; did you mean \"linear\"?"),
+            edit("\"#0000ff\"", "{}", "/textures/plain/color", "of at least 0, not an empty object"),
             edit("\"scale\": 8", "\"scale\": 8, \"size\": 3", "/textures/checks/size", "a checker texture has"),
             edit("\"transparency\"", "\"transparancy\"", "/materials/glass/transparancy", "\"transparency\"?"),
             edit(

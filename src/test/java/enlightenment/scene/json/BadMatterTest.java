@@ -45,6 +45,7 @@ class BadMatterTest {
                 "background | 'sky' | | or a sky",
                 "background | {'linear': [1, 1, 1], 'radiance': 2} | /radiance | a linear colour has 'linear'",
                 "background | {'linear': [-1, 0, 0]} | /linear/0 | at least 0",
+                "background | {'linear': [1e101, 0, 0]} | | must be at most 1e100",
                 "background | {'type': 'hosek', 'elevation': 30} | /type | expected one of 'picture', 'sky'",
                 "background | {'type': 'sky'} | /elevation | missing",
                 "background | {'type': 'sky', 'elevation': -5} | /elevation | must lie in 0.0..90.0",

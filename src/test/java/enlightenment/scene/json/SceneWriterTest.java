@@ -159,6 +159,16 @@ class SceneWriterTest {
     }
 
     @Test
+    void aShutterOfMinusZeroIsShutAsAnyOther() {
+        Scene plain = Scene.builder()
+                .camera(new Camera.Isometric(ExactPoint.ORIGIN, 5))
+                .animation(new Animation(10, 25, List.of(), -0.0, 16))
+                .build();
+        assertEquals(plain, Documents.read(SceneWriter.toJson(plain, folder), folder));
+        assertEquals(new Animation(10, 25, List.of(), 0, 16), plain.animation().orElseThrow());
+    }
+
+    @Test
     void whatTheFormatCannotSayIsRefused() {
         TreeMap<Integer, BigDecimal> keys = new TreeMap<>(Map.of(0, BigDecimal.ZERO));
         refused(
@@ -174,6 +184,17 @@ class SceneWriterTest {
                     scene().object(Sphere.of(ExactPoint.of("0", x, "0"), 1), black)
                             .build());
         }
+    }
+
+    @Test
+    void textsAndKeysAreWrittenAsLongAsTheyCanBeReadAndNoLonger() {
+        Material black = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
+        Scene longest = scene().name("n".repeat(1_000_000))
+                .material("k".repeat(10_000), black)
+                .build();
+        assertEquals(longest, Documents.read(SceneWriter.toJson(longest, folder), folder));
+        refused("/name", scene().name("n".repeat(1_000_001)).build());
+        refused("/materials", scene().material("k".repeat(10_001), black).build());
     }
 
     /** A frame with an open shutter was read at its moments, which the file would not have: the blur would be lost without a word. */

@@ -1,0 +1,25 @@
+package enlightenment.scene;
+
+import java.util.List;
+import java.util.Objects;
+
+/** Lists of descriptions that programs make: what is missing in them is told by its name. */
+final class Present {
+    private Present() {}
+
+    /**
+     * An immutable copy.
+     *
+     * @param key what the list is called
+     * @param what what one of its things is called
+     * @throws NullPointerException if it or one of its things is missing; the message says which, counted from 0
+     */
+    static <T> List<T> list(String key, String what, List<T> things) {
+        Objects.requireNonNull(things, key);
+        for (int i = 0; i < things.size(); i++) {
+            int index = i;
+            Objects.requireNonNull(things.get(i), () -> "the " + what + " " + index);
+        }
+        return List.copyOf(things);
+    }
+}

@@ -1,0 +1,69 @@
+package enlightenment.scene.json;
+
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Says what is wrong with a single character of a text that is not JSON, where the parser tells it by its own rules only. */
+final class WrongCharacter {
+    private static final String BACKSLASH =
+            " means nothing in a text: a backslash is written \\\\, and / does as well in the path of a file";
+    private static final Pattern ESCAPE =
+            Pattern.compile("Unrecognized character escape (?:'(.)'|\\(CTRL-CHAR).*", Pattern.DOTALL);
+    private static final Pattern CONTROL = Pattern.compile(".*\\(CTRL-CHAR, code ([0-9]+).*", Pattern.DOTALL);
+
+    private WrongCharacter() {}
+
+    /**
+     * What must not stand within a text or key.
+     *
+     * @param theirs the parser's message
+     * @return null if it is about something else
+     */
+    static String withinText(String theirs) {
+        Matcher escape = ESCAPE.matcher(theirs);
+        if (escape.matches()) {
+            return (escape.group(1) == null
+                            ? "\\ before the end of a line or a control character"
+                            : "\\" + escape.group(1))
+                    + BACKSLASH;
+        }
+        if (theirs.contains("hex-digit")) {
+            return "\\u without four hexadecimal digits" + BACKSLASH;
+        }
+        if (!theirs.contains("has to be escaped")) {
+            return null;
+        }
+        return switch (control(theirs)) {
+            // Without a number it is a parser of another version: this is what it mostly is.
+            case '\n', '\r', -1 -> "a text does not end in its line; a double quote is missing";
+            case '\t' -> "a tab in a text must be written as \\t";
+            default -> "a control character in a text must be written as " + escaped(control(theirs));
+        };
+    }
+
+    /** The same for what must not stand outside of texts. */
+    static String betweenValues(String theirs) {
+        int character = control(theirs);
+        if (character < 0) {
+            return null;
+        }
+        return character == 0
+                ? "found a character NUL, as texts in UTF-16 have them; a scene file must be a text in UTF-8"
+                : String.format(
+                                Locale.ROOT,
+                                "found the control character U+%04X, which may stand only in a text, as ",
+                                character)
+                        + escaped(character);
+    }
+
+    private static String escaped(int character) {
+        return String.format(Locale.ROOT, "\\u%04x", character);
+    }
+
+    /** The control character that a message is about; -1 for none. */
+    private static int control(String theirs) {
+        Matcher control = CONTROL.matcher(theirs);
+        return control.matches() ? Integer.parseInt(control.group(1)) : -1;
+    }
+}

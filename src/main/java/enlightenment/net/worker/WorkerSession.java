@@ -104,7 +104,12 @@ public final class WorkerSession {
             plain.connect(new InetSocketAddress(server.host(), server.port()), CONNECT_TIMEOUT_MILLIS);
             isConnected = true;
             plain.setTcpNoDelay(true);
-            return talk(plain);
+            try {
+                return talk(plain);
+            } catch (IOException e) {
+                // Told before the socket is closed, which would end the channel's writer for a reason of its own.
+                return broken(e);
+            }
         } catch (IOException e) {
             return broken(e);
         } finally {
@@ -131,7 +136,8 @@ public final class WorkerSession {
         }
         boolean isUntrusted = e instanceof Tls.UntrustedException;
         if (isConnected && !wasWelcome && !isUntrusted && failure == null) {
-            return unproven(closed.isEmpty() ? stranger(e) : closed);
+            // What is no message comes before the channel's end, which it may bring about.
+            return unproven(closed.isEmpty() || e instanceof ProtocolException ? stranger(e) : closed);
         }
         String reason = closed.isEmpty() ? FileFailure.reason(e) : "the server " + closed;
         return new SessionEnd(failure != null || isUntrusted, false, reason);

@@ -2,6 +2,7 @@ package enlightenment.compiled;
 
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.MedianCut;
 import enlightenment.primitive.SpherePrimitive;
 
 /**
@@ -83,7 +84,7 @@ final class MirroredLights {
             Vec3 extent = box[node].extent();
             int axis = extent.x() >= extent.y() && extent.x() >= extent.z() ? 0 : extent.y() >= extent.z() ? 1 : 2;
             int middle = middle(from, to);
-            select(from, to - 1, middle, axis);
+            MedianCut.select(order, from, to, middle, light -> along(light, axis), work::steps);
             build(2 * node, from, middle);
             build(2 * node + 1, middle, to);
         }
@@ -97,41 +98,9 @@ final class MirroredLights {
         return new Vec3(lights[light].ballX, lights[light].ballY, lights[light].ballZ);
     }
 
-    private double along(int k, int axis) {
-        PhysicalLight l = lights[order[k]];
+    private double along(int light, int axis) {
+        PhysicalLight l = lights[light];
         return axis == 0 ? l.ballX : axis == 1 ? l.ballY : l.ballZ;
-    }
-
-    /** Orders a range, both ends included, so that no light before a place is farther along the axis than one from there on (Hoare). */
-    private void select(int from, int to, int place, int axis) {
-        int low = from;
-        int high = to;
-        while (low < high) {
-            work.steps(high - low);
-            double pivot = along((low + high) >>> 1, axis);
-            int i = low;
-            int k = high;
-            while (i <= k) {
-                while (along(i, axis) < pivot) {
-                    i++;
-                }
-                while (along(k, axis) > pivot) {
-                    k--;
-                }
-                if (i <= k) {
-                    int swapped = order[i];
-                    order[i++] = order[k];
-                    order[k--] = swapped;
-                }
-            }
-            if (place <= k) {
-                high = k;
-            } else if (place >= i) {
-                low = i;
-            } else {
-                return;
-            }
-        }
     }
 
     /** Offers a mirror with each light that is no face of it; those that surely are not taken are left out. */

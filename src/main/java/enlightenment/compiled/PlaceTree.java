@@ -1,5 +1,6 @@
 package enlightenment.compiled;
 
+import enlightenment.numeric.MedianCut;
 import java.util.Arrays;
 
 /**
@@ -93,7 +94,8 @@ final class PlaceTree {
                 return;
             }
             int middle = (from + to) >>> 1;
-            select(centers[widest(from, to)], from, to, middle);
+            double[] along = centers[MedianCut.longestSide(from, to, (k, axis) -> centers[axis][items[k]])];
+            MedianCut.select(items, from, to, middle, item -> along[item], count -> {});
             build(2 * node + 1, from, middle, below - 1);
             build(2 * node + 2, middle, to, below - 1);
         }
@@ -108,55 +110,6 @@ final class PlaceTree {
                 }
                 nodes[at + c] = low;
                 nodes[at + 3 + c] = high;
-            }
-        }
-
-        private int widest(int from, int to) {
-            int widest = 0;
-            double most = Double.NEGATIVE_INFINITY;
-            for (int c = 0; c < 3; c++) {
-                double low = Double.POSITIVE_INFINITY;
-                double high = Double.NEGATIVE_INFINITY;
-                for (int i = from; i < to; i++) {
-                    low = Math.min(low, centers[c][items[i]]);
-                    high = Math.max(high, centers[c][items[i]]);
-                }
-                if (high - low > most) {
-                    most = high - low;
-                    widest = c;
-                }
-            }
-            return widest;
-        }
-
-        /** Puts the smaller values before the place m, the larger ones there and behind (Hoare's select). */
-        private void select(double[] values, int from, int to, int m) {
-            int low = from;
-            int high = to - 1;
-            while (low < high) {
-                double pivot = values[items[(low + high) >>> 1]];
-                int i = low;
-                int k = high;
-                while (i <= k) {
-                    while (values[items[i]] < pivot) {
-                        i++;
-                    }
-                    while (values[items[k]] > pivot) {
-                        k--;
-                    }
-                    if (i <= k) {
-                        int item = items[i];
-                        items[i++] = items[k];
-                        items[k--] = item;
-                    }
-                }
-                if (m <= k) {
-                    high = k;
-                } else if (m >= i) {
-                    low = i;
-                } else {
-                    return;
-                }
             }
         }
     }

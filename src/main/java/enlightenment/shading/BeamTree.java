@@ -1,5 +1,6 @@
 package enlightenment.shading;
 
+import enlightenment.numeric.MedianCut;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
@@ -49,7 +50,7 @@ final class BeamTree {
             }
             return;
         }
-        int axis = LongestSide.of(first, end, (k, side) -> start(beams[k], side));
+        int axis = MedianCut.longestSide(first, end, (k, side) -> start(beams[k], side));
         Arrays.sort(beams, first, end, (a, b) -> Double.compare(start(a, axis), start(b, axis)));
         int middle = first + (end - first) / 2;
         build(2 * node + 1, first, middle, paths);

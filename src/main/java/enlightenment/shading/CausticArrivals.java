@@ -5,6 +5,7 @@ import enlightenment.bsdf.Scattering;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.MirrorBalls;
 import enlightenment.compiled.RayCounters;
+import enlightenment.numeric.MedianCut;
 import enlightenment.primitive.Hit;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -130,7 +131,7 @@ final class CausticArrivals extends LightWalker {
             first[node - axes.length] = from;
             return;
         }
-        int axis = LongestSide.of(from, to, (k, side) -> arrivals[k][side]);
+        int axis = MedianCut.longestSide(from, to, (k, side) -> arrivals[k][side]);
         Arrays.sort(arrivals, from, to, (a, b) -> Double.compare(a[axis], b[axis]));
         int middle = from + (to - from) / 2;
         axes[node] = axis;

@@ -1,14 +1,11 @@
 package enlightenment.compiled;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
-import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 
 /** Large scenes need not be prepared to the end if nobody wants them any more. */
@@ -42,35 +39,22 @@ class CompileCancelledTest {
                 "");
     }
 
-    /** How often compiling asks whether it is to end, if it is from the given time on. */
-    private static int asked(Scene scene, int patience) {
-        int[] asked = new int[1];
-        Runnable compiling = () ->
-                SceneCompiler.compile(scene, RenderSettings.of(scene), new SceneImages(), () -> ++asked[0] >= patience);
-        if (patience == Integer.MAX_VALUE) {
-            compiling.run();
-        } else {
-            assertThrows(CancellationException.class, compiling::run);
-        }
-        return asked[0];
-    }
-
     /** Placing n objects, comparing them, looking where n lights lie, and the n / 1024 and more largest ranges of two trees. */
     @Test
     void itEndsWhereverItIsAsked() {
         int n = 4 * 1024;
         Scene lights = scene(n, 0);
-        int all = asked(lights, Integer.MAX_VALUE);
+        int all = Polls.ofCompiling(Polls.NEVER, lights);
         assertTrue(all >= 5 * 4, all + " times");
         for (int patience = 1; patience <= all; patience++) {
-            assertEquals(patience, asked(lights, patience));
+            assertEquals(patience, Polls.ofCompiling(patience, lights));
         }
-        int ofSpheres = asked(scene(0, n), Integer.MAX_VALUE);
+        int ofSpheres = Polls.ofCompiling(Polls.NEVER, scene(0, n));
         assertTrue(ofSpheres >= 3 * 4 && ofSpheres < all, ofSpheres + " times");
     }
 
     @Test
     void smallScenesAreMadeWithoutAsking() {
-        assertEquals(0, asked(scene(100, 900), Integer.MAX_VALUE));
+        assertEquals(0, Polls.ofCompiling(Polls.NEVER, scene(100, 900)));
     }
 }

@@ -2,7 +2,6 @@ package enlightenment.compiled;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
@@ -106,12 +105,6 @@ class LightMediaTest {
     }
 
     private static int asked(CompiledScene scene, int patience) {
-        int[] asked = new int[1];
-        Runnable poll = () -> {
-            if (++asked[0] >= patience) {
-                throw new CancellationException();
-            }
-        };
         CompiledPrimitives compiled = new CompiledPrimitives(
                 scene.primitives,
                 new FaceMaterials(scene.primitives.length, id -> List.of(scene.material(id, 0))),
@@ -121,13 +114,13 @@ class LightMediaTest {
                 scene.object,
                 scene.objects,
                 scene.mediumRank);
-        Runnable finding = () -> LightMedia.find(scene.physical.lights, compiled, scene.accelerator, poll);
-        if (patience == Integer.MAX_VALUE) {
-            finding.run();
-        } else {
-            assertThrows(CancellationException.class, finding::run);
-        }
-        return asked[0];
+        return Polls.of(
+                patience,
+                ends -> LightMedia.find(scene.physical.lights, compiled, scene.accelerator, () -> {
+                    if (ends.getAsBoolean()) {
+                        throw new CancellationException();
+                    }
+                }));
     }
 
     /** A step for each light, and for each primitive of a leaf or two that a point may be near: a loop would take n². */
@@ -136,7 +129,7 @@ class LightMediaTest {
         int n = 4096;
         Scene scene = grid(GLASS, n);
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
-        int all = asked(compiled, Integer.MAX_VALUE);
+        int all = asked(compiled, Polls.NEVER);
         assertTrue(all >= n / 1024 && all <= n / 1024 * 20, all + " times");
         for (int patience = 1; patience <= all; patience++) {
             assertEquals(patience, asked(compiled, patience));

@@ -3,7 +3,6 @@ package enlightenment.compiled;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
@@ -24,7 +23,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.SplittableRandom;
-import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 
 /** The pairs of mirror balls and lights that are kept, against a loop over all pairs. */
@@ -142,29 +140,17 @@ class MirrorBallsTest {
         return b;
     }
 
-    /** How often compiling asks whether it is to end, if it is from the given time on. */
-    private static int asked(Scene scene, int patience) {
-        int[] asked = new int[1];
-        Runnable compiling = () ->
-                SceneCompiler.compile(scene, RenderSettings.of(scene), new SceneImages(), () -> ++asked[0] >= patience);
-        if (patience == Integer.MAX_VALUE) {
-            compiling.run();
-        } else {
-            assertThrows(CancellationException.class, compiling::run);
-        }
-        return asked[0];
-    }
-
     /** Each mirror asks once for at least one node of the tree, each light is put into one: with 2048 of each that is four times 1024. */
     @Test
     void lookingForPairsEndsWhereverItIsAsked() {
         int n = 2048;
-        int plain = asked(crowd(Material.Matte.of(GREY), n).build(), Integer.MAX_VALUE);
+        int plain =
+                Polls.ofCompiling(Polls.NEVER, crowd(Material.Matte.of(GREY), n).build());
         Scene mirrored = crowd(MIRROR, n).build();
-        int all = asked(mirrored, Integer.MAX_VALUE);
+        int all = Polls.ofCompiling(Polls.NEVER, mirrored);
         assertTrue(all >= plain + 4, plain + " times without mirrors, " + all + " with them");
         for (int patience = plain; patience <= all; patience += 1 + (all - plain) / 8) {
-            assertEquals(patience, asked(mirrored, patience));
+            assertEquals(patience, Polls.ofCompiling(patience, mirrored));
         }
     }
 

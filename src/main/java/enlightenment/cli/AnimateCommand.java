@@ -162,9 +162,10 @@ final class AnimateCommand extends Subcommand {
 
     /** As many as can be looked at in some seconds. */
     private void checkFrames(Animation animation, FrameRange range) throws IOException {
+        FrameCheck check = new FrameCheck(input, animation);
         for (int frame : FrameChoice.of(animation, input.size()).frames()) {
             if (frame >= range.first() && frame <= range.last()) {
-                FrameCheck.check(input, frame);
+                check.check(frame);
             }
         }
     }

@@ -1,19 +1,27 @@
 package enlightenment.cli;
 
-import enlightenment.render.Renderer;
+import enlightenment.render.Film;
+import enlightenment.scene.Animation;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.util.Optional;
 
 /** Whether frames of an animation can be used, found out without rendering them. */
 final class FrameCheck {
-    private FrameCheck() {}
+    private final SceneInput input;
+    private final Film film;
+
+    /** Of a file's frames. */
+    FrameCheck(SceneInput input, Animation animation) {
+        this.input = input;
+        film = Film.of(animation, frame -> input.read(Optional.of(frame)));
+    }
 
     /** Fails with messages that name the frame, if it cannot. */
-    static void check(SceneInput input, int frame) {
-        Scene scene = input.read(Optional.of(frame));
+    void check(int frame) {
+        Scene scene = film.scene(frame);
         try {
-            Renderer.checkShapes(scene);
+            film.check(scene);
         } catch (SceneException e) {
             throw named(input, frame, e);
         }

@@ -65,9 +65,10 @@ final class ValidateCommand extends Subcommand {
         FrameChoice choice = FrameChoice.of(animation, input.size());
         Set<String> places = new HashSet<>();
         List<Integer> bad = new ArrayList<>();
+        FrameCheck check = new FrameCheck(input, animation);
         for (int frame : choice.frames()) {
             try {
-                FrameCheck.check(input, frame);
+                check.check(frame);
             } catch (SceneException e) {
                 bad.add(frame);
                 List<SceneException.Problem> fresh = e.problems().stream()

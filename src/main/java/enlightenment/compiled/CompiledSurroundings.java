@@ -3,6 +3,8 @@ package enlightenment.compiled;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.scene.Background;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.surroundings.Surroundings;
 import java.io.IOException;
@@ -24,6 +26,20 @@ final class CompiledSurroundings {
             return made(background, files);
         } catch (InvalidValueException e) {
             throw SceneException.of("/shading/background/" + e.key(), e.problem());
+        }
+    }
+
+    /**
+     * Fails where the light of a picture or a sky is too much, as {@link #of} does. Light as it is, or dimmed, never is: then nothing is read
+     * or made.
+     */
+    static void check(Scene scene, SceneImages images) {
+        Background background = scene.shading() instanceof PhysicalShading p ? p.background() : null;
+        if (background instanceof Background.Picture p && p.radiance().max() > 1) {
+            images.around(new Background.Picture(p.picture(), p.radiance(), 0));
+        } else if (background instanceof Background.Sky s && s.radiance().max() > 1) {
+            images.around(
+                    new Background.Sky(s.elevation(), 0, s.turbidity(), s.groundAlbedo(), s.radiance(), s.hasSun()));
         }
     }
 

@@ -99,8 +99,19 @@ public final class SceneCompiler {
         return compile(scene, settings, LOOP_LIMIT, images, Primitives::placeAll, poll);
     }
 
-    /** Throws where {@link #compile} would, textures and surroundings aside, and builds no more than that takes. */
-    public static void check(Scene scene) {
+    /**
+     * Throws where {@link #compile} would, textures of surfaces aside, and builds no more than that takes.
+     *
+     * @param images reads the picture of surroundings where that is needed
+     */
+    public static void check(Scene scene, SceneImages images) {
+        check(scene);
+        scene.instants().forEach(moment -> CompiledSurroundings.check(moment, images));
+        CompiledSurroundings.check(scene, images);
+    }
+
+    /** The same, surroundings aside as well. */
+    static void check(Scene scene) {
         requireMemory(scene);
         scene.instants().forEach(SceneCompiler::checkMoment);
         checkMoment(scene);

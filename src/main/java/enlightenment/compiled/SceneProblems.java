@@ -96,8 +96,8 @@ public final class SceneProblems {
                 Problem problem = e.problems().get(0);
                 if (problem.pointer().endsWith("/texture")) {
                     tell(name, problem.message());
-                } else {
-                    // It is not the file's fault.
+                } else if (!problems.contains(problem)) {
+                    // It is not the file's fault, which may have several names.
                     problems.add(problem);
                 }
             } catch (IOException e) {

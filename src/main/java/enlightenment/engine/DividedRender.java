@@ -41,10 +41,8 @@ public final class DividedRender implements UnitSource {
     private final RenderCourse course;
 
     DividedRender(
-            String name,
             CompiledScene compiled,
-            RenderSettings settings,
-            RenderPlan plan,
+            RenderOutline outline,
             Phases phases,
             Planner planner,
             Rounds rounds,
@@ -52,8 +50,8 @@ public final class DividedRender implements UnitSource {
             Stopwatch time) {
         this.compiled = compiled;
         this.planner = planner;
-        outline = RenderOutline.of(name, compiled, settings, plan);
-        units = WorkUnits.forMachines(settings, plan);
+        this.outline = outline;
+        units = WorkUnits.forMachines(outline.settings(), outline.plan());
         form = ResultForm.of(units, outline);
         course = new RenderCourse(outline, phases, rounds, round, time);
     }
@@ -99,8 +97,9 @@ public final class DividedRender implements UnitSource {
                 phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images, stopped));
         Planner planner = new Planner(compiled, settings, stopped);
         RenderPlan plan = phases.run("plan", () -> isLast ? planner.planOnce(time) : planner.plan(time, 0));
-        Rounds rounds = Rounds.of(settings, compiled);
-        return new DividedRender(scene.name(), compiled, settings, plan, phases, planner, rounds, 1, time);
+        Rounds rounds = Rounds.of(settings, compiled, stopped);
+        RenderOutline outline = RenderOutline.of(scene.name(), compiled, settings, plan);
+        return new DividedRender(compiled, outline, phases, planner, rounds, 1, time);
     }
 
     /** What cannot be kept of the budget, or only at a price, in plain words. */
@@ -137,7 +136,8 @@ public final class DividedRender implements UnitSource {
     }
 
     /**
-     * A render that was planned elsewhere.
+     * A render that was planned elsewhere, to make its units. Who puts them together has the outline of the render that was planned: this
+     * one's knows nothing of light that is left to chance.
      *
      * @param files gives the content of an image file, or null if it is to be read from the disk
      * @throws enlightenment.scene.SceneException if the scene cannot be used
@@ -156,30 +156,18 @@ public final class DividedRender implements UnitSource {
     public static DividedRender planned(Scene scene, RenderSettings settings, RenderPlan plan, SharedImages images) {
         Phases phases = new Phases();
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images));
-        return new DividedRender(
-                scene.name(),
-                compiled,
-                settings,
-                plan,
-                phases,
-                null,
-                new Rounds(settings.budget()),
-                1,
-                Stopwatch.started());
+        return alone(compiled, RenderOutline.ofUnits(scene.name(), compiled, settings, plan), phases);
     }
 
     /** The units of a render whose scene is compiled, and which is planned. */
     public static DividedRender of(String name, CompiledScene compiled, RenderSettings settings, RenderPlan plan) {
-        return new DividedRender(
-                name,
-                compiled,
-                settings,
-                plan,
-                new Phases(),
-                null,
-                new Rounds(settings.budget()),
-                1,
-                Stopwatch.started());
+        return alone(compiled, RenderOutline.of(name, compiled, settings, plan), new Phases());
+    }
+
+    /** A render that no other follows. */
+    private static DividedRender alone(CompiledScene compiled, RenderOutline outline, Phases phases) {
+        Rounds rounds = new Rounds(outline.settings().budget());
+        return new DividedRender(compiled, outline, phases, null, rounds, 1, Stopwatch.started());
     }
 
     @Override

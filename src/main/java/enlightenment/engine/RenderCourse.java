@@ -87,7 +87,7 @@ public final class RenderCourse {
         Phases further = phases.copy();
         further.again();
         RenderPlan more = further.run("plan", () -> planner.withSamples(samples, rounds.decidedBy(samples)));
-        return new DividedRender(
-                outline.sceneName(), compiled, outline.settings(), more, further, planner, rounds, round + 1, time);
+        RenderOutline next = RenderOutline.of(outline.sceneName(), compiled, outline.settings(), more);
+        return new DividedRender(compiled, next, further, planner, rounds, round + 1, time);
     }
 }

@@ -48,11 +48,15 @@ public record RenderOutline(
 
     /** The outline of a render of this scene. */
     public static RenderOutline of(String sceneName, CompiledScene scene, RenderSettings settings, RenderPlan plan) {
+        return ofUnits(sceneName, scene, settings, plan).withChance(Integrators.chance(plan, scene, settings.region()));
+    }
+
+    /** The same where units are made only, not the picture: what light is left to chance, which takes time to find out, is no matter then. */
+    static RenderOutline ofUnits(String sceneName, CompiledScene scene, RenderSettings settings, RenderPlan plan) {
         List<String> features = new ArrayList<>(scene.features());
         Integrators.blindSpot(settings.method(), scene).ifPresent(features::add);
-        RenderOutline outline = new RenderOutline(sceneName, settings, plan, features, scene.kindNames)
-                .withDisplay(scene.display)
-                .withChance(Integrators.chance(plan, scene, settings.region()));
+        RenderOutline outline =
+                new RenderOutline(sceneName, settings, plan, features, scene.kindNames).withDisplay(scene.display);
         RayCounters nobodys = new RayCounters(scene.kindNames.size());
         WorkUnits units = WorkUnits.forMachines(settings, plan);
         if (units.batches() == 0) {

@@ -185,7 +185,7 @@ public final class ErrorEstimate {
     /** The mean square of what no sample may have met. */
     private static double unseen(long pixels, long samples, double contrast) {
         double hidden = contrast * Math.min(HIDDEN * pixels / Math.max(samples, 1), 1);
-        return HIDING * hidden * hidden / Math.max(pixels, 1);
+        return Math.min(HIDING, pixels) * hidden * hidden / Math.max(pixels, 1);
     }
 
     /**
@@ -297,7 +297,10 @@ public final class ErrorEstimate {
 
     /** The upper end of that interval. */
     public double high() {
-        return Math.sqrt(meanSquare * most + unseen);
+        double square = meanSquare * most + unseen;
+        // Nothing that a screen shows is off by more than white is from black; what is display-referred may be whiter
+        // in a file.
+        return Math.sqrt(linear == null ? square : Math.min(square, WHITE));
     }
 
     /** The estimated variance of each pixel, row by row; of a single pixel it is a rough guess. */

@@ -68,8 +68,8 @@ final class GroupSpread {
      */
     double inverse() {
         // Of pixels that err each for itself. The shares of n equal ones in the sum have the Dirichlet distribution
-        // whose parameters are h, half the number of contrasts; the sum of their squares has the mean (h + 1)/(n h +
-        // 1), and 1/n is sought.
+        // whose parameters are h, half the number of contrasts. The mean of the sum of their squares is
+        // (h + 1)/(n h + 1), and 1/n is sought.
         double share = squares / (sum * sum);
         double half = 0.5 * contrasts;
         double inverse = share * half / (half + 1 - share);

@@ -3,11 +3,13 @@ package enlightenment.method;
 import enlightenment.compiled.ChanceLights;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
+import enlightenment.compiled.RefractingMedia;
 import enlightenment.film.SplatBatch;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
 import enlightenment.shading.ChanceSearch;
 import enlightenment.shading.LightPathTracer;
+import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -91,6 +93,10 @@ public final class LightPaths implements SplatIntegrator {
 
     /** The same of what paths from both ends find by chance only, or of few of which samples tell too little. */
     public static ChanceLights leftByBothEnds(CompiledScene scene, BooleanSupplier cancelled) {
+        if (Arrays.stream(scene.moments()).noneMatch(RefractingMedia::areThere)) {
+            // Paths from both ends meet in such media only.
+            return leftToChance(scene, cancelled);
+        }
         return scene.once(OfBothEnds.class, () -> new OfBothEnds(ChanceSearch.byBothEnds(scene, cancelled))).lights;
     }
 

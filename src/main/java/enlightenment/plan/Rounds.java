@@ -79,9 +79,15 @@ public final class Rounds {
         this.lasting = lasting;
     }
 
-    /** The rounds of a render of this scene. */
-    public static Rounds of(RenderSettings settings, CompiledScene scene) {
-        return new Rounds(settings.budget(), lasting(settings, scene, () -> false));
+    /**
+     * The rounds of a render of this scene.
+     *
+     * @param cancelled asked now and then
+     * @throws java.util.concurrent.CancellationException soon after that has become true, where a planner has not found out before what
+     *     light is left to chance
+     */
+    public static Rounds of(RenderSettings settings, CompiledScene scene, BooleanSupplier cancelled) {
+        return new Rounds(settings.budget(), lasting(settings, scene, cancelled));
     }
 
     /** What no number of samples mends that is tried; parameters as of {@link Integrators#chance}. */
@@ -193,9 +199,8 @@ public final class Rounds {
         double last = StrictMath.log(error / e) / StrictMath.log(n / samples);
         double slope = Math.max(inAll, last);
         double needed = slope > 0 ? n * StrictMath.pow(e / aim, 1 / slope) : Double.POSITIVE_INFINITY;
-        // Upper ends jump where rare bright samples come up first: what independent samples of the estimated error
-        // would
-        // do is tried.
+        // Upper ends jump where rare bright samples come up first: what independent samples of the estimated
+        // error would do is tried.
         outOfReach = needed > TOO_MANY && asIndependent(n, told, aim) > MANY ? needed : 0;
         return outOfReach > 0;
     }

@@ -1,6 +1,7 @@
 package enlightenment.render;
 
 import enlightenment.check.Check;
+import enlightenment.compiled.SceneCompiler;
 import enlightenment.compiled.SceneImages;
 import enlightenment.scene.Animation;
 import enlightenment.scene.RenderSettings;
@@ -84,6 +85,17 @@ public final class Film {
     public RenderRequest request(int frame) {
         Scene scene = scene(frame);
         return RenderRequest.of(scene, RenderSettings.of(scene));
+    }
+
+    /**
+     * Fails where rendering a frame would because of its camera, lights, shapes or surroundings, but builds nothing to render with and does
+     * not look at the textures of surfaces, which are those of all frames: {@link Renderer#check} does.
+     *
+     * @param frame the frame's {@link #scene}
+     * @throws enlightenment.scene.SceneException if it cannot be rendered, with all lights that are too much for their size
+     */
+    public void check(Scene frame) {
+        SceneCompiler.check(frame, files);
     }
 
     /**

@@ -58,9 +58,14 @@ final class RenderRounds {
         this.archives = archives;
     }
 
+    /** What there is of a picture that was stopped before it was planned. */
+    RenderResult nothing() {
+        return render(planner.none(), 1);
+    }
+
     /** The last picture that became whole; if not even the first did, what there is of it. */
     RenderResult run(RenderPlan first) {
-        Rounds rounds = Rounds.of(settings, scene);
+        Rounds rounds = Rounds.of(settings, scene, request.cancelled());
         RenderResult best = null;
         RenderPlan plan = first;
         for (int round = 1; ; round++) {

@@ -142,8 +142,7 @@ public final class Renderer {
             plan = phases.run("plan", () -> kept.map(planner::known)
                     .orElseGet(() -> planner.plan(time, (previewed ? Preview.SHARE : 0) + parts.share())));
         } catch (CancellationException e) {
-            return new RenderRounds(stoppable, scene, planner, null, pass, parts, phases, time, null)
-                    .run(planner.none());
+            return new RenderRounds(stoppable, scene, planner, null, pass, parts, phases, time, null).nothing();
         }
         PictureMemory.check(settings, images + (plan.lightPaths() > 0 ? PictureMemory.IMAGES_OF_ADDED_SPLATS : 0));
         planner.notes().forEach(request.progress()::note);
@@ -195,16 +194,6 @@ public final class Renderer {
      */
     public static void check(Scene scene, RenderSettings settings) {
         SceneProblems.check(scene, settings, ImageFiles::read);
-    }
-
-    /**
-     * Fails where a render would because of the scene's camera, lights or shapes, as {@link #check} does, but does not look at textures
-     * and surroundings and builds nothing to render with: for the frames of an animation, which have the same textures.
-     *
-     * @throws SceneException if the scene cannot be rendered, with all lights that are too much for their size
-     */
-    public static void checkShapes(Scene scene) {
-        SceneCompiler.check(scene);
     }
 
     /** Whether a method can tell of its camera samples one by one, to a {@link SampleArchive}. */

@@ -16,9 +16,12 @@ final class Present {
      */
     static <T> List<T> list(String key, String what, List<T> things) {
         Objects.requireNonNull(things, key);
-        for (int i = 0; i < things.size(); i++) {
-            int index = i;
-            Objects.requireNonNull(things.get(i), () -> "the " + what + " " + index);
+        int index = 0;
+        for (T thing : things) {
+            if (thing == null) {
+                throw new NullPointerException("the " + what + " " + index);
+            }
+            index++;
         }
         return List.copyOf(things);
     }

@@ -24,13 +24,16 @@ public final class PathText {
 
     static String reason(InvalidPathException e, Charset names) {
         String quoted = Plain.quoted(e.getInput());
-        boolean isAboutLocale = e.getInput().indexOf('\0') < 0 && isBeyond(e.getInput(), names);
-        return isAboutLocale ? "the name " + quoted + inexpressible(names) : "is not a path: " + quoted;
+        return isAboutLocale(e, names) ? "the name " + quoted + inexpressible(names) : "is not a path: " + quoted;
     }
 
     /** Whether it is the locale that has no letters for the text. */
     public static boolean isAboutLocale(InvalidPathException e) {
-        return !reason(e).startsWith("is not");
+        return isAboutLocale(e, encoding());
+    }
+
+    private static boolean isAboutLocale(InvalidPathException e, Charset names) {
+        return e.getInput().indexOf('\0') < 0 && isBeyond(e.getInput(), names);
     }
 
     /** Why nothing can be found by names that are relative to the working folder; empty if it can. */

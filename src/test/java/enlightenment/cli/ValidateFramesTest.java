@@ -4,11 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import enlightenment.scene.Animation;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
@@ -16,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is wrong with an animation shows in some of its frames only. */
 class ValidateFramesTest {
@@ -92,6 +97,35 @@ class ValidateFramesTest {
         CliRun film = CliRun.of("animate", scene, "-o", folder.resolve("f/%d.png"), "--samples", "1");
         assertEquals(2, film.code());
         assertEquals(run.errLines().get(0), film.errLines().get(0).replaceFirst("^enlightenment: ", ""));
+        assertFalse(Files.exists(folder.resolve("f")));
+    }
+
+    /** A sky's light is some ten times its radiance, a picture's as much as that. */
+    @ParameterizedTest
+    @ValueSource(strings = {"\"type\": \"sky\", \"elevation\": 30", "\"texture\": \"around\""})
+    void surroundingsThatBecomeTooBrightAreFoundBeforeTheFilmIsBegun(String kind) throws IOException {
+        float[] white = new float[24];
+        Arrays.fill(white, 1);
+        ImageFiles.writePng(new Image(4, 2, white, Encoding.DISPLAY), folder.resolve("around.png"));
+        Path scene = Files.writeString(
+                folder.resolve("around.json"),
+                """
+                { "image": { "width": 8, "height": 8 },
+                  "camera": { "type": "perspective", "eye": [0, 0, -5], "lookAt": [0, 0, 0], "fieldOfView": 40 },
+                  "shading": { "model": "physical", "background": { %s, "radiance": 1 } },
+                  "textures": { "around": { "file": "around.png" } }, "objects": [],
+                  "animation": { "frames": 4, "framesPerSecond": 25,
+                    "tracks": [{ "target": "/shading/background/radiance", "keys": { "0": 1, "2": 2, "3": 1e50 } }] } }
+                """
+                        .formatted(kind));
+        CliRun run = CliRun.of("validate", scene);
+        assertEquals(2, run.code());
+        assertTrue(run.errLines().get(0).contains("/shading/background/radiance: times the light of the"), run.err());
+        assertTrue(run.errLines().get(0).endsWith("(in frame 3)"), run.err());
+        assertEquals(
+                scene + ": 1 of all 4 frames cannot be used: 3", run.errLines().get(1));
+        CliRun film = CliRun.of("animate", scene, "-o", folder.resolve("f/%d.png"), "--samples", "1");
+        assertEquals(2, film.code());
         assertFalse(Files.exists(folder.resolve("f")));
     }
 

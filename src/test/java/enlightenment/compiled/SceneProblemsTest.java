@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class SceneProblemsTest {
-    /** A texel of 1 and a sky of about 10 times 1e99: more than any float. */
+    /** A texel of 1 and a sky of about 10 times 1e99: more than any float. The file has two names, and is told once. */
     @ParameterizedTest
     @ValueSource(strings = {"\"texture\": \"around\"", "\"type\": \"sky\", \"elevation\": 30"})
     void surroundingsThatAreTooBrightAreToldAtTheirRadiance(String kind, @TempDir Path folder) throws IOException {
@@ -36,7 +36,7 @@ class SceneProblemsTest {
                 { "image": { "width": 8, "height": 6 },
                   "camera": { "type": "perspective", "eye": [0, 0, 0], "lookAt": [0, 0, 1], "fieldOfView": 40 },
                   "shading": { "model": "physical", "background": { %s, "radiance": 1e99 } },
-                  "textures": { "around": { "file": "around.png" } }, "objects": [] }
+                  "textures": { "around": { "file": "around.png" }, "again": { "file": "around.png" } }, "objects": [] }
                 """
                         .formatted(kind),
                 folder,

@@ -6,18 +6,22 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.compiled.ChanceError;
 import enlightenment.film.FilmTile;
 import enlightenment.plan.RenderPlan;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
+import enlightenment.scene.Budget;
 import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
 import java.nio.ByteBuffer;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -65,6 +69,22 @@ class DividedRenderTest {
         assertEquals(expected.report().sampling(), actual.report().sampling());
         assertEquals(expected.report().hitsByPrimitive(), actual.report().hitsByPrimitive());
         assertEquals(expected.report().pixels(), actual.report().pixels());
+    }
+
+    /** Finding it out takes time, which a worker would spend for nothing. */
+    @Test
+    void whoOnlyMakesUnitsDoesNotSeekLightThatIsLeftToChance() {
+        Scene scene = SceneReader.read(Path.of("scenes/caustics.json"));
+        RenderSettings settings = RenderSettings.of(scene).withSize(12, 8).withBudget(Budget.NONE.withSamples(2));
+        DividedRender planned = DividedRender.prepare(scene, settings, () -> false);
+        assertTrue(planned.outline().chance().shortfall() > 0);
+        DividedRender worker = DividedRender.planned(scene, settings, planned.plan(), file -> null);
+        assertEquals(ChanceError.NONE, worker.outline().chance());
+        assertEquals(
+                planned.outline(), worker.outline().withChance(planned.outline().chance()));
+        for (int unit = 0; unit < planned.units(); unit++) {
+            assertArrayEquals(planned.maker().make(unit), worker.maker().make(unit));
+        }
     }
 
     @Test

@@ -3,10 +3,14 @@ package enlightenment.physical;
 import static enlightenment.physical.PhysicalScenes.at;
 import static enlightenment.physical.PhysicalScenes.matte;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.geometry.Sphere;
 import enlightenment.math.Vec3;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.Renderer;
+import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -27,6 +31,27 @@ class TinyPicturesTest {
             RenderSettings settings =
                     RenderSettings.of(scene).withMethod(method).withAntialias(16);
             assertEquals(0.5, Rendered.mean(scene, settings), noise(method), size[0] + " x " + size[1]);
+        }
+    }
+
+    /** A screen shows nothing that is off by more than white is from black, however little is known of a pixel. */
+    @ParameterizedTest
+    @EnumSource(BuiltInMethod.class)
+    void noneIsToldToErrByMoreThanAScreenCan(BuiltInMethod method) {
+        for (int[] size : new int[][] {{1, 1}, {2, 1}, {3, 1}, {2, 2}}) {
+            for (int samples : new int[] {1, 2, 4}) {
+                Scene scene = PhysicalScenes.view(size[0], size[1])
+                        .shading(PhysicalScenes.shading(1))
+                        .object(new Sphere(at(0, 0, 0), 1, 0), matte(0.5, 0.5, 0.5))
+                        .build();
+                RenderSettings settings =
+                        RenderSettings.of(scene).withMethod(method).withBudget(Budget.NONE.withSamples(samples));
+                double high = Renderer.render(scene, settings, RenderProgress.NONE, () -> false)
+                        .report()
+                        .sampling()
+                        .errorHigh();
+                assertTrue(high <= 1, high + " of " + size[0] + " x " + size[1] + " pixels, " + samples + " samples");
+            }
         }
     }
 

@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.compiled.ChanceError;
+import enlightenment.compiled.ChanceLights;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.SceneCompiler;
+import enlightenment.method.LightPaths;
+import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -15,6 +18,7 @@ import enlightenment.work.Stopwatch;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -57,5 +61,26 @@ class CancelledSearchTest {
         int before = asked.get();
         assertEquals(whole, error(planned, settings, Integer.MAX_VALUE, asked));
         assertEquals(before, asked.get());
+    }
+
+    /** A render that was stopped while it was planned has not found out what its rounds ask for. */
+    @Test
+    void roundsForAnErrorAreEndedToo() {
+        Scene scene = SceneReader.read(Path.of("scenes/caustics.json"));
+        RenderSettings settings = RenderSettings.of(scene).withSize(12, 8).withBudget(Budget.NONE.withError(0.01));
+        CompiledScene compiled = SceneCompiler.compile(scene, settings);
+        assertThrows(CancellationException.class, () -> Rounds.of(settings, compiled, () -> true));
+    }
+
+    /** Without media behind a refracting border paths from both ends miss what paths from the eye miss. */
+    @Test
+    void thatOfBothEndsIsMadeOnlyWherePathsCouldMeetInMedia() {
+        for (String name : new String[] {"caustics", "milk-and-glass"}) {
+            Scene scene = SceneReader.read(Path.of("scenes/" + name + ".json"));
+            CompiledScene compiled =
+                    SceneCompiler.compile(scene, RenderSettings.of(scene).withSize(12, 8));
+            ChanceLights byEye = LightPaths.leftToChance(compiled, () -> false);
+            assertEquals(name.equals("caustics"), byEye == LightPaths.leftByBothEnds(compiled, () -> false), name);
+        }
     }
 }

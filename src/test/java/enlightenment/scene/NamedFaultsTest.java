@@ -23,6 +23,7 @@ import enlightenment.math.Vec3;
 import enlightenment.net.WorkerOptions;
 import java.math.BigDecimal;
 import java.util.Collections;
+import java.util.LinkedList;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
@@ -150,6 +151,25 @@ class NamedFaultsTest {
         nullFails(
                 "the instant 0",
                 () -> with(s, s.textures(), s.materials(), s.lights(), s.objects(), Collections.singletonList(null)));
+    }
+
+    /** A linked list walks to each place that it is asked for: lists are gone through once. */
+    @Test
+    void listsAreNotAskedForTheirThingsByPlace() {
+        LinkedList<Light> lights = new LinkedList<>() {
+            private static final long serialVersionUID = 1;
+
+            @Override
+            public Light get(int index) {
+                throw new AssertionError("asked for " + index);
+            }
+        };
+        lights.add(new Light.Point(O, DisplayRgb.WHITE));
+        Scene s = scene().build();
+        assertEquals(
+                lights,
+                with(s, s.textures(), s.materials(), lights, s.objects(), s.instants())
+                        .lights());
     }
 
     private static Scene with(

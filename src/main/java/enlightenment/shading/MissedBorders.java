@@ -1,6 +1,7 @@
 package enlightenment.shading;
 
 import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.GlassBoxes;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
@@ -11,12 +12,14 @@ final class MissedBorders {
 
     private final CompiledScene scene;
     private final MediumStack inside;
+    private final GlassBoxes.Search boxes;
     private final Ray back = new Ray();
 
     /** @param inside the solids that the ray is inside of, as far as is known */
     MissedBorders(CompiledScene scene, MediumStack inside) {
         this.scene = scene;
         this.inside = inside;
+        boxes = GlassBoxes.of(scene).search();
     }
 
     /**
@@ -28,8 +31,10 @@ final class MissedBorders {
      * @return the id of the solid; -1 if no border is missed
      */
     int find(Ray ray, int justHandled, Hit place) {
-        for (int solid : scene.glassSolids) {
-            if (solid == justHandled || !scene.boundsOf(solid).contains(ray.ox, ray.oy, ray.oz)) {
+        int count = boxes.around(ray.ox, ray.oy, ray.oz);
+        for (int k = 0; k < count; k++) {
+            int solid = boxes.solid(k);
+            if (solid == justHandled) {
                 continue;
             }
             Primitive p = scene.primitives[solid];

@@ -67,16 +67,17 @@ final class StraightGlass {
         BvhQuery query =
                 new BvhQuery(compiled.kind(), new long[compiled.kindNames().size()]);
         int[] solids = compiled.glassSolids();
-        for (int i = 0; i < solids.length; i++) {
-            if (SceneCompiler.isPolled(i)) {
-                poll.run();
-            }
-            Bounds box = widened(solids[i]);
+        // Solids that are nested are compared in pairs.
+        PolledWork work = new PolledWork(poll);
+        for (int solid : solids) {
+            work.step();
+            Bounds box = widened(solid);
             query.clear();
             accelerator.overlapping(box, query);
             for (int k = 0; k < query.size(); k++) {
+                work.step();
                 int other = query.get(k);
-                if (other != solids[i] && isGlassSolid[other] && mayHide(box, solids[i], other)) {
+                if (other != solid && isGlassSolid[other] && mayHide(box, solid, other)) {
                     return true;
                 }
             }

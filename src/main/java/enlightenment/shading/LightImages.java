@@ -16,7 +16,7 @@ import java.util.List;
 
 /**
  * Finds the images of lights that samples of a pixel may miss: as they are seen straight, in flat mirrors, and, by the balls around them,
- * in mirrors that are spheres; glass reflects as mirrors do. Whether something hides them is not asked. Those in other mirrors, through
+ * in mirrors that are spheres; glass and panes reflect as mirrors do. Whether something hides them is not asked. Those in other mirrors, through
  * glass, and of images are not found.
  *
  * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are
@@ -101,26 +101,31 @@ final class LightImages {
         }
         for (int face = 0; face < p.faceCount(); face++) {
             SurfaceMaterial m = scene.material(id, face);
-            if (m.isDelta && !m.isBlack && (!m.isGlass || reflectsOutside(p, m))) {
+            if (m.isDelta && !m.isBlack && (!m.isGlass || reflectsOutside(m))) {
                 addMirrored(id, face);
             }
         }
     }
 
-    /** Whether the outside of smooth glass reflects one share of the light at all wavelengths: a sample knows it. */
-    private boolean reflectsOutside(Primitive p, SurfaceMaterial m) {
-        return p.isSolid() && m.transparency == 1 && m.medium == null && !scene.physical.hasDispersion;
+    /** Whether the outside of smooth glass, or a pane, reflects one share of the light at all wavelengths: a sample knows it. */
+    private boolean reflectsOutside(SurfaceMaterial m) {
+        return m.transparency > 0 && m.medium == null && !scene.physical.hasDispersion;
     }
 
     /** The share that glass reflects at right angles; other mirrors reflect most. */
-    private static double share(SurfaceMaterial m) {
-        double amplitude = m.isGlass ? (m.indexOfRefraction - 1) / (m.indexOfRefraction + 1) : 1;
-        return amplitude * amplitude;
+    private static double share(Primitive p, SurfaceMaterial m) {
+        if (!m.isGlass) {
+            return 1;
+        }
+        double amplitude = (m.indexOfRefraction - 1) / (m.indexOfRefraction + 1);
+        double share = amplitude * amplitude;
+        // Of a pane both faces reflect, to and fro.
+        return m.transparency * (p.isSolid() ? share : 2 * share / (1 + share));
     }
 
     private void addMirrored(int id, int face) {
         PhysicalLight[] lights = scene.physical.lights;
-        double share = share(scene.material(id, face));
+        double share = share(scene.primitives[id], scene.material(id, face));
         for (int light = 0; light < lights.length && pairs < MOST_PAIRS; light++) {
             if (!canBeSeen(lights[light]) || lights[light].id == id) {
                 continue;

@@ -1,6 +1,8 @@
 package enlightenment.shading;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
+import enlightenment.bsdf.ThinDielectric;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SurfaceMaterial;
@@ -39,7 +41,7 @@ final class MirroredLight {
     }
 
     /**
-     * Whether a ray meets a mirror, or glass from empty space, which reflects it to a light, and something of it is left.
+     * Whether a ray meets a mirror, a pane, or glass from empty space, which reflects it to a light, and something of it is left.
      *
      * @param ray is overwritten
      * @param mirror the id of a primitive that coincides with no other
@@ -61,11 +63,12 @@ final class MirroredLight {
         if (material.isGlass) {
             event.eta = 1 / material.indexOfRefraction;
         }
-        // Of glass this choice is what is reflected, and its probability the share.
-        if (!material.bsdf.sample(event, 0, 0, 0) || event.transmitted) {
+        // Of glass this choice is what is reflected, and its probability the share of what is clear.
+        Bsdf bsdf = material.isGlass && !met.primitive.isSolid() ? ThinDielectric.INSTANCE : material.bsdf;
+        if (!bsdf.sample(event, 0, 0, 0) || event.transmitted) {
             return false;
         }
-        double share = material.isGlass ? event.pdf : 1;
+        double share = material.isGlass ? material.transparency * event.pdf : 1;
         red = share * event.valueR;
         green = share * event.valueG;
         blue = share * event.valueB;

@@ -25,6 +25,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -120,6 +121,40 @@ class SmallImagesTest {
             Image picture = Rendered.zoomed(scene, 1, 1 << 13, method, 2);
             assertEquals(expected, picture.component(2, 2, 0), 0.03 * expected, method.word());
             assertEquals(inBall, picture.component(0, 0, 0), 0.05 * inBall, method.word());
+        }
+    }
+
+    /**
+     * The same of a pane, both of whose faces reflect, to and fro: R = 2F/(1 + F), F = 0.04. Glass that is opaque in part reflects less, and
+     * is black otherwise. Few samples are enough.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 0.25})
+    void panesReflectLampsOnce(double transparency) {
+        Material pane = new Material.Glass(
+                Texture.of(new Rgb(1e-9, 1e-9, 1e-9)),
+                1.5,
+                transparency,
+                0,
+                true,
+                0,
+                Rgb.BLACK,
+                true,
+                OptionalDouble.empty());
+        Scene scene = Scene.builder()
+                .size(SMALL, SMALL)
+                .shading(PhysicalScenes.atMost(1, 0))
+                .camera(EYE)
+                .object(TestScenes.rectangle(0.5, -4, 15, 0.5, -0.5, 15, 4, -0.5, 15, 4, -4, 15), pane)
+                .light(sphereLight(3, -2.5, -10, 1, 9000))
+                .build();
+        double d = new Vec3(3, -2.5, 40).length();
+        double side = 2 * Math.tan(Math.toRadians(20)) / SMALL;
+        double share = transparency * 2 * 0.04 / 1.04;
+        double expected = 9000 * share * Math.PI / (d * d) / (side * side * Math.pow(40 / d, 3));
+        for (BuiltInMethod method : BuiltInMethod.values()) {
+            Image picture = Rendered.zoomed(scene, 1, 64, method, 2);
+            assertEquals(expected, picture.component(2, 2, 0), 0.03 * expected, method.word());
         }
     }
 

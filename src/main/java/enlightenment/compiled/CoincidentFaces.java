@@ -117,6 +117,16 @@ final class CoincidentFaces {
         return size;
     }
 
+    /** Whether a face of this primitive is one of a pair. */
+    boolean has(int face) {
+        for (int k = 0; k < size; k++) {
+            if (face(k) == face) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** This primitive's face of pair k. */
     int face(int k) {
         return faces[k] >> FACE_BITS;

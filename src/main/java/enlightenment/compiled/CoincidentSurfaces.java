@@ -61,6 +61,11 @@ public final class CoincidentSurfaces {
         return faces != null && faces[id] != null;
     }
 
+    /** Whether a face of the primitive coincides with another primitive's. */
+    public boolean concerns(int id, int face) {
+        return concerns(id) && faces[id].has(face);
+    }
+
     /** Whether a face of a primitive coincides with one of another. */
     boolean coincide(int id, int face, int other, int otherFace) {
         if (!concerns(id) || !concerns(other)) {

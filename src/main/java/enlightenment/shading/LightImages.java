@@ -16,8 +16,8 @@ import java.util.List;
 
 /**
  * Finds the images of lights that samples of a pixel may miss: as they are seen straight, in flat mirrors, and, by the balls around them,
- * in mirrors that are spheres; glass and panes reflect as mirrors do. Whether something hides them is not asked. Those in other mirrors, through
- * glass, and of images are not found.
+ * in curved mirrors; glass and panes reflect as mirrors do. Whether something hides them is not asked. Those through glass, of images, and
+ * in the inside of a sphere are not found.
  *
  * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are
  * bright beside what is likely to be behind them: not dimmer than a sixteenth of the brightest light, nor than twice the background. Black
@@ -48,6 +48,7 @@ final class LightImages {
     private final boolean isParallel;
     private final Ray middle = new Ray();
     private final MirrorImage mirrorImage = new MirrorImage();
+    private final CurvedMirrorImages curved;
     private final double[][] corners = new double[MIRRORED_CORNERS][3];
     private final ClippedPolygon polygon = new ClippedPolygon();
     private final List<LightImage> found = new ArrayList<>();
@@ -61,6 +62,7 @@ final class LightImages {
     private LightImages(CompiledScene scene) {
         this.scene = scene;
         outline = new LightOutline(scene.camera);
+        curved = new CurvedMirrorImages(scene.camera);
         isParallel = new EyeProjection(scene.camera).isParallel();
         scene.camera.ray(0.5, 0.5, middle);
         PhysicalScene p = scene.physical;
@@ -91,17 +93,14 @@ final class LightImages {
     }
 
     private boolean canBeSeen(PhysicalLight l) {
-        return !l.isPoint && LightImage.brightness(l) > 0 && !scene.coincident.concerns(l.id);
+        return !l.isPoint && LightImage.brightness(l) > 0 && !scene.coincident.concerns(l.id, l.face);
     }
 
     private void addMirrored(int id) {
         Primitive p = scene.primitives[id];
-        if (scene.coincident.concerns(id)) {
-            return;
-        }
         for (int face = 0; face < p.faceCount(); face++) {
             SurfaceMaterial m = scene.material(id, face);
-            if (m.isDelta && !m.isBlack && (!m.isGlass || reflectsOutside(m))) {
+            if (!scene.coincident.concerns(id, face) && m.isDelta && !m.isBlack && (!m.isGlass || reflectsOutside(m))) {
                 addMirrored(id, face);
             }
         }
@@ -136,6 +135,9 @@ final class LightImages {
             } else if (scene.primitives[id].support(face) instanceof SupportSurface.Plane plane) {
                 addFlat(light, plane, id, face, share);
                 pairs++;
+            } else {
+                addCurved(id, face, light);
+                pairs++;
             }
         }
     }
@@ -162,13 +164,23 @@ final class LightImages {
         }
     }
 
-    /**
-     * Keeps an image of the outline.
-     *
-     * @param share how much of the light's radiance the image has; 0 if the outline is not that of the light
-     */
+    private void addCurved(int id, int face, int light) {
+        boolean isGlass = scene.material(id, face).isGlass && scene.primitives[id].isSolid();
+        for (double[][] polygon : curved.find(scene.primitives[id], face, isGlass, scene.physical.lights[light])) {
+            keep(new LightImage(light, scene.physical.lights[light], id, face, polygon[0], polygon[1]), 0);
+        }
+    }
+
     private void keep(int light, int mirror, int face, double share) {
-        LightImage image = new LightImage(light, scene.physical.lights[light], mirror, face, outline.x, outline.y);
+        keep(new LightImage(light, scene.physical.lights[light], mirror, face, outline.x, outline.y), share);
+    }
+
+    /**
+     * Keeps an image.
+     *
+     * @param share how much of the light's radiance the image has; 0 if its outline is not that of the light
+     */
+    private void keep(LightImage image, double share) {
         double columns = scene.camera.columns;
         double rows = scene.camera.rows;
         if (!image.reaches(0, 0, columns, rows)) {

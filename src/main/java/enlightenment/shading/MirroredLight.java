@@ -44,7 +44,7 @@ final class MirroredLight {
      * Whether a ray meets a mirror, a pane, or glass from empty space, which reflects it to a light, and something of it is left.
      *
      * @param ray is overwritten
-     * @param mirror the id of a primitive that coincides with no other
+     * @param mirror the id of a primitive whose face coincides with none of another
      * @param face of the mirror; -1 for any
      */
     boolean isMetBy(Ray ray, int mirror, int face, int light) {

@@ -8,10 +8,15 @@ import static enlightenment.physical.PhysicalScenes.sphereLight;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
+import enlightenment.geometry.Cone;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Torus;
 import enlightenment.image.Image;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -26,8 +31,11 @@ import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Lamps whose images are smaller than a pixel, straight and in mirrors: no picture may miss them, and none may see them twice. */
@@ -156,6 +164,45 @@ class SmallImagesTest {
             Image picture = Rendered.zoomed(scene, 1, 64, method, 2);
             assertEquals(expected, picture.component(2, 2, 0), 0.03 * expected, method.word());
         }
+    }
+
+    static Stream<Arguments> curvedMirrors() {
+        return Stream.of(
+                arguments("cylinder", EYE, new Cylinder(at(3, -2, 14), at(3.2, 3, 14.5), 1.5, true), 1),
+                arguments("cylinder, parallel rays", FAR, new Cylinder(at(3, -2, 14), at(3.2, 3, 14.5), 1.5, true), 1),
+                // Whose base lies on the floor, where nothing else is seen of it.
+                arguments("cylinder on the floor", EYE, new Cylinder(at(3, -4, 15), at(3, 3, 15), 1.5, true), 1),
+                arguments("cone", EYE, new Cone(at(3, -2, 15), at(3, 4, 15), 2, 1.5, true), 1),
+                arguments("cone, parallel rays", FAR, new Cone(at(3, -2, 15), at(3, 4, 15), 2, 1.7, true), 1),
+                arguments("torus", EYE, new Torus(at(0, 0, 15), new Vec3(0.2, 0.3, 1), 3.5, 1), 2),
+                arguments("torus, parallel rays", FAR, new Torus(at(0, 0, 15), new Vec3(0.2, 0.3, 1), 4, 1), 2));
+    }
+
+    /** A large picture, in which camera rays alone find the lamp, and a small one with few samples; each ray is reflected once. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("curvedMirrors")
+    void curvedMirrorsShowLampsWithFewSamples(String name, Camera camera, Shape shape, int images) {
+        Scene scene = Scene.builder()
+                .size(SMALL, SMALL)
+                .shading(PhysicalScenes.atMost(1, 0))
+                .camera(camera)
+                .object(TestScenes.rectangle(-9, -4, 5, -9, -4, 30, 9, -4, 30, 9, -4, 5), matte(0, 0, 0))
+                .object(shape, mirror())
+                .light(sphereLight(5, 5, -10, 0.4, 100_000))
+                .build();
+        Image large = Rendered.zoomed(scene, ZOOM, 16, BuiltInMethod.RAYTRACE, 1);
+        Image small = Rendered.zoomed(scene, 1, 256, BuiltInMethod.RAYTRACE, 2);
+        double expected = 0;
+        double off = 0;
+        int lit = 0;
+        for (int k = 0; k < SMALL * SMALL; k++) {
+            double pixel = mean(large, ZOOM, k % SMALL, k / SMALL, 0);
+            expected += pixel;
+            lit += pixel > 0 ? 1 : 0;
+            off += Math.abs(small.component(k % SMALL, k / SMALL, 0) - pixel);
+        }
+        assertTrue(lit >= images, lit + " pixels are lit");
+        assertTrue(off < 0.1 * expected, off + " of " + expected + " is elsewhere, or missing");
     }
 
     @Test

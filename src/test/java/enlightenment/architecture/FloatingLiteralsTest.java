@@ -93,6 +93,10 @@ class FloatingLiteralsTest {
             new Explained("compiled/RefractingMedia.java", "1e-3", "a share of a hemisphere"),
             new Explained("shading/MirrorImage.java", "0x1p-3", "Newton's method: an error over the radius, a ratio"),
             new Explained("shading/MirrorImage.java", "0x1p-6", "an image is so much wider than it need be: a ratio"),
+            new Explained(
+                    "shading/CurvedMirrorImages.java", "0x1p-12", "of a cell of the grid over the mirror's picture"),
+            new Explained("shading/CurvedMirrorImages.java", "0x1p-24", "the same: where Newton's method has settled"),
+            new Explained("shading/CurvedMirrorImages.java", "1.125", "how much larger a polygon is than an ellipse"),
             new Explained("shading/LightOutline.java", "0x1p-9", "pixels: how fine a polygon in the picture is"),
             new Explained("shading/LightOutline.java", "0x1p30", "pixels: where a double tells no thousandth of one"),
             new Explained("shading/PathSampler.java", "0x1p-32", "32 bits to 0..1"),

@@ -16,8 +16,8 @@ import java.util.List;
 
 /**
  * Finds the images of lights that samples of a pixel may miss: as they are seen straight, in flat mirrors, and, by the balls around them,
- * in curved mirrors; glass and panes reflect as mirrors do. Whether something hides them is not asked. Those through glass, of images, and
- * in the inside of a sphere are not found.
+ * in curved mirrors; glass and panes reflect as mirrors do. Whether something hides them is not asked. Those through glass, and of images,
+ * are not found.
  *
  * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are
  * bright beside what is likely to be behind them: not dimmer than a sixteenth of the brightest light, nor than twice the background. Black
@@ -150,10 +150,11 @@ final class LightImages {
         }
     }
 
-    /** Parallel rays have no eye that a mirror's image could be sought from. */
+    /** What an eye sees in a ball from outside has a closed form; parallel rays have no eye. */
     private void addInBall(int id, SpherePrimitive ball, int light, double share) {
         PhysicalLight l = scene.physical.lights[light];
         if (isParallel || !mirrorImage.aim(ball, l, middle.ox, middle.oy, middle.oz)) {
+            addCurved(id, 0, light);
             return;
         }
         for (int k = 0; k < MIRRORED_CORNERS; k++) {

@@ -16,6 +16,7 @@ import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Shape;
+import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.image.Image;
 import enlightenment.material.Material;
@@ -174,6 +175,7 @@ class SmallImagesTest {
                 arguments("cylinder on the floor", EYE, new Cylinder(at(3, -4, 15), at(3, 3, 15), 1.5, true), 1),
                 arguments("cone", EYE, new Cone(at(3, -2, 15), at(3, 4, 15), 2, 1.5, true), 1),
                 arguments("cone, parallel rays", FAR, new Cone(at(3, -2, 15), at(3, 4, 15), 2, 1.7, true), 1),
+                arguments("ball, parallel rays", FAR, new Sphere(at(3, 2, 15), 2, 0), 1),
                 arguments("torus", EYE, new Torus(at(0, 0, 15), new Vec3(0.2, 0.3, 1), 3.5, 1), 2),
                 arguments("torus, parallel rays", FAR, new Torus(at(0, 0, 15), new Vec3(0.2, 0.3, 1), 4, 1), 2));
     }

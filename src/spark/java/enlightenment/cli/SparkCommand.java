@@ -80,8 +80,7 @@ public final class SparkCommand extends Subcommand {
         check();
         input = argument.open(terminal);
         Scene scene = frame.read(input);
-        RenderSettings settings =
-                PictureOutput.withRounding(options.settings(scene, input.name()), output.writtenDepth());
+        RenderSettings settings = PictureOutput.withRounding(options.settings(scene, input), output.writtenDepth());
         CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("--checkpoint", checkpoint);
         files.writes("-o", output.file());
         report.register(files);
@@ -92,9 +91,9 @@ public final class SparkCommand extends Subcommand {
         } catch (CancellationException e) {
             throw nothingRendered();
         } catch (InvalidValueException e) {
-            throw options.blame(e, input.name());
+            throw options.blame(e, input);
         } catch (SceneException e) {
-            throw SceneFailures.inFile(input.name(), e);
+            throw SceneFailures.inFile(input, e);
         }
         finish(result, scene, settings);
         return ExitCode.DONE;

@@ -184,7 +184,9 @@ public final class BidirectionalTracer implements Shader {
                 }
                 return false;
             case PASSED:
-                if (!eye.path.glass.passedStraight() && !eye.path.glass.border.transmitted) {
+                if (eye.path.glass.passedStraight()) {
+                    images.hasPassed();
+                } else if (!eye.path.glass.border.transmitted) {
                     images.wasReflected();
                 }
                 return true;

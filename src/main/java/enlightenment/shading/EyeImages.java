@@ -8,7 +8,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 
 /**
- * The light that the eye has straight from lights, or by way of one mirror or reflection at glass, in pixels that their images do not cover
+ * The light that the eye has straight from lights, through panes, or by way of one mirror or reflection at glass, in pixels that their images do not cover
  * entirely. Samples of a pixel may all miss an image, or what of it is in the pixel, and then nothing tells of it; however bright the lamp
  * is, it is missing. So every sample takes a second place on the film, within what of the image is in the pixel, and what the first place
  * sees of the image there does not count: all light is found exactly once, whatever polygon the image is taken for. See
@@ -51,6 +51,9 @@ final class EyeImages {
 
     private int face;
 
+    /** How many panes the path has passed, if it has done nothing else. */
+    private int panes;
+
     /** What was gathered. */
     double red;
 
@@ -83,6 +86,7 @@ final class EyeImages {
     /** Begins with a camera ray of the tile, which the path has begun with. */
     void begin(Ray camera) {
         count = 0;
+        panes = 0;
         // In a medium absorption counts as well: left to chance.
         if (nearCount == 0 || path.medium() != null) {
             return;
@@ -124,13 +128,13 @@ final class EyeImages {
         scene.camera.ray(part.placeX / scene.camera.columns, part.placeY / scene.camera.rows, ray);
         boolean isStraight = image.mirror == LightImage.STRAIGHT;
         boolean isMet = isStraight
-                ? light.isMetBy(ray, image.light)
+                ? light.isSeenBy(ray, image.light)
                 : light.isMetBy(ray, image.mirror, image.face, image.light);
         if (isMet) {
             PhysicalLight l = scene.physical.lights[image.light];
-            red = here.share * l.r * (isStraight ? 1 : light.red);
-            green = here.share * l.g * (isStraight ? 1 : light.green);
-            blue = here.share * l.b * (isStraight ? 1 : light.blue);
+            red = here.share * l.r * light.red;
+            green = here.share * l.g * light.green;
+            blue = here.share * l.b * light.blue;
         }
         return isMet;
     }
@@ -150,6 +154,22 @@ final class EyeImages {
         noteReflection(1);
     }
 
+    /** Tells that the path passes the glass that it is at, straight. */
+    void passed() {
+        notePassage(0);
+    }
+
+    /** The same of glass that the path has left. */
+    void hasPassed() {
+        notePassage(1);
+    }
+
+    private void notePassage(int surfaces) {
+        if (count > 0 && path.surfaces == panes + surfaces && light.isPane(path.id, path.hit.face)) {
+            panes++;
+        }
+    }
+
     private void noteReflection(int surfaces) {
         if (count > 0 && path.surfaces == surfaces) {
             mirror = path.id;
@@ -159,7 +179,7 @@ final class EyeImages {
 
     /** The weight, 0 or 1, of what the surface that the path is at emits, if the eye sees it straight or by way of mirrors and glass. */
     double weight() {
-        if (count > 0 && (path.surfaces == 0 || path.surfaces == 1 && mirror != LightImage.STRAIGHT)) {
+        if (count > 0 && (path.surfaces == panes || path.surfaces == 1 && mirror != LightImage.STRAIGHT)) {
             int met = scene.physical.lightOf(path.id, path.hit.face);
             int at = here.firstOf(met);
             for (ImagePart part = here.of(met, at); part != null; part = here.of(met, ++at)) {
@@ -172,7 +192,7 @@ final class EyeImages {
     }
 
     private boolean isSeenIn(LightImage image) {
-        return path.surfaces == 0
+        return path.surfaces == panes
                 ? image.mirror == LightImage.STRAIGHT
                 : image.mirror == mirror && (image.face == LightImage.ANY_FACE || image.face == face);
     }

@@ -77,6 +77,9 @@ abstract class EyePathTracer implements Shader {
         Arrays.fill(surface, path.glass.weight());
         if (through) {
             path.filter(surface);
+            if (path.glass.passedStraight()) {
+                images.passed();
+            }
         } else {
             images.reflected();
         }

@@ -11,7 +11,7 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.primitive.SpherePrimitive;
 
-/** Follows rays that are to meet a light straight or by way of one mirror. A mutable work object, one per thread. */
+/** Follows rays that are to meet a light straight, through panes, or by way of one mirror. A mutable work object, one per thread. */
 final class MirroredLight {
     private final CompiledScene scene;
     private final RayCounters counters;
@@ -20,7 +20,7 @@ final class MirroredLight {
     private final Scattering event = new Scattering();
     private final double[] color = new double[3];
 
-    /** What the mirror that the last ray met reflects, by band. */
+    /** What the mirror that the last ray met reflects, or the panes let pass, by band. */
     double red;
 
     double green;
@@ -33,11 +33,58 @@ final class MirroredLight {
         this.tracer = tracer;
     }
 
-    /** Whether a ray meets a light, by its index, and what of it glows towards where the ray comes from. */
-    boolean isMetBy(Ray ray, int light) {
-        return tracer.trace(ray, met)
-                && scene.physical.lightOf(tracer.id, met.face) == light
+    /**
+     * Whether a ray meets a light, by its index, by way of nothing but {@linkplain #isPane panes} that it passes, and what of it glows towards
+     * where the ray comes from.
+     *
+     * @param ray is overwritten
+     */
+    boolean isSeenBy(Ray ray, int light) {
+        red = 1;
+        green = 1;
+        blue = 1;
+        while (tracer.trace(ray, met)) {
+            if (!isPane(tracer.id, met.face)) {
+                return isLight(light);
+            }
+            Optics.arrive(event, ray, met);
+            SurfaceMaterial pane = colored(tracer.id);
+            double cosine = event.ox * event.nx + event.oy * event.ny + event.oz * event.nz;
+            double share = pane.transparency * ThinDielectric.transmittance(cosine, 1 / pane.indexOfRefraction);
+            red *= share * color[0];
+            green *= share * color[1];
+            blue *= share * color[2];
+            Optics.pass(ray, met);
+        }
+        return false;
+    }
+
+    /**
+     * Whether a face is a smooth pane that rays from empty space pass as they are, and that nothing coincides with: of each the light is
+     * dimmed by one share.
+     */
+    boolean isPane(int id, int face) {
+        SurfaceMaterial m = scene.material(id, face);
+        return m.isGlass
+                && m.isDelta
+                && !scene.primitives[id].isSolid()
+                && !scene.physical.hasDispersion
+                && !scene.coincident.concerns(id, face);
+    }
+
+    private boolean isLight(int light) {
+        return scene.physical.lightOf(tracer.id, met.face) == light
                 && scene.material(tracer.id, met.face).glowsTo(met.side);
+    }
+
+    /** Sets the colour of the surface of a primitive that was met; returns its material. */
+    private SurfaceMaterial colored(int id) {
+        SurfaceMaterial material = scene.material(id, met.face);
+        if (material.isTextured()) {
+            met.primitive.textureCoordinates(met);
+        }
+        material.color(met.u, met.v, met.primitive instanceof SpherePrimitive, color);
+        return material;
     }
 
     /**
@@ -51,12 +98,8 @@ final class MirroredLight {
         if (!tracer.trace(ray, met) || tracer.id != mirror || face >= 0 && met.face != face) {
             return false;
         }
-        SurfaceMaterial material = scene.material(mirror, met.face);
         Optics.arrive(event, ray, met);
-        if (material.isTextured()) {
-            met.primitive.textureCoordinates(met);
-        }
-        material.color(met.u, met.v, met.primitive instanceof SpherePrimitive, color);
+        SurfaceMaterial material = colored(mirror);
         event.red = color[0];
         event.green = color[1];
         event.blue = color[2];
@@ -74,6 +117,6 @@ final class MirroredLight {
         blue = share * event.valueB;
         counters.mirrorRays++;
         Optics.leave(ray, met, event);
-        return isMetBy(ray, light);
+        return tracer.trace(ray, met) && isLight(light);
     }
 }

@@ -167,6 +167,53 @@ class SmallImagesTest {
         }
     }
 
+    /** Two tinted panes before a lamp, each of which lets 1 − R of their colour pass: R = 2F/(1 + F), F = 0.04. */
+    @Test
+    void lampsAreSeenThroughPanesWithFewSamples() {
+        Material pane = Material.Glass.of(PhysicalScenes.linear(0.8, 0.6, 0.5), 1.5);
+        Scene scene = Scene.builder()
+                .size(SMALL, SMALL)
+                .shading(PhysicalScenes.atMost(1, 0))
+                .camera(EYE)
+                .object(TestScenes.rectangle(-9, -9, 5, -9, 9, 5, 9, 9, 5, 9, -9, 5), pane)
+                .object(TestScenes.rectangle(-9, -9, 8, -9, 9, 8, 9, 9, 8, 9, -9, 8), pane)
+                .light(sphereLight(1, 1, 30, 0.05, 1e6))
+                .build();
+        double d = new Vec3(1, 1, 30).length();
+        double side = 2 * Math.tan(Math.toRadians(20)) / SMALL;
+        double clear = 1 - 2 * 0.04 / 1.04;
+        double white = 1e6 * clear * clear * Math.PI * 0.05 * 0.05 / (d * d) / (side * side * Math.pow(30 / d, 3));
+        for (BuiltInMethod method : BuiltInMethod.values()) {
+            Image picture = Rendered.zoomed(scene, 1, 64, method, 2);
+            for (int band = 0; band < 3; band++) {
+                double color = band == 0 ? 0.8 : band == 1 ? 0.6 : 0.5;
+                double expected = color * color * white;
+                assertEquals(expected, picture.component(2, 1, band), 0.03 * expected, method.word());
+            }
+        }
+    }
+
+    /** What is half covered by an image is seen by both ways, and counts once: the lamp fills some tenths of a pixel. */
+    @Test
+    void lampsBehindPanesCountOnce() {
+        Material pane = new Material.Glass(
+                PhysicalScenes.linear(0.8, 0.6, 0.5), 1.5, 0.7, 0, true, 0, Rgb.BLACK, true, OptionalDouble.empty());
+        Scene scene = Scene.builder()
+                .size(SMALL, SMALL)
+                .shading(PhysicalScenes.atMost(1, 0))
+                .camera(EYE)
+                .object(TestScenes.rectangle(-9, -9, 5, -9, 9, 5, 9, 9, 5.5, 9, -9, 5.5), pane)
+                .light(sphereLight(1, 1, 30, 1.5, 20))
+                .light(sphereLight(-4, -3, 28, 1, 30))
+                .build();
+        Image large = Rendered.zoomed(scene, ZOOM, 16, BuiltInMethod.RAYTRACE, 1);
+        for (BuiltInMethod method : BuiltInMethod.values()) {
+            if (method != BuiltInMethod.LIGHT) {
+                assertSame(large, Rendered.zoomed(scene, 1, 1 << 12, method, 2), 0.02);
+            }
+        }
+    }
+
     static Stream<Arguments> curvedMirrors() {
         return Stream.of(
                 arguments("cylinder", EYE, new Cylinder(at(3, -2, 14), at(3.2, 3, 14.5), 1.5, true), 1),

@@ -43,7 +43,9 @@ final class MirroredLight {
         red = 1;
         green = 1;
         blue = 1;
-        while (tracer.trace(ray, met)) {
+        int most = PathFollower.MAX_CROSSINGS * scene.primitives.length;
+        // No line meets more surfaces: one that does is caught in a loop by rounding.
+        for (int left = most; left >= 0 && tracer.trace(ray, met); left--) {
             if (!isPane(tracer.id, met.face)) {
                 return isLight(light);
             }

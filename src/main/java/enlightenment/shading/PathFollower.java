@@ -20,7 +20,7 @@ import enlightenment.sampling.Sampler;
  */
 final class PathFollower {
     /** A line meets a primitive at most this often: a torus is of the fourth degree. */
-    private static final int MAX_CROSSINGS = 4;
+    static final int MAX_CROSSINGS = 4;
 
     /** The id of no primitive. */
     private static final int NOWHERE = -1;

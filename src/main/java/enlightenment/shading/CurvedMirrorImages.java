@@ -1,6 +1,7 @@
 package enlightenment.shading;
 
 import enlightenment.compiled.CompiledCamera;
+import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.EyeProjection;
 import enlightenment.compiled.PhysicalLight;
 import enlightenment.frame.Basis;
@@ -34,6 +35,7 @@ final class CurvedMirrorImages {
     /** The polygon is so much larger than what first order says. */
     private static final double MARGIN = 1.125;
 
+    private final CompiledScene scene;
     private final CompiledCamera camera;
     private final EyeProjection eye;
     private final Ray ray = new Ray();
@@ -66,33 +68,34 @@ final class CurvedMirrorImages {
     private final double[] miss = new double[2];
     private double determinant;
 
-    CurvedMirrorImages(CompiledCamera camera) {
-        this.camera = camera;
+    CurvedMirrorImages(CompiledScene scene) {
+        this.scene = scene;
+        camera = scene.camera;
         eye = new EyeProjection(camera);
     }
 
     /**
      * Finds images of a light's ball that do not overlap.
      *
-     * @param of the mirror
-     * @param ofFace its face
+     * @param mirrorId the mirror's id
+     * @param mirrorFace its face
      * @param outsideOnly whether it reflects on its outside only
-     * @param in the light
-     * @return polygons, of each the x and the y of its corners in pixels, counter-clockwise where y points upwards
+     * @param lightIndex the light's index
      */
-    List<double[][]> find(Primitive of, int ofFace, boolean outsideOnly, PhysicalLight in) {
-        mirror = of;
-        face = ofFace;
+    List<LightImage> find(int mirrorId, int mirrorFace, boolean outsideOnly, int lightIndex) {
+        mirror = scene.primitives[mirrorId];
+        face = mirrorFace;
         isOutsideOnly = outsideOnly;
-        light = in;
-        List<double[][]> found = new ArrayList<>();
-        if (place(of.bounds())) {
+        light = scene.physical.lights[lightIndex];
+        List<LightImage> found = new ArrayList<>();
+        if (place(mirror.bounds())) {
             double[][] squares = squares();
             for (int row = 0; row < GRID; row++) {
                 for (int column = 0; column < GRID; column++) {
                     if (isLeast(squares, column, row) && converges(column, row) && isSolved()) {
-                        double[][] image = ellipse();
-                        if (found.stream().noneMatch(other -> overlap(other, image))) {
+                        double[][] corners = ellipse();
+                        LightImage image = new LightImage(lightIndex, light, mirrorId, face, corners[0], corners[1]);
+                        if (found.stream().noneMatch(image::overlaps)) {
                             found.add(image);
                         }
                     }
@@ -248,7 +251,7 @@ final class CurvedMirrorImages {
         return differentiate() && miss[0] * miss[0] + miss[1] * miss[1] <= light.ballRadius * light.ballRadius;
     }
 
-    /** A polygon around the places whose rays meet the ball, to first order. */
+    /** The x and the y of the corners of a polygon around the places whose rays meet the ball, to first order, as {@link LightImage} has them. */
     private double[][] ellipse() {
         double radius = MARGIN * light.ballRadius / StrictMath.cos(Math.PI / CORNERS);
         double[][] corners = new double[2][CORNERS];
@@ -261,33 +264,5 @@ final class CurvedMirrorImages {
             corners[1][k] = camera.rows * (v + (derivative[0][0] * b - derivative[1][0] * a) / determinant);
         }
         return corners;
-    }
-
-    /** Whether the boxes around two polygons overlap. */
-    private static boolean overlap(double[][] a, double[][] b) {
-        for (int axis = 0; axis < 2; axis++) {
-            double[] p = a[axis];
-            double[] q = b[axis];
-            if (max(p) <= min(q) || max(q) <= min(p)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private static double min(double[] numbers) {
-        double min = Double.POSITIVE_INFINITY;
-        for (double n : numbers) {
-            min = Math.min(min, n);
-        }
-        return min;
-    }
-
-    private static double max(double[] numbers) {
-        double max = Double.NEGATIVE_INFINITY;
-        for (double n : numbers) {
-            max = Math.max(max, n);
-        }
-        return max;
     }
 }

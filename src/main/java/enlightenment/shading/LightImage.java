@@ -64,6 +64,11 @@ final class LightImage {
         return ClippedPolygon.area(x, y, x.length);
     }
 
+    /** Whether the boxes around two polygons overlap. */
+    boolean overlaps(LightImage other) {
+        return reaches(other.left, other.top, other.right, other.bottom);
+    }
+
     /** Whether the polygon's own box reaches into a box. */
     boolean reaches(double x0, double y0, double x1, double y1) {
         return left < x1 && right > x0 && top < y1 && bottom > y0;

@@ -62,7 +62,7 @@ final class LightImages {
     private LightImages(CompiledScene scene) {
         this.scene = scene;
         outline = new LightOutline(scene.camera);
-        curved = new CurvedMirrorImages(scene.camera);
+        curved = new CurvedMirrorImages(scene);
         isParallel = new EyeProjection(scene.camera).isParallel();
         scene.camera.ray(0.5, 0.5, middle);
         PhysicalScene p = scene.physical;
@@ -167,8 +167,8 @@ final class LightImages {
 
     private void addCurved(int id, int face, int light) {
         boolean isGlass = scene.material(id, face).isGlass && scene.primitives[id].isSolid();
-        for (double[][] polygon : curved.find(scene.primitives[id], face, isGlass, scene.physical.lights[light])) {
-            keep(new LightImage(light, scene.physical.lights[light], id, face, polygon[0], polygon[1]), 0);
+        for (LightImage image : curved.find(id, face, isGlass, light)) {
+            keep(image, 0);
         }
     }
 

@@ -149,31 +149,30 @@ class CancelledPlanNetTest {
         }
     }
 
-    @Test
-    void aServerThatIsStoppedBetweenRoundsSaysThatItWas() throws Exception {
-        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.01));
-        List<String> said = Collections.synchronizedList(new ArrayList<>());
+    /** What a server makes that is stopped as soon as a round has all of its pixels. */
+    private static RenderResult stoppedAfterARound(double error, List<String> said) throws Exception {
+        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(error));
         ServerOptions options = Farm.options().localThreads(1).log(said::add).build();
         AtomicBoolean stop = new AtomicBoolean();
         RenderProgress whole = (done, total, soFar) -> stop.set(done == total);
         try (RenderServer server = RenderServer.start(Farm.SCENE, settings, options, () -> false)) {
-            RenderResult result = server.await(whole, stop::get);
-            assertTrue(result.complete());
-            assertTrue(said.contains(stopped(result.report().sampling().plannedSamples())), said.toString());
+            return server.await(whole, stop::get);
         }
     }
 
     @Test
-    void aServerWhosePictureIsAsExactAsAskedIsNotSaidToBeStopped() throws Exception {
-        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.9));
+    void aServerThatIsStoppedBetweenRoundsSaysThatItWas() throws Exception {
         List<String> said = Collections.synchronizedList(new ArrayList<>());
-        ServerOptions options = Farm.options().localThreads(1).log(said::add).build();
-        AtomicBoolean stop = new AtomicBoolean();
-        RenderProgress whole = (done, total, soFar) -> stop.set(done == total);
-        try (RenderServer server = RenderServer.start(Farm.SCENE, settings, options, () -> false)) {
-            assertTrue(server.await(whole, stop::get).report().isErrorMet());
-            assertTrue(said.stream().noneMatch(line -> line.startsWith("stopped")), said.toString());
-        }
+        RenderResult result = stoppedAfterARound(0.01, said);
+        assertTrue(result.complete());
+        assertTrue(said.contains(stopped(result.report().sampling().plannedSamples())), said.toString());
+    }
+
+    @Test
+    void aServerWhosePictureIsAsExactAsAskedIsNotSaidToBeStopped() throws Exception {
+        List<String> said = Collections.synchronizedList(new ArrayList<>());
+        assertTrue(stoppedAfterARound(0.9, said).report().isErrorMet());
+        assertTrue(said.stream().noneMatch(line -> line.startsWith("stopped")), said.toString());
     }
 
     @Test

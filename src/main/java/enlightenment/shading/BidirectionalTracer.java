@@ -186,7 +186,9 @@ public final class BidirectionalTracer implements Shader {
             case PASSED:
                 if (eye.path.glass.passedStraight()) {
                     images.hasPassed();
-                } else if (!eye.path.glass.border.transmitted) {
+                } else if (eye.path.glass.border.transmitted) {
+                    images.refracted();
+                } else {
                     images.wasReflected();
                 }
                 return true;
@@ -195,6 +197,7 @@ public final class BidirectionalTracer implements Shader {
                 eye.passDye();
                 break;
             case BORDER, MEDIUM:
+                images.scattered();
                 break;
             default:
                 return false;

@@ -6,10 +6,11 @@ import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.RayCounters;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
+import java.util.Arrays;
 
 /**
- * The light that the eye has straight from lights, through panes, or by way of one mirror or reflection at glass, in pixels that their images do not cover
- * entirely. Samples of a pixel may all miss an image, or what of it is in the pixel, and then nothing tells of it; however bright the lamp
+ * The light that the eye has straight from lights, through panes, or by way of mirrors and smooth glass, in pixels that their images do not
+ * cover entirely. Samples of a pixel may all miss an image, or what of it is in the pixel, and then nothing tells of it; however bright the lamp
  * is, it is missing. So every sample takes a second place on the film, within what of the image is in the pixel, and what the first place
  * sees of the image there does not count: all light is found exactly once, whatever polygon the image is taken for. See
  * docs/path-tracing.md. A mutable work object, one per thread.
@@ -22,6 +23,10 @@ final class EyeImages {
     private final PathFollower path;
     private final EyeProjection eye;
     private final MirroredLight light;
+
+    /** Follows the paths of images by chains; null if there are none. */
+    private final SpecularChain chained;
+
     private final LightImage[] all;
     private final Ray ray = new Ray();
     private final double[] pair = new double[2];
@@ -54,6 +59,9 @@ final class EyeImages {
     /** How many panes the path has passed, if it has done nothing else. */
     private int panes;
 
+    /** What the path has come by: {@link SpecularChain#NONE} or too short if that is not only mirrors and smooth glass. */
+    private long chain;
+
     /** What was gathered. */
     double red;
 
@@ -67,6 +75,8 @@ final class EyeImages {
         eye = new EyeProjection(scene.camera);
         light = new MirroredLight(scene, counters, path.tracer);
         all = isWanted ? scene.once(LightImage[].class, () -> LightImages.of(scene)) : new LightImage[0];
+        boolean hasChains = Arrays.stream(all).anyMatch(image -> image.chain != SpecularChain.NONE);
+        chained = hasChains ? new SpecularChain(scene, counters) : null;
         near = new LightImage[all.length];
         pixels = new PixelImages[all.length == 0 ? 0 : REMEMBERED * REMEMBERED];
     }
@@ -76,10 +86,15 @@ final class EyeImages {
         double columns = scene.camera.columns;
         double rows = scene.camera.rows;
         nearCount = 0;
+        boolean hasChains = false;
         for (LightImage image : all) {
             if (image.reaches(x0 * columns - 1, y0 * rows - 1, x1 * columns + 1, y1 * rows + 1)) {
                 near[nearCount++] = image;
+                hasChains |= image.chain != SpecularChain.NONE;
             }
+        }
+        if (hasChains) {
+            chained.beginTile(x0, y0, x1, y1);
         }
     }
 
@@ -87,6 +102,7 @@ final class EyeImages {
     void begin(Ray camera) {
         count = 0;
         panes = 0;
+        chain = SpecularChain.STRAIGHT;
         // In a medium absorption counts as well: left to chance.
         if (nearCount == 0 || path.medium() != null) {
             return;
@@ -126,22 +142,37 @@ final class EyeImages {
         ImagePart part = here.chosen;
         LightImage image = part.image;
         scene.camera.ray(part.placeX / scene.camera.columns, part.placeY / scene.camera.rows, ray);
-        boolean isStraight = image.mirror == LightImage.STRAIGHT;
-        boolean isMet = isStraight
+        if (image.chain != SpecularChain.NONE) {
+            return gatherChained(image);
+        }
+        boolean isMet = image.isStraight()
                 ? light.isSeenBy(ray, image.light)
                 : light.isMetBy(ray, image.mirror, image.face, image.light);
         if (isMet) {
-            PhysicalLight l = scene.physical.lights[image.light];
-            red = here.share * l.r * light.red;
-            green = here.share * l.g * light.green;
-            blue = here.share * l.b * light.blue;
+            set(image, light.red, light.green, light.blue);
         }
         return isMet;
     }
 
+    private boolean gatherChained(LightImage image) {
+        boolean isMet = chained.follow(ray, image.chain) && chained.isOwn(image.chain) && chained.isAt(image.light);
+        if (isMet) {
+            set(image, chained.red, chained.green, chained.blue);
+        }
+        return isMet;
+    }
+
+    private void set(LightImage image, double r, double g, double b) {
+        PhysicalLight l = scene.physical.lights[image.light];
+        red = here.share * l.r * r;
+        green = here.share * l.g * g;
+        blue = here.share * l.b * b;
+    }
+
     /** The number of vertices of the path that was gathered, from the eye to the lamp. */
     int vertices() {
-        return here.chosen.image.mirror == LightImage.STRAIGHT ? 2 : 3;
+        LightImage image = here.chosen.image;
+        return image.isStraight() ? 2 : image.chain == SpecularChain.NONE ? 3 : 2 + chained.bounces();
     }
 
     /** Tells that the surface that the path is at reflects it as a mirror. */
@@ -164,13 +195,25 @@ final class EyeImages {
         notePassage(1);
     }
 
+    /** Tells that the path has been refracted by smooth glass. */
+    void refracted() {
+        chain = SpecularChain.and(chain, true);
+    }
+
     private void notePassage(int surfaces) {
+        chain = SpecularChain.and(chain, true);
         if (count > 0 && path.surfaces == panes + surfaces && light.isPane(path.id, path.hit.face)) {
             panes++;
         }
     }
 
+    /** Tells that the path was scattered by something else. */
+    void scattered() {
+        chain = SpecularChain.NONE;
+    }
+
     private void noteReflection(int surfaces) {
+        chain = SpecularChain.and(chain, false);
         if (count > 0 && path.surfaces == surfaces) {
             mirror = path.id;
             face = path.hit.face;
@@ -179,11 +222,13 @@ final class EyeImages {
 
     /** The weight, 0 or 1, of what the surface that the path is at emits, if the eye sees it straight or by way of mirrors and glass. */
     double weight() {
-        if (count > 0 && (path.surfaces == panes || path.surfaces == 1 && mirror != LightImage.STRAIGHT)) {
+        boolean isStraight = path.surfaces == panes;
+        boolean isSeen = isStraight || SpecularChain.length(chain) == path.surfaces;
+        if (count > 0 && isSeen) {
             int met = scene.physical.lightOf(path.id, path.hit.face);
             int at = here.firstOf(met);
             for (ImagePart part = here.of(met, at); part != null; part = here.of(met, ++at)) {
-                if (isSeenIn(part.image) && part.contains(x, y)) {
+                if ((isStraight ? part.image.isStraight() : isSeenIn(part.image)) && part.contains(x, y)) {
                     return 0;
                 }
             }
@@ -192,8 +237,8 @@ final class EyeImages {
     }
 
     private boolean isSeenIn(LightImage image) {
-        return path.surfaces == panes
-                ? image.mirror == LightImage.STRAIGHT
-                : image.mirror == mirror && (image.face == LightImage.ANY_FACE || image.face == face);
+        return path.surfaces == 1 && image.mirror != LightImage.STRAIGHT
+                ? image.mirror == mirror && (image.face == LightImage.ANY_FACE || image.face == face)
+                : image.isSeenBy(chain);
     }
 }

@@ -79,6 +79,8 @@ abstract class EyePathTracer implements Shader {
             path.filter(surface);
             if (path.glass.passedStraight()) {
                 images.passed();
+            } else {
+                images.refracted();
             }
         } else {
             images.reflected();

@@ -293,6 +293,15 @@ final class GlassTracer {
         return NONE;
     }
 
+    /** The probability that {@link #opaque} finds all of the surfaces clear where the last {@link #cross} was. */
+    double clear() {
+        double clear = 1;
+        for (int k = 0; k < coincident.size(); k++) {
+            clear *= filters(k, true) ? coincident.material(k).transparency : 1;
+        }
+        return clear;
+    }
+
     /**
      * How the surfaces that {@link #arrive} found scatter light as a rough border of two media, and where; null if they are none.
      */
@@ -314,6 +323,11 @@ final class GlassTracer {
     /** What the value of the border's lobe is, over the probability of the direction. */
     double weight() {
         return straight ? 1 : lost ? 0 : border.valueR;
+    }
+
+    /** The probability of what the last {@link #cross} has chosen between reflection and transmission. */
+    double probability() {
+        return straight && !(panesReflect && coincident.pane() != NONE) ? 1 : border.pdf;
     }
 
     /** Sets the number that chooses between reflection and refraction next. */

@@ -4,8 +4,8 @@ import enlightenment.compiled.PhysicalLight;
 import java.util.Arrays;
 
 /**
- * Where the eye sees a light straight or in one mirror: a convex polygon around it, in pixels from the picture's upper left corner.
- * Immutable.
+ * Where the eye sees a light straight, in one mirror, or by a longer chain of reflections and refractions: a convex polygon around it, in
+ * pixels from the picture's upper left corner. Immutable.
  */
 final class LightImage {
     /** Instead of a mirror's id: the light is seen straight. */
@@ -23,7 +23,10 @@ final class LightImage {
     /** The mirror's face, or {@link #ANY_FACE}. */
     final int face;
 
-    /** The light's radiance in the band that it is brightest in; greater than 0. */
+    /** The {@link SpecularChain} that it is seen by; none if it is seen straight or in one mirror. */
+    final long chain;
+
+    /** The light's radiance, or what the chain leaves of it, in the band that it is brightest in; greater than 0. */
     final double brightness;
 
     /** The corners, in order; not to be changed. */
@@ -42,12 +45,25 @@ final class LightImage {
      * @param y as many
      */
     LightImage(int light, PhysicalLight from, int mirror, int face, double[] x, double[] y) {
+        this(light, brightness(from), mirror, face, SpecularChain.NONE, x, y);
+    }
+
+    /**
+     * @param brightness what the chain leaves of the light's radiance
+     * @param chain that the light is seen by
+     */
+    LightImage(int light, double brightness, long chain, double[] x, double[] y) {
+        this(light, brightness, STRAIGHT, ANY_FACE, chain, x, y);
+    }
+
+    private LightImage(int light, double brightness, int mirror, int face, long chain, double[] x, double[] y) {
         this.light = light;
         this.mirror = mirror;
         this.face = face;
         this.x = x;
         this.y = y;
-        brightness = brightness(from);
+        this.brightness = brightness;
+        this.chain = chain;
         left = Arrays.stream(x).min().orElseThrow();
         right = Arrays.stream(x).max().orElseThrow();
         top = Arrays.stream(y).min().orElseThrow();
@@ -57,6 +73,16 @@ final class LightImage {
     /** A light's radiance in the band that it is brightest in. */
     static double brightness(PhysicalLight l) {
         return Math.max(l.r, Math.max(l.g, l.b));
+    }
+
+    /** Whether it is seen by a chain of this kind, of more than one reflection. */
+    boolean isSeenBy(long events) {
+        return chain == events && chain != SpecularChain.NONE;
+    }
+
+    /** Whether it is seen straight, but for panes. */
+    boolean isStraight() {
+        return mirror == STRAIGHT && chain == SpecularChain.NONE;
     }
 
     /** The polygon's area in pixels. */

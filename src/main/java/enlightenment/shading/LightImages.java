@@ -16,8 +16,8 @@ import java.util.List;
 
 /**
  * Finds the images of lights that samples of a pixel may miss: as they are seen straight, in flat mirrors, and, by the balls around them,
- * in curved mirrors; glass and panes reflect as mirrors do. Whether something hides them is not asked. Those through glass, and of images,
- * are not found.
+ * in curved mirrors; glass and panes reflect as mirrors do. Whether something hides them is not asked. Through glass, and in several mirrors,
+ * only images that are smaller than a pixel are found, by {@link ChainImages}.
  *
  * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are
  * bright beside what is likely to be behind them: not dimmer than a sixteenth of the brightest light, nor than twice the background. Black
@@ -89,6 +89,7 @@ final class LightImages {
                 images.addMirrored(id);
             }
         }
+        new ChainImages(scene).find().forEach(image -> images.keep(image, 0));
         return images.found.toArray(new LightImage[0]);
     }
 

@@ -105,6 +105,11 @@ final class PathFollower {
     /** Starts a path with a camera ray. */
     void begin(Ray ray) {
         counters.cameraRays++;
+        beginAgain(ray);
+    }
+
+    /** The same with one that is not counted, as it begins no sample. */
+    void beginAgain(Ray ray) {
         glass.begin(ray, scene.cameraSolids, null);
         begin(0);
     }

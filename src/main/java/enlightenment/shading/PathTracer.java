@@ -375,6 +375,7 @@ public final class PathTracer extends EyePathTracer {
         }
         history.leave(true);
         if (isRough) {
+            images.scattered();
             history.isThere = path.glass.hasNext();
             history.gathered = !history.isThere;
             light.left(path.glass.border.pdf);

@@ -18,6 +18,14 @@ public sealed interface Bsdf
     /** Whether light passes through the surface. */
     boolean transmits();
 
+    /**
+     * Whether all lobes that matter are so narrow that a path from the eye seldom leaves them towards a given small light: caustics by way of
+     * them are found like those of delta lobes (docs/caustics.md).
+     */
+    default boolean isNarrow() {
+        return false;
+    }
+
     /** Whether a surface whose colour is black reflects light all the same. */
     default boolean reflectsIfBlack() {
         return false;

@@ -37,6 +37,11 @@ public final class GlossyReflection implements Bsdf {
     }
 
     @Override
+    public boolean isNarrow() {
+        return facets.isNarrow();
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

@@ -36,6 +36,11 @@ public final class RoughDielectric implements Bsdf {
     }
 
     @Override
+    public boolean isNarrow() {
+        return facets.isNarrow();
+    }
+
+    @Override
     public boolean transmits() {
         return true;
     }

@@ -6,7 +6,8 @@ import java.util.Arrays;
 
 /**
  * What paths from lights start with that look for caustics: light that mirrors or smooth glass send to other surfaces. Those paths make
- * all of it that reaches the eye straight from such a surface, and paths from the eye leave it out. Immutable.
+ * all of it that reaches the eye straight from such a surface, and paths from the eye leave it out. Of small lights the same holds for what
+ * rough surfaces with narrow lobes send to surfaces with wide ones. Immutable.
  *
  * <p>A path begins with a pair of a light and a specular thing, which is chosen by an estimate of the power that goes from the one to the
  * other.
@@ -54,12 +55,22 @@ public final class CausticPass {
     public final double radius;
 
     private double brightest;
+
+    /** By light, the sun after the last: whether it is taken where a narrow lobe is the first to scatter its light. */
+    private final boolean[] isSmall;
+
     private final boolean[] isBeam;
     private final boolean[] shinesBothWays;
 
     private CausticPass(
-            PhysicalLight[] lights, Sun sun, double ofUltraviolet, SpecularThings balls, CompiledPrimitives compiled) {
+            PhysicalLight[] lights,
+            Sun sun,
+            double ofUltraviolet,
+            SpecularThings balls,
+            boolean[] isSmall,
+            CompiledPrimitives compiled) {
         this.lights = lights;
+        this.isSmall = isSmall;
         this.sun = sun;
         this.ofUltraviolet = ofUltraviolet;
         SceneBall around = SceneBall.around(compiled.primitives());
@@ -89,6 +100,11 @@ public final class CausticPass {
             probability[n * things + s] =
                     sun.max() / brightest * sun.solidAngle * Math.PI * ballRadius[s] * ballRadius[s];
         }
+        for (int pair = 0; pair < probability.length; pair++) {
+            if (!balls.isSharp[pair % things] && !isSmall[pair / things]) {
+                probability[pair] = 0;
+            }
+        }
         double sum = 0;
         for (int pair = 0; pair < probability.length; pair++) {
             sum += probability[pair];
@@ -113,11 +129,12 @@ public final class CausticPass {
             return null;
         }
         int most = Math.max(Math.min(MOST_THINGS, MOST_PAIRS / n), 1);
-        SpecularThings balls = SpecularThings.of(compiled, most);
+        boolean[] isSmall = SmallLights.of(lights, sun, SpecularThings.of(compiled, most, false, true));
+        SpecularThings balls = SpecularThings.of(compiled, most, true, SmallLights.areThere(isSmall));
         if (balls.count() == 0) {
             return null;
         }
-        CausticPass pass = new CausticPass(lights, sun, ofUltraviolet, balls, compiled);
+        CausticPass pass = new CausticPass(lights, sun, ofUltraviolet, balls, isSmall, compiled);
         return pass.cumulative[pass.cumulative.length - 1] > 0 ? pass : null;
     }
 
@@ -175,6 +192,16 @@ public final class CausticPass {
         return isFlat ? Math.min(Math.max((front + ballRadius[s]) / d, LEAST_COSINE), 1) : 1;
     }
 
+    /** Whether light is taken that a narrow lobe is the first to scatter; of the sun, the light after the last, too. */
+    public boolean takesNarrow(int light) {
+        return light < isSmall.length && isSmall[light];
+    }
+
+    /** Whether any is. */
+    public boolean takesNarrow() {
+        return SmallLights.areThere(isSmall);
+    }
+
     /** The pair that a number chooses, 0..1: {@code light · things + thing}. */
     public int choose(double number) {
         int at = Arrays.binarySearch(cumulative, number);
@@ -206,6 +233,34 @@ public final class CausticPass {
     /** The solids of glass that points of a light may lie in. */
     public int[] mediaAround(int light) {
         return light == lights.length ? NO_MEDIA : lights[light].mediaAround();
+    }
+
+    /**
+     * The radiance that a narrow lobe makes of a small light, in its strongest band: as of a light that is as large as the lobe is wide.
+     *
+     * @param light of the sun, that after the last
+     * @param x where the lobe is; and so on
+     * @param pdf the density per solid angle of directions that it sends light to: the inverse of its solid angle
+     */
+    public double radiance(int light, double x, double y, double z, double pdf) {
+        if (light == lights.length) {
+            return dimmed(sun.max(), sun.solidAngle * pdf);
+        }
+        PhysicalLight l = lights[light];
+        double dx = x - l.ballX;
+        double dy = y - l.ballY;
+        double dz = z - l.ballZ;
+        double squared = dx * dx + dy * dy + dz * dz;
+        double brightest = Math.max(l.r, Math.max(l.g, l.b));
+        if (l.isPoint) {
+            return brightest / squared * pdf;
+        }
+        return dimmed(brightest, Math.PI * l.ballRadius * l.ballRadius / squared * pdf);
+    }
+
+    /** @param covered the light's solid angle over the lobe's */
+    private static double dimmed(double radiance, double covered) {
+        return radiance * covered / (1 + covered);
     }
 
     /** The radiance of a light in its strongest band, and the sun's after the last light; 0 of a point, which no path from the eye finds. */

@@ -9,7 +9,10 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 
-/** The mirrors and the glass of a scene as a few balls around them: what a path from a light that may make a caustic is aimed at. */
+/**
+ * The mirrors and the glass of a scene, and rough surfaces with narrow lobes, as a few balls around them: what a path from a light that may
+ * make a caustic is aimed at.
+ */
 final class SpecularThings {
     /** The balls, by their centres and radii. */
     final double[] x;
@@ -18,7 +21,14 @@ final class SpecularThings {
     final double[] z;
     final double[] radius;
 
+    /** By ball: whether a mirror or glass is in it. */
+    final boolean[] isSharp;
+
     private SpecularThings(List<Group> groups) {
+        isSharp = new boolean[groups.size()];
+        for (int k = 0; k < isSharp.length; k++) {
+            isSharp[k] = groups.get(k).isSharp;
+        }
         x = groups.stream().mapToDouble(g -> g.center.x()).toArray();
         y = groups.stream().mapToDouble(g -> g.center.y()).toArray();
         z = groups.stream().mapToDouble(g -> g.center.z()).toArray();
@@ -33,21 +43,35 @@ final class SpecularThings {
      * The things of a scene.
      *
      * @param most with more of them than this, those near each other share a ball
+     * @param withSharp whether mirrors and glass are wanted
+     * @param withNarrow whether surfaces with narrow lobes are
      */
-    static SpecularThings of(CompiledPrimitives compiled, int most) {
-        Primitive[] all = compiled.primitives();
-        int[] specular = new int[all.length];
-        int n = 0;
-        for (int id = 0; id < all.length; id++) {
-            if (isSpecular(compiled, id)) {
-                specular[n++] = id;
+    static SpecularThings of(CompiledPrimitives compiled, int most, boolean withSharp, boolean withNarrow) {
+        int n = compiled.primitives().length;
+        int[] wanted = new int[n];
+        boolean[] sharp = new boolean[n];
+        int count = 0;
+        for (int id = 0; id < n; id++) {
+            sharp[id] = isSpecular(compiled, id);
+            if (withSharp && sharp[id] || withNarrow && isNarrow(compiled, id)) {
+                wanted[count++] = id;
             }
         }
         List<Group> groups = new ArrayList<>();
-        if (n > 0) {
-            split(all, Arrays.copyOf(specular, n), most, groups);
+        if (count > 0) {
+            split(compiled.primitives(), sharp, Arrays.copyOf(wanted, count), most, groups);
         }
         return new SpecularThings(groups);
+    }
+
+    private static boolean isNarrow(CompiledPrimitives compiled, int id) {
+        for (int face = 0; face < compiled.primitives()[id].faceCount(); face++) {
+            SurfaceMaterial material = compiled.materials().of(id, face);
+            if (material.bsdf.isNarrow() && !material.isBlack) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether any of its faces is of glass, or scatters light into single directions only; not borders that turn no ray. */
@@ -63,9 +87,9 @@ final class SpecularThings {
     }
 
     /** Halves the primitives, by their places along the longer side of their box, until there are groups enough. */
-    private static void split(Primitive[] all, int[] ids, int most, List<Group> groups) {
+    private static void split(Primitive[] all, boolean[] sharp, int[] ids, int most, List<Group> groups) {
         if (ids.length == 1 || most == 1) {
-            groups.add(Group.of(all, ids));
+            groups.add(Group.of(all, sharp, ids));
             return;
         }
         Vec3 extent = box(all, ids).extent();
@@ -81,8 +105,8 @@ final class SpecularThings {
                 .mapToInt(id -> id)
                 .toArray();
         int middle = sorted.length / 2;
-        split(all, Arrays.copyOf(sorted, middle), most / 2, groups);
-        split(all, Arrays.copyOfRange(sorted, middle, sorted.length), most - most / 2, groups);
+        split(all, sharp, Arrays.copyOf(sorted, middle), most / 2, groups);
+        split(all, sharp, Arrays.copyOfRange(sorted, middle, sorted.length), most - most / 2, groups);
     }
 
     private static Bounds box(Primitive[] all, int[] ids) {
@@ -93,13 +117,14 @@ final class SpecularThings {
         return box;
     }
 
-    private record Group(Vec3 center, double radius) {
-        static Group of(Primitive[] all, int[] ids) {
+    private record Group(Vec3 center, double radius, boolean isSharp) {
+        static Group of(Primitive[] all, boolean[] sharp, int[] ids) {
+            boolean isSharp = Arrays.stream(ids).anyMatch(id -> sharp[id]);
             if (ids.length == 1 && all[ids[0]] instanceof SpherePrimitive s) {
-                return new Group(s.center(), s.radius());
+                return new Group(s.center(), s.radius(), isSharp);
             }
             Bounds box = box(all, ids);
-            return new Group(box.center(), box.extent().length() / 2);
+            return new Group(box.center(), box.extent().length() / 2, isSharp);
         }
     }
 }

@@ -220,7 +220,7 @@ public final class BidirectionalTracer implements Shader {
     private boolean gatherInfinite(Sampler sampler) {
         if (!eye.bsdf.isDelta() && eye.seesLamps()) {
             double[] tint = eye.isBorder ? eye.color : null;
-            infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.address, eye.isFirst);
+            infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.address, eye.isFirst, false);
             addInfinite();
         }
         boolean goes = eye.leave(sampler);

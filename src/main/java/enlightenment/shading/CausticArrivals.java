@@ -26,8 +26,14 @@ final class CausticArrivals extends LightWalker {
     /** A group has at most so many arrivals, and more than half as many. */
     private static final int GROUP = 16;
 
-    /** Coordinates of the place, direction towards where the light came from, its power by band, and the radiance of the light. */
+    /**
+     * Coordinates of the place, direction towards where the light came from, its power by band, and the radiance of what paths from the eye
+     * find it by.
+     */
     private static final int NUMBERS = 10;
+
+    /** After them, 1 if a narrow lobe was the first to scatter the light, else 0. */
+    private static final int NARROW = NUMBERS;
 
     /** So many tell how bright it is at a place, the last of them how large the place is. */
     private static final int NEAREST = 9;
@@ -54,6 +60,8 @@ final class CausticArrivals extends LightWalker {
     final double[] light = new double[3];
 
     double chance;
+
+    private boolean onlyNarrow;
 
     private CausticArrivals(CompiledScene scene) {
         super(
@@ -90,11 +98,21 @@ final class CausticArrivals extends LightWalker {
 
     @Override
     boolean arrive(Bsdf bsdf, Scattering s) {
-        double radiance = physical.caustics.radiance(source.light);
+        double radiance = radianceFound();
         if (radiance > 0 && !isSought()) {
             Hit at = path.hit;
             found.add(new double[] {
-                at.px, at.py, at.pz, s.ox, s.oy, s.oz, carried.red, carried.green, carried.blue, radiance
+                at.px,
+                at.py,
+                at.pz,
+                s.ox,
+                s.oy,
+                s.oz,
+                carried.red,
+                carried.green,
+                carried.blue,
+                radiance,
+                isNarrow() ? 1 : 0
             });
         }
         return false;
@@ -144,8 +162,10 @@ final class CausticArrivals extends LightWalker {
      * Finds what a path from the eye that is at a surface leaves to chance there.
      *
      * @param s the surface, with its colour
+     * @param narrowOnly whether only light counts that a narrow lobe was the first to scatter
      */
-    void look(Bsdf bsdf, Scattering s, Hit at, PathValue value) {
+    void look(Bsdf bsdf, Scattering s, Hit at, PathValue value, boolean narrowOnly) {
+        onlyNarrow = narrowOnly;
         Arrays.fill(light, 0);
         chance = 0;
         count = 0;
@@ -184,7 +204,8 @@ final class CausticArrivals extends LightWalker {
         double z = arrival[2] - at.pz;
         double far = x * x + y * y + z * z;
         boolean isBehind = !(arrival[3] * s.nx + arrival[4] * s.ny + arrival[5] * s.nz > 0);
-        if (isBehind || count == NEAREST && far >= distance[count - 1]) {
+        boolean isOther = onlyNarrow && arrival[NARROW] == 0;
+        if (isOther || isBehind || count == NEAREST && far >= distance[count - 1]) {
             return;
         }
         int place = count < NEAREST ? count++ : count - 1;

@@ -51,7 +51,8 @@ final class ChanceProbe {
         this.scene = scene;
         boolean hasCaustics = scene.physical.hasCausticPass();
         beams = hasCaustics && RefractingMedia.areThere(scene) ? MediumBeams.of(scene, cancelled) : null;
-        boolean showsCaustics = hasCaustics && (scene.physical.showsMirrored || beams != null);
+        boolean isSeen = scene.physical.showsMirrored || beams != null;
+        boolean showsCaustics = hasCaustics && (isSeen || scene.physical.caustics.takesNarrow());
         arrivals = showsCaustics ? CausticArrivals.of(scene, cancelled) : null;
         tracer = PathTracer.probing(scene, new RayCounters(scene.kindNames.size()), this);
         tracer.stopWhen(cancelled);
@@ -111,12 +112,16 @@ final class ChanceProbe {
         }
     }
 
-    /** The path is at a surface that the eye sees in mirrors or through glass, or from media behind borders. */
-    void look(Bsdf bsdf, Scattering s, Hit at, PathValue value) {
+    /**
+     * The path is at a surface that the eye sees in mirrors, through glass or by narrow lobes, or from media behind borders.
+     *
+     * @param onlyNarrow whether only what narrow lobes make is left to chance there
+     */
+    void look(Bsdf bsdf, Scattering s, Hit at, PathValue value, boolean onlyNarrow) {
         if (arrivals == null) {
             return;
         }
-        arrivals.look(bsdf, s, at, value);
+        arrivals.look(bsdf, s, at, value, onlyNarrow);
         for (int c = 0; c < 3; c++) {
             light[SURFACES][c] += arrivals.light[c];
         }

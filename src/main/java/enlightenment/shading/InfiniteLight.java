@@ -38,6 +38,9 @@ final class InfiniteLight {
     /** Whether it took light from sun and sky, rather than from one that was chosen. */
     private boolean tookBoth;
 
+    /** Whether the sun is left out, as paths from there find its light. */
+    private boolean leavesSun;
+
     /** The tint of what passes, at a rough border; null elsewhere. */
     private double[] through;
 
@@ -70,7 +73,7 @@ final class InfiniteLight {
         white.nx = facing * path.hit.nx;
         white.ny = facing * path.hit.ny;
         white.nz = facing * path.hit.nz;
-        gather(Lambert.INSTANCE, white, null, sampler, address, isFirst);
+        gather(Lambert.INSTANCE, white, null, sampler, address, isFirst, false);
     }
 
     /**
@@ -78,18 +81,20 @@ final class InfiniteLight {
      *
      * @param tint of what passes, at a rough border of two media: then light is gathered on both sides; null elsewhere
      * @param isFirst whether the path came here from the eye by delta events only
+     * @param leaves whether the sun is left to the pass of caustics
      */
-    void gather(Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst) {
+    void gather(Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst, boolean leaves) {
         double facing = tint == null ? path.hit.side : 0;
         nx = facing * path.hit.nx;
         ny = facing * path.hit.ny;
         nz = facing * path.hit.nz;
         through = tint;
-        tookBoth = isFirst || sun == null;
+        leavesSun = leaves;
+        tookBoth = isFirst || sun == null || leavesSun;
         red = 0;
         green = 0;
         blue = 0;
-        boolean toSun = sun != null;
+        boolean toSun = sun != null && !leavesSun;
         boolean toSky = !around.isBlack();
         if (!tookBoth) {
             toSun = sampler.unit(address, Sampler.Purpose.LIGHT) < sunShare();
@@ -171,8 +176,10 @@ final class InfiniteLight {
         green = weight * rgb[1];
         blue = weight * rgb[2];
         if (sun != null && sun.contains(dx, dy, dz)) {
-            double ofSun =
-                    isWeighted ? PowerHeuristic.weight(probabilityOfSun() * sun.density(), pdf) : countsSun ? 1 : 0;
+            double ofSun = countsSun ? 1 : 0;
+            if (isWeighted) {
+                ofSun = leavesSun ? 0 : PowerHeuristic.weight(probabilityOfSun() * sun.density(), pdf);
+            }
             red = Math.fma(ofSun, sun.r, red);
             green = Math.fma(ofSun, sun.g, green);
             blue = Math.fma(ofSun, sun.b, blue);

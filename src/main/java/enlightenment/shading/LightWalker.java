@@ -60,6 +60,16 @@ abstract class LightWalker extends LightPathTracer {
     /** Whether the path's light counts. */
     private boolean counts;
 
+    /** Whether it does so at wide lobes only: a narrow one has scattered it first. */
+    private boolean countsWide;
+
+    /** Where that was, and with which density per solid angle the path left it. */
+    private double narrowX;
+
+    private double narrowY;
+    private double narrowZ;
+    private double narrowPdf;
+
     /**
      * For one thread.
      *
@@ -100,6 +110,8 @@ abstract class LightWalker extends LightPathTracer {
         events = 0;
         pieces = 0;
         counts = !onlyCaustics;
+        countsWide = false;
+        narrowPdf = 0;
         path.beginAtLight(ray, source);
         end.begin();
         if (flight != null) {
@@ -156,23 +168,67 @@ abstract class LightWalker extends LightPathTracer {
         SurfaceMaterial material = path.material();
         Bsdf bsdf = isGlass ? Lambert.INSTANCE : material.bsdf;
         boolean isDelta = bsdf.isDelta();
-        if (material.isBlack || !counts && !isDelta) {
+        if (material.isBlack || !counts && !isDelta && !takes(bsdf)) {
             return false;
         }
+        boolean arrives = arrives(bsdf);
         counts = true;
         path.color(material, surface);
         if (material.reradiation != null && !carried.reradiate(material.reradiation, surface)) {
             return false;
         }
         Scattering s = path.arrive(ray, surface);
-        if (!isDelta && !arrive(bsdf, s)) {
+        if (arrives && !arrive(bsdf, s)) {
             return false;
         }
         if (!bsdf.sample(s, unit(1), unit(2), unit(3))) {
             return false;
         }
+        noteNarrow(s.pdf);
         path.leave(ray, s);
         return filterAndSurvive(s.valueR, s.valueG, s.valueB) && path.goesOn();
+    }
+
+    /** Whether a path that does not count yet does so after lobes that are no delta lobes. */
+    private boolean takes(Bsdf bsdf) {
+        return takesNarrow() && bsdf.isNarrow() && physical.caustics.takesNarrow(source.light);
+    }
+
+    /** Whether narrow lobes make caustics of small lights. */
+    boolean takesNarrow() {
+        return true;
+    }
+
+    /** A narrow lobe may have scattered the path. */
+    private void noteNarrow(double pdf) {
+        if (countsWide && narrowPdf == 0) {
+            narrowX = path.hit.px;
+            narrowY = path.hit.py;
+            narrowZ = path.hit.pz;
+            narrowPdf = pdf;
+        }
+    }
+
+    /** Whether a narrow lobe was the first to scatter the path. */
+    final boolean isNarrow() {
+        return countsWide;
+    }
+
+    /**
+     * The radiance, in the strongest band, that a path from the eye finds where it comes to the path's light by chance; what a narrow lobe
+     * makes of a small light is that of a larger one, dimmer by the ratio of solid angles; 0 if none finds it.
+     */
+    final double radianceFound() {
+        return countsWide
+                ? physical.caustics.radiance(source.light, narrowX, narrowY, narrowZ, narrowPdf)
+                : physical.caustics.radiance(source.light);
+    }
+
+    /** Whether the path's light counts at a surface; if it does not yet, tells what makes it. */
+    private boolean arrives(Bsdf bsdf) {
+        boolean isFirst = !counts;
+        countsWide |= isFirst && !bsdf.isDelta();
+        return !bsdf.isDelta() && !isFirst && !(countsWide && bsdf.isNarrow());
     }
 
     /** At a surface that scatters light other than into single directions; returns whether the path goes on. */
@@ -289,9 +345,13 @@ abstract class LightWalker extends LightPathTracer {
 
     /** At a border of glass, or at a pane. */
     private boolean glass() {
+        boolean isNarrow = false;
         if (physical.hasRoughGlass) {
             if (!onlyCaustics) {
                 connectAtBorder();
+            } else if (!counts) {
+                Bsdf bsdf = path.roughBorder(ray, border);
+                isNarrow = bsdf != null && takes(bsdf);
             }
             pair[0] = unit(1);
             pair[1] = unit(2);
@@ -309,9 +369,13 @@ abstract class LightWalker extends LightPathTracer {
             carried.filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
-        // Light that comes to rough glass straight is found there by shadow rays.
+        // Light that comes to rough glass straight is found there by shadow rays, but where its lobes are narrow.
         if (!counts && !path.glass.border.delta) {
-            return false;
+            if (!isNarrow) {
+                return false;
+            }
+            countsWide = true;
+            noteNarrow(path.glass.border.pdf);
         }
         counts = true;
         return crosses() && path.goesOn();

@@ -108,6 +108,12 @@ final class MediumBeams extends LightWalker {
         return false;
     }
 
+    /** Of what narrow lobes send into media, samples tell. */
+    @Override
+    boolean takesNarrow() {
+        return false;
+    }
+
     @Override
     boolean isScatteredIn(SurfaceMaterial in) {
         return false;

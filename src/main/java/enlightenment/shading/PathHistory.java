@@ -14,6 +14,12 @@ final class PathHistory {
     /** Whether that was the first event of the path, and paths from lights that look for caustics are scattered by all that followed. */
     boolean scatteredFirst;
 
+    /** Whether a narrow lobe was the first that is not a delta lobe: paths from lights are not connected to the eye there. */
+    private boolean narrowFirst;
+
+    /** Whether there was no other event than of delta lobes and narrow ones. */
+    private boolean onlySharp;
+
     /** Whether there were events of delta lobes before. */
     private boolean deltaFirst;
 
@@ -36,6 +42,8 @@ final class PathHistory {
         events = 0;
         scattered = false;
         scatteredFirst = false;
+        narrowFirst = false;
+        onlySharp = true;
         deltaFirst = false;
         gathered = false;
         behindBorder = false;
@@ -51,10 +59,29 @@ final class PathHistory {
             scatteredFirst = !deltaFirst;
         }
         deltaFirst |= !scattered;
+        onlySharp &= isDelta;
         hasMet |= connects && !isDelta;
         connects = !isDelta;
         gathered = !isDelta;
         isThere = false;
+    }
+
+    /** The same of a narrow lobe. */
+    void leaveNarrow() {
+        boolean wasSharp = onlySharp;
+        narrowFirst |= !scattered;
+        leave(false);
+        onlySharp = wasSharp;
+    }
+
+    /** Whether the eye sees the surface that the path is at by way of delta lobes and narrow ones, at least one. */
+    boolean isSeenSharply() {
+        return onlySharp && (deltaFirst || narrowFirst);
+    }
+
+    /** Whether light that narrow lobes send here is found by paths from small lights: they are connected to the eye where this began. */
+    boolean leavesNarrow() {
+        return scattered && scatteredFirst && !narrowFirst;
     }
 
     /**
@@ -67,6 +94,7 @@ final class PathHistory {
     void leaveInMedium(boolean hasGathered, boolean leavesCaustics) {
         scatteredFirst = leavesCaustics && (scattered ? scatteredFirst : !deltaFirst);
         scattered = true;
+        onlySharp = false;
         hasMet |= connects;
         connects = true;
         gathered = hasGathered;

@@ -68,6 +68,9 @@ final class PathLight {
     /** The tint of what passes, at a rough border; null elsewhere. */
     private double[] through;
 
+    /** Whether light of small lights is left out there, as paths from these find it. */
+    private boolean leavesSmall;
+
     /** Towards where the path came from; of a Lambertian surface, that of a white one. */
     final GatheredLight gathered;
 
@@ -96,6 +99,7 @@ final class PathLight {
 
     private void begin(boolean matte, boolean isFirst) {
         isMatte = matte;
+        leavesSmall = false;
         tookAll = takesAll(lights.length, isFirst);
         along = null;
         double facing = hit.side;
@@ -257,9 +261,14 @@ final class PathLight {
         return known == Tracer.Visibility.ALL || !shadow.isBlocked(l, sample) ? weighed : 0;
     }
 
-    /** Gathers the light at the surface that the path is at, whatever its lobes. */
-    void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
+    /**
+     * Gathers the light at the surface that the path is at, whatever its lobes.
+     *
+     * @param leaves whether that of {@linkplain enlightenment.compiled.CausticPass#takesNarrow small lights} is left to the pass of caustics
+     */
+    void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst, boolean leaves) {
         begin(false, isFirst);
+        leavesSmall = leaves;
         gatherAll(bsdf, s, sampler, address, isFirst);
     }
 
@@ -274,9 +283,12 @@ final class PathLight {
      * Gathers the light on both sides of the rough border of two media that the path is at.
      *
      * @param tint of what passes, by band
+     * @param leaves whether that of small lights is left to the pass of caustics
      */
-    void gatherAtBorder(Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst) {
+    void gatherAtBorder(
+            Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst, boolean leaves) {
         begin(false, isFirst);
+        leavesSmall = leaves;
         nx = 0;
         ny = 0;
         nz = 0;
@@ -294,14 +306,14 @@ final class PathLight {
             add(bsdf, s, choice.light, choice.probability, sampler, address);
         }
         if (infinite != null) {
-            infinite.gather(bsdf, s, through, sampler, address, isFirst);
+            infinite.gather(bsdf, s, through, sampler, address, isFirst, leaves(lights.length));
             gathered.add(infinite.red, infinite.green, infinite.blue);
         }
     }
 
     private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        double density = sample(l, index, sampler, address);
+        double density = leaves(index) ? 0 : sample(l, index, sampler, address);
         if (!(density > 0)) {
             return;
         }
@@ -354,6 +366,17 @@ final class PathLight {
             shadow.add(l, 1, 1, 1, gathered);
             out.set(sample, tookAll ? density : choice.probability * density, !l.isPoint, gathered);
         }
+    }
+
+    /** Whether a light is left out; the sun is after the last one. */
+    private boolean leaves(int light) {
+        return leavesSmall && physical.caustics.takesNarrow(light);
+    }
+
+    /** Whether what the surface that the path is at emits was left out at the vertex: it ran into it after it left that. */
+    boolean leavesGlow() {
+        int light = leavesSmall ? physical.lightOf(path.id, hit.face) : -1;
+        return light >= 0 && physical.caustics.takesNarrow(light);
     }
 
     /** The weight of what the surface that the path is at emits: it ran into it after it left the vertex. */

@@ -20,6 +20,9 @@ public final class PathTracer extends EyePathTracer {
     private final PathLight light;
     private final boolean hasCausticPass;
 
+    /** Whether that pass makes light that narrow lobes send to wide ones, as well. */
+    private final boolean hasNarrowPass;
+
     /** What finds caustics that are seen in mirrors; null if nothing does. */
     private final MirrorCaustics mirrors;
 
@@ -66,6 +69,7 @@ public final class PathTracer extends EyePathTracer {
             value.wavelength = null;
         }
         hasCausticPass = leavesOut;
+        hasNarrowPass = leavesOut && physical.caustics.takesNarrow();
         walk = RandomWalk.of(scene, counters, path, value, part);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
     }
@@ -228,11 +232,8 @@ public final class PathTracer extends EyePathTracer {
 
     /** By what share of it light that the surface emits is found here, not in another way. */
     private double weightOfGlow(Ray ray) {
-        if (history.gathered) {
-            return light.weight(ray);
-        }
-        if (history.isThere) {
-            return 1;
+        if (history.gathered || history.isThere) {
+            return light.leavesGlow() ? 0 : history.isThere ? 1 : light.weight(ray);
         }
         return history.scattered ? weightOfCaustic() : images.weight();
     }
@@ -256,8 +257,10 @@ public final class PathTracer extends EyePathTracer {
      * does.
      */
     private boolean gatherMirrored(Bsdf bsdf, Ray ray, Sampler sampler) {
-        if (probe != null && (!history.scattered || history.behindBorder) && history.isSeenByMirrors()) {
-            probe.look(bsdf, path.arrive(ray, surface), path.hit, value);
+        if (probe != null && (history.isSeenSharply() || history.behindBorder && history.isSeenByMirrors())) {
+            // What mirrors make is sought by the pass of caustics where the first lobe is no delta lobe.
+            boolean onlyNarrow = history.scattered && history.scatteredFirst;
+            probe.look(bsdf, path.arrive(ray, surface), path.hit, value, onlyNarrow);
         }
         if (mirrors == null || !history.isSeenByMirrors()) {
             return false;
@@ -314,10 +317,16 @@ public final class PathTracer extends EyePathTracer {
     private boolean rough(Ray ray, SurfaceMaterial material, Sampler sampler) {
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
-        if (cut != null && path.surfaces < 2 && cut.noteRough(path, material.bsdf, s, value, physical.isEvenBeyond())) {
+        boolean isNarrow = hasNarrowPass && material.bsdf.isNarrow();
+        // What comes to narrow lobes from narrow lobes is not shared with wide ones: there it is the business of
+        // others.
+        if (!isNarrow
+                && cut != null
+                && path.surfaces < 2
+                && cut.noteRough(path, material.bsdf, s, value, physical.isEvenBeyond())) {
             return leaveCut(ray, material.bsdf, s, sampler);
         }
-        light.gather(material.bsdf, s, sampler, address, !history.scattered);
+        light.gather(material.bsdf, s, sampler, address, !history.scattered, isNarrow && history.leavesNarrow());
         value.add(light.gathered);
         boolean seen = gatherMirrored(material.bsdf, ray, sampler);
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
@@ -329,7 +338,11 @@ public final class PathTracer extends EyePathTracer {
             mirrors.left(s);
         }
         path.leave(ray, s);
-        history.leave(s.delta);
+        if (isNarrow) {
+            history.leaveNarrow();
+        } else {
+            history.leave(s.delta);
+        }
         return survives(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
     }
 
@@ -402,7 +415,8 @@ public final class PathTracer extends EyePathTracer {
         Arrays.fill(surface, 1);
         path.filter(surface);
         path.turnTo(0);
-        light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered);
+        boolean leaves = hasNarrowPass && bsdf.isNarrow() && history.leavesNarrow();
+        light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered, leaves);
         value.add(light.gathered);
         return true;
     }

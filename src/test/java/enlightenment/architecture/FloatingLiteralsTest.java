@@ -89,6 +89,8 @@ class FloatingLiteralsTest {
             new Explained("shading/MediumBeam.java", "6", "an optical depth"),
             new Explained("shading/MediumBeam.java", "0x1p-9", "a share of a path's power"),
             new Explained("shading/MediumBeams.java", "8", "a ratio of shares of a hemisphere"),
+            new Explained("bsdf/Microfacets.java", "0.0625", "a roughness α of GGX"),
+            new Explained("compiled/SmallLights.java", "0.1", "steradians"),
             new Explained("compiled/CausticPass.java", "0.05", "the least cosine that powers are estimated with"),
             new Explained("compiled/RefractingMedia.java", "1e-3", "a share of a hemisphere"),
             new Explained("shading/MirrorImage.java", "0x1p-3", "Newton's method: an error over the radius, a ratio"),

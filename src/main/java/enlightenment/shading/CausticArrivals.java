@@ -98,7 +98,7 @@ final class CausticArrivals extends LightWalker {
 
     @Override
     boolean arrive(Bsdf bsdf, Scattering s) {
-        double radiance = radianceFound();
+        double radiance = caustic.radianceFound();
         if (radiance > 0 && !isSought()) {
             Hit at = path.hit;
             found.add(new double[] {
@@ -112,7 +112,7 @@ final class CausticArrivals extends LightWalker {
                 carried.green,
                 carried.blue,
                 radiance,
-                isNarrow() ? 1 : 0
+                caustic.isNarrow() ? 1 : 0
             });
         }
         return false;

@@ -57,18 +57,8 @@ abstract class LightWalker extends LightPathTracer {
     /** Whether only light counts that mirrors or smooth glass send to a surface first: the rest is found by others. */
     private final boolean onlyCaustics;
 
-    /** Whether the path's light counts. */
-    private boolean counts;
-
-    /** Whether it does so at wide lobes only: a narrow one has scattered it first. */
-    private boolean countsWide;
-
-    /** Where that was, and with which density per solid angle the path left it. */
-    private double narrowX;
-
-    private double narrowY;
-    private double narrowZ;
-    private double narrowPdf;
+    /** Which part of the path's light counts. */
+    final CausticCount caustic;
 
     /**
      * For one thread.
@@ -91,6 +81,7 @@ abstract class LightWalker extends LightPathTracer {
         this.source = source;
         this.onlyCaustics = onlyCaustics;
         physical = scene.physical;
+        caustic = new CausticCount(onlyCaustics ? physical.caustics : null, takesNarrow());
         wavelength = path.glass.wavelength;
         carried = new CarriedPower(physical.visibleOfUltraviolet);
         flight = physical.hasScattering ? new FreeFlight() : null;
@@ -109,9 +100,7 @@ abstract class LightWalker extends LightPathTracer {
         carried.begin(source);
         events = 0;
         pieces = 0;
-        counts = !onlyCaustics;
-        countsWide = false;
-        narrowPdf = 0;
+        caustic.begin(source.light);
         path.beginAtLight(ray, source);
         end.begin();
         if (flight != null) {
@@ -167,68 +156,28 @@ abstract class LightWalker extends LightPathTracer {
         }
         SurfaceMaterial material = path.material();
         Bsdf bsdf = isGlass ? Lambert.INSTANCE : material.bsdf;
-        boolean isDelta = bsdf.isDelta();
-        if (material.isBlack || !counts && !isDelta && !takes(bsdf)) {
+        if (material.isBlack || !caustic.goesOn(bsdf)) {
             return false;
         }
-        boolean arrives = arrives(bsdf);
-        counts = true;
         path.color(material, surface);
         if (material.reradiation != null && !carried.reradiate(material.reradiation, surface)) {
             return false;
         }
         Scattering s = path.arrive(ray, surface);
-        if (arrives && !arrive(bsdf, s)) {
+        if (caustic.countsAt(bsdf) && !arrive(bsdf, s)) {
             return false;
         }
         if (!bsdf.sample(s, unit(1), unit(2), unit(3))) {
             return false;
         }
-        noteNarrow(s.pdf);
+        caustic.leave(s.delta, path.hit, s.pdf);
         path.leave(ray, s);
         return filterAndSurvive(s.valueR, s.valueG, s.valueB) && path.goesOn();
     }
 
-    /** Whether a path that does not count yet does so after lobes that are no delta lobes. */
-    private boolean takes(Bsdf bsdf) {
-        return takesNarrow() && bsdf.isNarrow() && physical.caustics.takesNarrow(source.light);
-    }
-
-    /** Whether narrow lobes make caustics of small lights. */
+    /** Whether narrow lobes make caustics of small lights, where only caustics count. */
     boolean takesNarrow() {
         return true;
-    }
-
-    /** A narrow lobe may have scattered the path. */
-    private void noteNarrow(double pdf) {
-        if (countsWide && narrowPdf == 0) {
-            narrowX = path.hit.px;
-            narrowY = path.hit.py;
-            narrowZ = path.hit.pz;
-            narrowPdf = pdf;
-        }
-    }
-
-    /** Whether a narrow lobe was the first to scatter the path. */
-    final boolean isNarrow() {
-        return countsWide;
-    }
-
-    /**
-     * The radiance, in the strongest band, that a path from the eye finds where it comes to the path's light by chance; what a narrow lobe
-     * makes of a small light is that of a larger one, dimmer by the ratio of solid angles; 0 if none finds it.
-     */
-    final double radianceFound() {
-        return countsWide
-                ? physical.caustics.radiance(source.light, narrowX, narrowY, narrowZ, narrowPdf)
-                : physical.caustics.radiance(source.light);
-    }
-
-    /** Whether the path's light counts at a surface; if it does not yet, tells what makes it. */
-    private boolean arrives(Bsdf bsdf) {
-        boolean isFirst = !counts;
-        countsWide |= isFirst && !bsdf.isDelta();
-        return !bsdf.isDelta() && !isFirst && !(countsWide && bsdf.isNarrow());
     }
 
     /** At a surface that scatters light other than into single directions; returns whether the path goes on. */
@@ -242,7 +191,7 @@ abstract class LightWalker extends LightPathTracer {
      * paths from the eye, and so is all that is scattered where no lamp is sampled from.
      */
     boolean isScatteredIn(SurfaceMaterial in) {
-        return !onlyCaustics || counts && in.indexOfRefraction == 1;
+        return !onlyCaustics || caustic.counts() && in.indexOfRefraction == 1;
     }
 
     /**
@@ -252,11 +201,6 @@ abstract class LightWalker extends LightPathTracer {
      */
     PathFollower.Event pass(SurfaceMaterial in) {
         return path.next(ray);
-    }
-
-    /** Whether a mirror or smooth glass has sent the path where it is. */
-    final boolean isCaustic() {
-        return counts;
     }
 
     /**
@@ -345,13 +289,13 @@ abstract class LightWalker extends LightPathTracer {
 
     /** At a border of glass, or at a pane. */
     private boolean glass() {
-        boolean isNarrow = false;
+        boolean goesOn = true;
         if (physical.hasRoughGlass) {
             if (!onlyCaustics) {
                 connectAtBorder();
-            } else if (!counts) {
+            } else {
                 Bsdf bsdf = path.roughBorder(ray, border);
-                isNarrow = bsdf != null && takes(bsdf);
+                goesOn = bsdf == null || caustic.goesOn(bsdf);
             }
             pair[0] = unit(1);
             pair[1] = unit(2);
@@ -370,14 +314,10 @@ abstract class LightWalker extends LightPathTracer {
             return path.goesOn();
         }
         // Light that comes to rough glass straight is found there by shadow rays, but where its lobes are narrow.
-        if (!counts && !path.glass.border.delta) {
-            if (!isNarrow) {
-                return false;
-            }
-            countsWide = true;
-            noteNarrow(path.glass.border.pdf);
+        if (!goesOn) {
+            return false;
         }
-        counts = true;
+        caustic.leave(path.glass.border.delta, path.hit, path.glass.border.pdf);
         return crosses() && path.goesOn();
     }
 

@@ -121,7 +121,7 @@ final class MediumBeams extends LightWalker {
 
     @Override
     PathFollower.Event pass(SurfaceMaterial in) {
-        if (in == null || in.medium == null || in.indexOfRefraction == 1 || !isCaustic()) {
+        if (in == null || in.medium == null || in.indexOfRefraction == 1 || !caustic.counts()) {
             return path.next(ray);
         }
         Hit at = path.hit;

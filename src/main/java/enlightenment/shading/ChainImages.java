@@ -20,8 +20,8 @@ final class ChainImages extends ImageSolver {
     /** Chains of so many events at most. */
     private static final int LONGEST = 8;
 
-    /** Chains that leave less than this are not followed: two reflections at glass, or more. */
-    private static final double FAINTEST = 0x1p-8;
+    /** Chains that leave less than this are not followed: three reflections at glass, or more. */
+    private static final double FAINTEST = 0x1p-10;
 
     /** So many camera rays in all, but at least a few for each mirror. */
     private static final int RAYS = 1 << 13;
@@ -33,7 +33,7 @@ final class ChainImages extends ImageSolver {
     private static final int MOST_LIGHTS = 32;
 
     /** So many events are followed: where chains are long or many, the last mirrors are not looked at. */
-    private static final int MOST_EVENTS = 1 << 18;
+    private static final int MOST_EVENTS = 1 << 19;
 
     private record Seen(long chain, int light) {}
 

@@ -50,9 +50,9 @@ final class SpecularChain {
         panesOf = new MirroredLight(scene, counters, path.tracer);
     }
 
-    /** A chain with one more event. */
+    /** A chain with one more event; none if there is none before. */
     static long and(long chain, boolean isTransmitted) {
-        return chain >= LARGEST ? NONE : chain << 1 | (isTransmitted ? 1 : 0);
+        return chain == NONE || chain >= LARGEST ? NONE : chain << 1 | (isTransmitted ? 1 : 0);
     }
 
     /** How many events a chain has; -1 of no chain. */

@@ -100,7 +100,7 @@ class FloatingLiteralsTest {
             new Explained("shading/ImageSolver.java", "8", "cells of that grid"),
             new Explained("shading/ImageSolver.java", "64", "pixels that an image covers"),
             new Explained("shading/ImageSolver.java", "1.125", "how much larger a polygon is than an ellipse"),
-            new Explained("shading/ChainImages.java", "0x1p-8", "what a chain leaves of light, a ratio"),
+            new Explained("shading/ChainImages.java", "0x1p-10", "what a chain leaves of light, a ratio"),
             new Explained("shading/LightOutline.java", "0x1p-9", "pixels: how fine a polygon in the picture is"),
             new Explained("shading/LightOutline.java", "0x1p30", "pixels: where a double tells no thousandth of one"),
             new Explained("shading/PathSampler.java", "0x1p-32", "32 bits to 0..1"),

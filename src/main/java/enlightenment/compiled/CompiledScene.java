@@ -99,6 +99,9 @@ public final class CompiledScene {
     /** The scene at the moments that its picture is the mean of; empty if it is one of a moment. */
     public final CompiledScene[] instants;
 
+    /** Set once, when the scene is compiled. */
+    private int momentsOfPicture = 1;
+
     private ConeSearch coneSearch;
     private LightStarts lightStarts;
     private LightStarts lightStartsWithBackground;
@@ -126,6 +129,9 @@ public final class CompiledScene {
             CompiledScene... instants) {
         this.display = display;
         this.instants = instants;
+        for (CompiledScene moment : instants) {
+            moment.momentsOfPicture = instants.length;
+        }
         this.frame = frame;
         this.camera = camera;
         this.shading = shading;
@@ -292,6 +298,11 @@ public final class CompiledScene {
             made.put(kind, known);
         }
         return kind.cast(known);
+    }
+
+    /** How many moments the picture is the mean of that this scene is one of; 1 if it has one only. */
+    public int momentsOfPicture() {
+        return momentsOfPicture;
     }
 
     /** The moments that the picture is the mean of: this scene alone where there are no {@link #instants}. */

@@ -23,7 +23,7 @@ final class ChainImages extends ImageSolver {
     /** Chains that leave less than this are not followed: three reflections at glass, or more. */
     private static final double FAINTEST = 0x1p-10;
 
-    /** So many camera rays in all, but at least a few for each mirror. */
+    /** So many camera rays in all, and of all moments of a picture, but at least a few for each mirror. */
     private static final int RAYS = 1 << 13;
 
     private static final int LARGEST_GRID = 32;
@@ -34,6 +34,12 @@ final class ChainImages extends ImageSolver {
 
     /** So many events are followed: where chains are long or many, the last mirrors are not looked at. */
     private static final int MOST_EVENTS = 1 << 19;
+
+    /** The same for each of many moments. */
+    private static final int LEAST_EVENTS = 1 << 13;
+
+    /** Of a mirror so many pairs of chain and light, the first ones. */
+    private static final int MOST_SEEN = 512;
 
     private record Seen(long chain, int light) {}
 
@@ -50,11 +56,13 @@ final class ChainImages extends ImageSolver {
 
     private int side;
     private int events;
+    private final int mostEvents;
 
     ChainImages(CompiledScene scene) {
         super(scene);
         chains = new SpecularChain(scene, new RayCounters(scene.kindNames.size()));
         chains.beginTile(0, 0, 1, 1);
+        mostEvents = Math.max(MOST_EVENTS / scene.momentsOfPicture(), LEAST_EVENTS);
         List<Integer> bright = new ArrayList<>();
         for (int k = 0; k < scene.physical.lights.length && bright.size() < MOST_LIGHTS; k++) {
             PhysicalLight l = scene.physical.lights[k];
@@ -108,10 +116,10 @@ final class ChainImages extends ImageSolver {
         if (mirrors.length == 0) {
             return found;
         }
-        side = (int) Math.sqrt((double) RAYS / mirrors.length);
+        side = (int) Math.sqrt((double) RAYS / scene.momentsOfPicture() / mirrors.length);
         side = Math.max(Math.min(side, LARGEST_GRID), SMALLEST_GRID);
         for (int id : mirrors) {
-            if (events < MOST_EVENTS && lay(scene.primitives[id].bounds(), side)) {
+            if (events < mostEvents && lay(scene.primitives[id].bounds(), side)) {
                 survey(id);
                 solveAll(found);
             }
@@ -122,7 +130,7 @@ final class ChainImages extends ImageSolver {
     /** Follows the rays of the grid that come to a primitive first. */
     private void survey(int id) {
         squares.clear();
-        for (int cell = 0; cell < side * side && events < MOST_EVENTS; cell++) {
+        for (int cell = 0; cell < side * side && events < mostEvents; cell++) {
             if (comesTo(id, cell)) {
                 explore(cell, SpecularChain.STRAIGHT);
             }
@@ -164,8 +172,19 @@ final class ChainImages extends ImageSolver {
         for (int k : lights) {
             light = scene.physical.lights[k];
             if (comesNear()) {
-                squares.computeIfAbsent(new Seen(chain, k), s -> nowhere())[cell] = square();
+                note(cell, new Seen(chain, k));
             }
+        }
+    }
+
+    private void note(int cell, Seen seen) {
+        double[] known = squares.get(seen);
+        if (known == null && squares.size() < MOST_SEEN) {
+            known = nowhere();
+            squares.put(seen, known);
+        }
+        if (known != null) {
+            known[cell] = square();
         }
     }
 
@@ -197,7 +216,7 @@ final class ChainImages extends ImageSolver {
         for (Map.Entry<Seen, double[]> e : squares.entrySet()) {
             sought = e.getKey();
             light = scene.physical.lights[sought.light];
-            for (int cell = 0; cell < side * side && events < MOST_EVENTS; cell++) {
+            for (int cell = 0; cell < side * side && events < mostEvents; cell++) {
                 if (solve(e.getValue(), side, cell % side, cell / side)) {
                     keep(found);
                 }

@@ -24,23 +24,36 @@ final class EyeImages {
     private final EyeProjection eye;
     private final MirroredLight light;
 
-    /** Follows the paths of images by chains; null if there are none. */
-    private final SpecularChain chained;
+    private final RayCounters counters;
+    private final boolean isWanted;
 
-    private final LightImage[] all;
+    /** Follows the paths of images by chains; null if there are none. */
+    private SpecularChain chained;
+
+    /** Finds out where rays start; null if all start outside of all solids. */
+    private final PathFollower starts;
+
+    /** Those of the picture; null until a path begins. */
+    private LightImage[] all;
+
     private final Ray ray = new Ray();
     private final double[] pair = new double[2];
     private final ClippedPolygon work = new ClippedPolygon();
 
     /** Those of the tile. */
-    private final LightImage[] near;
+    private LightImage[] near;
 
     private int nearCount;
 
-    /** What pixels show of images: it depends on the pixel alone. */
-    private final PixelImages[] pixels;
+    /** The box of the tile in pixels. */
+    private final double[] tile = new double[4];
 
-    /** The pixel that the path began in, if it shows images that count for the path. */
+    private boolean isNewTile;
+
+    /** What pixels show of images: it depends on the pixel alone. */
+    private PixelImages[] pixels;
+
+    /** The pixel that the path began in, if it shows images. */
     private PixelImages here;
 
     /** Where on the film the path began, in pixels. */
@@ -48,8 +61,11 @@ final class EyeImages {
 
     private double y;
 
-    /** How many images count for the path. */
+    /** How many images count in the pixel. */
     private int count;
+
+    /** Whether the path began in empty space. */
+    private boolean isOutside;
 
     /** The first mirror that reflected the path, if that was its first event. */
     private int mirror;
@@ -71,30 +87,46 @@ final class EyeImages {
     /** @param isWanted whether the light is wanted that the eye sees so */
     EyeImages(CompiledScene scene, RayCounters counters, PathFollower path, boolean isWanted) {
         this.scene = scene;
+        this.counters = counters;
         this.path = path;
+        // In a medium that fills everything absorption counts as well: left to chance.
+        this.isWanted = isWanted && scene.physical.around == null;
         eye = new EyeProjection(scene.camera);
         light = new MirroredLight(scene, counters, path.tracer);
-        all = isWanted ? scene.once(LightImage[].class, () -> LightImages.of(scene)) : new LightImage[0];
-        boolean hasChains = Arrays.stream(all).anyMatch(image -> image.chain != SpecularChain.NONE);
-        chained = hasChains ? new SpecularChain(scene, counters) : null;
-        near = new LightImage[all.length];
-        pixels = new PixelImages[all.length == 0 ? 0 : REMEMBERED * REMEMBERED];
+        starts = scene.cameraSolids.length == 0 ? null : new PathFollower(scene, counters, 0);
     }
 
     /** Sets the tile of the paths to come, as {@link Shader#beginTile}. */
     void beginTile(double x0, double y0, double x1, double y1) {
+        tile[0] = x0;
+        tile[1] = y0;
+        tile[2] = x1;
+        tile[3] = y1;
+        isNewTile = isWanted;
+        nearCount = 0;
+    }
+
+    /** Finds the images of the tile; those of the picture before, which takes some time, once whoever polls for a stop has been set. */
+    private void findNear() {
+        isNewTile = false;
+        if (all == null) {
+            all = scene.once(LightImage[].class, () -> LightImages.of(scene));
+            near = new LightImage[all.length];
+            pixels = new PixelImages[all.length == 0 ? 0 : REMEMBERED * REMEMBERED];
+            boolean hasChains = Arrays.stream(all).anyMatch(image -> image.chain != SpecularChain.NONE);
+            chained = hasChains ? new SpecularChain(scene, counters) : null;
+        }
         double columns = scene.camera.columns;
         double rows = scene.camera.rows;
-        nearCount = 0;
         boolean hasChains = false;
         for (LightImage image : all) {
-            if (image.reaches(x0 * columns - 1, y0 * rows - 1, x1 * columns + 1, y1 * rows + 1)) {
+            if (image.reaches(tile[0] * columns - 1, tile[1] * rows - 1, tile[2] * columns + 1, tile[3] * rows + 1)) {
                 near[nearCount++] = image;
                 hasChains |= image.chain != SpecularChain.NONE;
             }
         }
         if (hasChains) {
-            chained.beginTile(x0, y0, x1, y1);
+            chained.beginTile(tile[0], tile[1], tile[2], tile[3]);
         }
     }
 
@@ -103,8 +135,10 @@ final class EyeImages {
         count = 0;
         panes = 0;
         chain = SpecularChain.STRAIGHT;
-        // In a medium absorption counts as well: left to chance.
-        if (nearCount == 0 || path.medium() != null) {
+        if (isNewTile) {
+            findNear();
+        }
+        if (nearCount == 0) {
             return;
         }
         mirror = LightImage.STRAIGHT;
@@ -113,6 +147,8 @@ final class EyeImages {
         y = eye.y * scene.camera.rows;
         here = pixel((int) x, (int) y);
         count = here.count;
+        // What rays that start in a medium see is no image of any kind.
+        isOutside = starts == null || path.medium() == null;
     }
 
     private PixelImages pixel(int column, int row) {
@@ -142,6 +178,12 @@ final class EyeImages {
         ImagePart part = here.chosen;
         LightImage image = part.image;
         scene.camera.ray(part.placeX / scene.camera.columns, part.placeY / scene.camera.rows, ray);
+        if (starts != null) {
+            starts.beginAgain(ray);
+            if (starts.medium() != null) {
+                return false;
+            }
+        }
         if (image.chain != SpecularChain.NONE) {
             return gatherChained(image);
         }
@@ -224,7 +266,7 @@ final class EyeImages {
     double weight() {
         boolean isStraight = path.surfaces == panes;
         boolean isSeen = isStraight || SpecularChain.length(chain) == path.surfaces;
-        if (count > 0 && isSeen) {
+        if (count > 0 && isOutside && isSeen) {
             int met = scene.physical.lightOf(path.id, path.hit.face);
             int at = here.firstOf(met);
             for (ImagePart part = here.of(met, at); part != null; part = here.of(met, ++at)) {

@@ -31,11 +31,13 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -322,6 +324,28 @@ class SmallImagesTest {
         }
         assertTrue(lit >= least, lit + " pixels are lit");
         return off / expected;
+    }
+
+    /**
+     * One pixel, half of whose rays start within glass that the film cuts: images are sampled apart where rays start outside of it only, from
+     * whichever half a sample's own ray comes. In a larger picture no image is smaller than a pixel.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.3, 0.2, 0.32, 0.25", "-0.3, 0.2, -0.32, 0.25", "0.05, 0.2, 0.07, 0.25"})
+    void lampsCountOnceWhereTheFilmCutsGlass(double ballX, double ballY, double lampX, double lampY) {
+        Scene scene = Scene.builder()
+                .size(1, 1)
+                .shading(shading(0))
+                .camera(new Camera.Orthographic(at(0, 0, 0), at(0, 0, 1), Vec3.Y, 2))
+                .object(new Box(at(-5, -5, -1), at(0, 5, 1)), glass(1))
+                .object(ball(ballX, ballY, 4, 0.6), glass(1))
+                .light(sphereLight(lampX, lampY, 4.95, 0.05, 1000))
+                .build();
+        double expected = mean(Rendered.zoomed(scene, ZOOM, 64, BuiltInMethod.RAYTRACE, 1), ZOOM, 0, 0, 0);
+        for (BuiltInMethod method : List.of(BuiltInMethod.RAYTRACE, BuiltInMethod.BIDIRECTIONAL)) {
+            double actual = Rendered.zoomed(scene, 1, 1 << 16, method, 2).component(0, 0, 0);
+            assertEquals(expected, actual, 0.05 * expected, method.word());
+        }
     }
 
     @Test

@@ -153,7 +153,7 @@ public final class CausticPass {
     }
 
     private double brightness(PhysicalLight light) {
-        double visible = Math.max(light.r, Math.max(light.g, light.b));
+        double visible = strongest(light);
         return ofUltraviolet > 0 ? Math.max(visible, ofUltraviolet * light.ultraviolet) : visible;
     }
 
@@ -251,11 +251,10 @@ public final class CausticPass {
         double dy = y - l.ballY;
         double dz = z - l.ballZ;
         double squared = dx * dx + dy * dy + dz * dz;
-        double brightest = Math.max(l.r, Math.max(l.g, l.b));
         if (l.isPoint) {
-            return brightest / squared * pdf;
+            return strongest(l) / squared * pdf;
         }
-        return dimmed(brightest, Math.PI * l.ballRadius * l.ballRadius / squared * pdf);
+        return dimmed(strongest(l), Math.PI * l.ballRadius * l.ballRadius / squared * pdf);
     }
 
     /** @param covered the light's solid angle over the lobe's */
@@ -269,6 +268,11 @@ public final class CausticPass {
             return sun.max();
         }
         PhysicalLight l = lights[light];
-        return l.isPoint ? 0 : Math.max(l.r, Math.max(l.g, l.b));
+        return l.isPoint ? 0 : strongest(l);
+    }
+
+    /** Radiance, of a point radiant intensity, in the strongest band. */
+    private static double strongest(PhysicalLight light) {
+        return Math.max(light.r, Math.max(light.g, light.b));
     }
 }

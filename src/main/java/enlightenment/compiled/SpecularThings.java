@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Predicate;
 
 /**
  * The mirrors and the glass of a scene, and rough surfaces with narrow lobes, as a few balls around them: what a path from a light that may
@@ -52,8 +53,8 @@ final class SpecularThings {
         boolean[] sharp = new boolean[n];
         int count = 0;
         for (int id = 0; id < n; id++) {
-            sharp[id] = isSpecular(compiled, id);
-            if (withSharp && sharp[id] || withNarrow && isNarrow(compiled, id)) {
+            sharp[id] = hasFace(compiled, id, SpecularThings::isSharp);
+            if (withSharp && sharp[id] || withNarrow && hasFace(compiled, id, SpecularThings::isNarrow)) {
                 wanted[count++] = id;
             }
         }
@@ -64,26 +65,23 @@ final class SpecularThings {
         return new SpecularThings(groups);
     }
 
-    private static boolean isNarrow(CompiledPrimitives compiled, int id) {
+    private static boolean hasFace(CompiledPrimitives compiled, int id, Predicate<SurfaceMaterial> such) {
         for (int face = 0; face < compiled.primitives()[id].faceCount(); face++) {
-            SurfaceMaterial material = compiled.materials().of(id, face);
-            if (material.bsdf.isNarrow() && !material.isBlack) {
+            if (such.test(compiled.materials().of(id, face))) {
                 return true;
             }
         }
         return false;
     }
 
-    /** Whether any of its faces is of glass, or scatters light into single directions only; not borders that turn no ray. */
-    private static boolean isSpecular(CompiledPrimitives compiled, int id) {
-        for (int face = 0; face < compiled.primitives()[id].faceCount(); face++) {
-            SurfaceMaterial material = compiled.materials().of(id, face);
-            boolean turns = material.medium == null || material.indexOfRefraction != 1;
-            if (material.isGlass && turns || !material.isGlass && material.isDelta && !material.isBlack) {
-                return true;
-            }
-        }
-        return false;
+    private static boolean isNarrow(SurfaceMaterial material) {
+        return material.bsdf.isNarrow() && !material.isBlack;
+    }
+
+    /** Whether it is glass, or scatters light into single directions only; not a border that turns no ray. */
+    private static boolean isSharp(SurfaceMaterial material) {
+        boolean turns = material.medium == null || material.indexOfRefraction != 1;
+        return material.isGlass && turns || !material.isGlass && material.isDelta && !material.isBlack;
     }
 
     /** Halves the primitives, by their places along the longer side of their box, until there are groups enough. */

@@ -293,13 +293,16 @@ final class GlassTracer {
         return NONE;
     }
 
-    /** The probability that {@link #opaque} finds all of the surfaces clear where the last {@link #cross} was. */
-    double clear() {
-        double clear = 1;
+    /**
+     * What is left of a share of light that crosses the surfaces where some are opaque in part: {@link #opaque} finds all of them clear with
+     * this probability.
+     */
+    double clear(double share) {
+        double left = share;
         for (int k = 0; k < coincident.size(); k++) {
-            clear *= filters(k, true) ? coincident.material(k).transparency : 1;
+            left *= filters(k, true) ? coincident.material(k).transparency : 1;
         }
-        return clear;
+        return left;
     }
 
     /**

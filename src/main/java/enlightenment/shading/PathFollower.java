@@ -354,11 +354,7 @@ final class PathFollower {
         if (!(share > 0)) {
             return false;
         }
-        for (int k = 0; k < glass.surfaces(); k++) {
-            if (glass.filters(k, true)) {
-                share *= scene.material(glass.surface(k), glass.hitOf(k).face).transparency;
-            }
-        }
+        share = glass.clear(share);
         for (int c = 0; c < rgb.length; c++) {
             rgb[c] *= share;
         }

@@ -129,7 +129,7 @@ final class SpecularChain {
         if (path.cross(ray) != isTransmitted) {
             return false;
         }
-        double share = path.glass.clear() * path.glass.weight() * path.glass.probability();
+        double share = path.glass.clear(1) * path.glass.weight() * path.glass.probability();
         Arrays.fill(weight, share);
         if (isTransmitted) {
             path.filter(weight);

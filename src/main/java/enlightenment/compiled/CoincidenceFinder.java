@@ -66,7 +66,7 @@ final class CoincidenceFinder {
 
     /** Asks at this primitive, one of those that the caller counts from 0. */
     private void poll(int primitive) {
-        if (SceneCompiler.isPolled(primitive)) {
+        if (CancellationCheck.isDue(primitive)) {
             poll.run();
         }
     }
@@ -77,8 +77,8 @@ final class CoincidenceFinder {
 
     private void pollPairs(int pairs) {
         looked += pairs;
-        if (looked >= SceneCompiler.POLLED) {
-            looked %= SceneCompiler.POLLED;
+        if (looked >= CancellationCheck.INTERVAL) {
+            looked %= CancellationCheck.INTERVAL;
             poll.run();
         }
     }

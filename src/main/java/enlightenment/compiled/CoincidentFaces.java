@@ -1,6 +1,7 @@
 package enlightenment.compiled;
 
 import enlightenment.frame.Bounds;
+import enlightenment.primitive.EndFaces;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
@@ -14,6 +15,9 @@ final class CoincidentFaces {
     private static final int FACE_BITS = 16;
 
     private static final int FACE = (1 << FACE_BITS) - 1;
+
+    /** How far a face that is known to coincide is searched for, in tolerances: enough never to miss it. */
+    static final double REACH = EndFaces.REACH;
 
     /** Which faces are borders of solids of glass. */
     interface BorderOfGlass {
@@ -154,7 +158,7 @@ final class CoincidentFaces {
 
     /** Twice the reach of the search: for the roundings of hit points and of boxes. */
     private double margin(CoincidentFaces other) {
-        return 2 * CoincidentHits.REACH * tolerance(other);
+        return 2 * REACH * tolerance(other);
     }
 
     boolean has(int face, int other, int otherFace) {

@@ -1,6 +1,5 @@
 package enlightenment.compiled;
 
-import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
@@ -17,10 +16,13 @@ public final class CoincidentHits {
     /** Surfaces whose normals have a smaller cosine than this only meet in an edge. */
     private static final double SAME_DIRECTION = 0.5;
 
-    /** How far to search for a face that is known to coincide, in tolerances: enough never to miss it. */
-    static final double REACH = EndFaces.REACH;
+    private final Primitive[] primitives;
+    private final FaceMaterials materials;
+    private final CoincidentSurfaces coincident;
 
-    private final CompiledScene scene;
+    /** By id: rank of a solid of glass where overlaps have one medium only; null in classic shading. */
+    private final int[] mediumRank;
+
     private final Ray probe = new Ray();
     private final Hit own = new Hit();
     private final Hit leftHit = new Hit();
@@ -44,9 +46,16 @@ public final class CoincidentHits {
     /** The last opaque one of those, or -1. */
     private int leftOpaque = NONE;
 
-    /** No surfaces yet. */
-    public CoincidentHits(CompiledScene scene) {
-        this.scene = scene;
+    /**
+     * No surfaces yet.
+     *
+     * @param isPhysical whether the border of two media is the same from both sides
+     */
+    CoincidentHits(CompiledPrimitives compiled, CoincidentSurfaces coincident, boolean isPhysical) {
+        primitives = compiled.primitives();
+        materials = compiled.materials();
+        mediumRank = isPhysical ? compiled.mediumRank() : null;
+        this.coincident = coincident;
     }
 
     /** Removes all surfaces. */
@@ -64,27 +73,27 @@ public final class CoincidentHits {
     }
 
     private void findNear(int id, Hit hit) {
-        scene.coincident.near(id, hit.face, hit.px, hit.py, hit.pz, near);
+        coincident.near(id, hit.face, hit.px, hit.py, hit.pz, near);
     }
 
     private void find(Ray ray, int id, Hit hit, IntList near) {
         clear();
         add(id, hit);
         for (int i = 0; i < near.size(); i++) {
-            CoincidentFaces pairs = scene.coincident.of(id);
+            CoincidentFaces pairs = coincident.of(id);
             int k = near.get(i);
             int other = pairs.other(k);
-            findOther(ray, other, pairs.otherFace(k), REACH * scene.coincident.tolerance(id, other), hit);
+            findOther(ray, other, pairs.otherFace(k), CoincidentFaces.REACH * coincident.tolerance(id, other), hit);
         }
     }
 
     private void findOther(Ray ray, int other, int face, double reach, Hit hit) {
-        Primitive p = scene.primitives[other];
+        Primitive p = primitives[other];
         if (!leaves(ray, p) && !(ray.sideOf(p) != 0 && isAtStart(ray, reach, hit))) {
             probe(other, face, reach, hit);
             return;
         }
-        boolean isGlass = scene.isGlass(other, face);
+        boolean isGlass = materials.of(other, face).isGlass;
         if (isGlass && !p.isSolid()) {
             return;
         }
@@ -149,7 +158,7 @@ public final class CoincidentHits {
      */
     int choose(Ray ray, int id, Hit hit) {
         findNear(id, hit);
-        if (near.size() == 0 || scene.isGlass(id, hit.face)) {
+        if (near.size() == 0 || materials.of(id, hit.face).isGlass) {
             return id;
         }
         find(ray, id, hit, near);
@@ -157,7 +166,7 @@ public final class CoincidentHits {
         Hit chosen = hits[best];
         // The ray's own crossing, to the last bit, as if the other surfaces were not there.
         if (best > 0) {
-            boolean same = scene.primitives[ids[best]].intersect(ray, own) && own.face == chosen.face;
+            boolean same = primitives[ids[best]].intersect(ray, own) && own.face == chosen.face;
             hit.set(same ? own : chosen);
         }
         return ids[best];
@@ -181,7 +190,7 @@ public final class CoincidentHits {
     private boolean precedes(int k, int m) {
         Hit h = hits[k];
         Hit o = hits[m];
-        return scene.coincident.precedes(ids[k], h.face, h.side, ids[m], o.face, o.side);
+        return coincident.precedes(ids[k], h.face, h.side, ids[m], o.face, o.side);
     }
 
     /** Whether the ray starts on the primitive and cannot meet it again. */
@@ -191,7 +200,7 @@ public final class CoincidentHits {
     }
 
     private void probe(int id, int face, double reach, Hit hit) {
-        Primitive p = scene.primitives[id];
+        Primitive p = primitives[id];
         probe.set(hit.px, hit.py, hit.pz, hit.nx, hit.ny, hit.nz, -reach);
         double t = p.nearest(probe, reach);
         if (t == Primitive.MISS) {
@@ -244,7 +253,7 @@ public final class CoincidentHits {
         if (of == NONE || other == NONE) {
             return Math.max(Math.max(of, other), 0);
         }
-        boolean isOfLeft = scene.physical != null && scene.mediumRank[left] < scene.mediumRank[entered];
+        boolean isOfLeft = mediumRank != null && mediumRank[left] < mediumRank[entered];
         return isOfLeft ? other : of;
     }
 
@@ -265,7 +274,7 @@ public final class CoincidentHits {
 
     /** The material of surface k. */
     public SurfaceMaterial material(int k) {
-        return scene.material(ids[k], hits[k].face);
+        return materials.of(ids[k], hits[k].face);
     }
 
     /** Where the ray meets surface k; its side is the one that the ray arrives on. */
@@ -275,17 +284,17 @@ public final class CoincidentHits {
 
     /** Whether surface k is one of glass. */
     public boolean isGlass(int k) {
-        return scene.isGlass(ids[k], hits[k].face);
+        return material(k).isGlass;
     }
 
     /** Whether it is the border of a solid of glass. */
     public boolean isGlassSolid(int k) {
-        return scene.primitives[ids[k]].isSolid() && isGlass(k);
+        return primitives[ids[k]].isSolid() && isGlass(k);
     }
 
     /** Whether it is a pane: glass that encloses no volume. */
     public boolean isPane(int k) {
-        return !scene.primitives[ids[k]].isSolid() && isGlass(k);
+        return !primitives[ids[k]].isSolid() && isGlass(k);
     }
 
     /** The first pane among the surfaces, or -1: of several that coincide one reflects. */
@@ -305,21 +314,21 @@ public final class CoincidentHits {
      */
     public void startBehind(Ray ray, boolean covered) {
         for (int k = 0; k < size; k++) {
-            Primitive p = scene.primitives[ids[k]];
+            Primitive p = primitives[ids[k]];
             boolean isEntered = isGlassSolid(k) && hits[k].side == Ray.OUTSIDE;
             if (p != ray.start && isGlass(k) && !(covered && isEntered)) {
                 ray.alsoFrom(p, -hits[k].side);
             }
         }
         for (int k = 0; k < leftCount; k++) {
-            ray.alsoFrom(scene.primitives[left[k]], leftSides[k]);
+            ray.alsoFrom(primitives[left[k]], leftSides[k]);
         }
     }
 
     /** Starts a ray that leaves one of the surfaces, on the side that it came from, on all others. */
     public void startOn(Ray ray) {
         for (int k = 0; k < size; k++) {
-            Primitive p = scene.primitives[ids[k]];
+            Primitive p = primitives[ids[k]];
             if (p != ray.start) {
                 ray.alsoFrom(p, hits[k].side);
             }

@@ -46,7 +46,7 @@ record CompiledPrimitives(
             Runnable poll) {
         PlacedObjects placed = new PlacedObjects(objects.size(), surfaces);
         for (int i = 0; i < objects.size(); i++) {
-            if (SceneCompiler.isPolled(i)) {
+            if (CancellationCheck.isDue(i)) {
                 poll.run();
             }
             SceneObject o = objects.get(i);

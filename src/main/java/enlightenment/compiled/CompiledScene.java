@@ -55,6 +55,7 @@ public final class CompiledScene {
     /** Boxes around the primitives by id; empty if there is a hierarchy, which has its own. */
     final Bounds[] bounds;
 
+    private final CompiledPrimitives compiled;
     private final FaceMaterials materials;
 
     /** Finds what rays meet among the primitives: a hierarchy, or a list where a plain loop is faster. */
@@ -81,8 +82,8 @@ public final class CompiledScene {
     /** Whether a light that can be seen lies on a face of a primitive. */
     final boolean lightsLieOnSurfaces;
 
-    /** By id: boxes around glass solids, a little wider than they are; null for others. */
-    private final Bounds[] glassBounds;
+    /** Boxes around the solids of glass, a little wider than they are. */
+    public final GlassBoxes glassBoxes;
 
     /** By id: rank of a glass solid, the smallest fills overlaps; see {@link enlightenment.material.Material.Glass#priority}. */
     public final int[] mediumRank;
@@ -140,6 +141,7 @@ public final class CompiledScene {
                 ? new PhysicalScene(p, frame, surroundings, compiled, accelerator, points, camera.startBounds(), poll)
                 : null;
         this.lights = lights;
+        this.compiled = compiled;
         this.primitives = compiled.primitives();
         this.materials = compiled.materials();
         this.kind = compiled.kind();
@@ -171,16 +173,13 @@ public final class CompiledScene {
             anyLies |= light.surface != null && !light.lyingOn().isEmpty();
         }
         lightsLieOnSurfaces = anyLies;
-        glassBounds = new Bounds[glassSolids.length == 0 ? 0 : primitives.length];
-        for (int id : glassSolids) {
-            glassBounds[id] = widened(primitives[id].bounds());
-        }
+        glassBoxes = new GlassBoxes(glassSolids, id -> widened(primitives[id].bounds()));
         cameraSolids = solidsAround(camera.rayStarts());
         occluders = new OccluderSet(primitives, bodies, few);
         if (physical != null && accelerator instanceof PrimitiveList all) {
             physical.findOccluders(primitives, occluders, all);
         }
-        mirrorBalls = physical == null ? null : MirrorBalls.of(this, physical, poll);
+        mirrorBalls = physical == null ? null : MirrorBalls.of(compiled, coincident, physical, poll);
         PhysicalFeatures more =
                 physical == null ? null : new PhysicalFeatures(physical, materials.distinct(), mirrorBalls);
         this.features = more == null ? List.copyOf(features) : joined(more.present, features);
@@ -206,7 +205,7 @@ public final class CompiledScene {
         int[] solids = new int[glassSolids.length];
         int n = 0;
         for (int id : glassSolids) {
-            if (starts.mayLieIn(glassBounds[id])) {
+            if (starts.mayLieIn(widened(primitives[id].bounds()))) {
                 solids[n++] = id;
             }
         }
@@ -217,9 +216,14 @@ public final class CompiledScene {
         return CoincidentSurfaces.widened(box, WIDENING * box.maxAbs());
     }
 
-    /** A box around a solid of glass, a little wider than it. */
-    public Bounds boundsOf(int glassSolid) {
-        return glassBounds[glassSolid];
+    /** The primitives with their materials. */
+    CompiledPrimitives parts() {
+        return compiled;
+    }
+
+    /** A search for the surfaces that coincide with a hit, for one thread. */
+    public CoincidentHits coincidentHits() {
+        return new CoincidentHits(compiled, coincident, physical != null);
     }
 
     /** Whether a face of a primitive is made of glass. */
@@ -263,12 +267,12 @@ public final class CompiledScene {
     public synchronized LightStarts lightStarts(boolean withBackground) {
         if (withBackground) {
             if (lightStartsWithBackground == null) {
-                lightStartsWithBackground = new LightStarts(this, true);
+                lightStartsWithBackground = new LightStarts(physical, primitives, true);
             }
             return lightStartsWithBackground;
         }
         if (lightStarts == null) {
-            lightStarts = new LightStarts(this, false);
+            lightStarts = new LightStarts(physical, primitives, false);
         }
         return lightStarts;
     }

@@ -18,11 +18,6 @@ public final class GlassBoxes {
         tree = solids.length <= PlaceTree.LEAF ? null : tree(boxes);
     }
 
-    /** Those of a scene, which are made when they are first asked for. */
-    public static GlassBoxes of(CompiledScene scene) {
-        return scene.once(GlassBoxes.class, () -> new GlassBoxes(scene.glassSolids, scene::boundsOf));
-    }
-
     private static PlaceTree tree(Bounds[] boxes) {
         double[] numbers = new double[PlaceTree.BOX * boxes.length];
         Bounds all = boxes[0];
@@ -76,7 +71,7 @@ public final class GlassBoxes {
             return kept;
         }
 
-        /** The id of the k-th solid that was found, counted from 0, in the order of {@link CompiledScene#glassSolids}. */
+        /** The id of the k-th solid that was found, counted from 0, in ascending order of ids. */
         public int solid(int k) {
             return solids[found.get(k)];
         }

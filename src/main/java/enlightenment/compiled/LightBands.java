@@ -1,6 +1,7 @@
 package enlightenment.compiled;
 
 import enlightenment.bsdf.Reradiation;
+import enlightenment.color.Rgb;
 import java.util.List;
 
 /** Which bands of light there are in a scene with fluorescent surfaces, and about how much of each. */
@@ -30,11 +31,15 @@ final class LightBands {
         return most;
     }
 
-    /** About how much light there is of each band, but for a factor: in a scene whose size is about 1. */
-    static double[] typical(PhysicalScene scene) {
+    /**
+     * About how much light there is of each band, but for a factor: in a scene whose size is about 1.
+     *
+     * @param background radiance of the surroundings, by band
+     */
+    static double[] typical(PhysicalLight[] lights, Rgb background) {
         double[] sum = new double[Reradiation.BANDS];
-        add(sum, WHOLE_SPHERE, scene.backgroundR, scene.backgroundG, scene.backgroundB, 0);
-        for (PhysicalLight light : scene.lights) {
+        add(sum, WHOLE_SPHERE, background.r(), background.g(), background.b(), 0);
+        for (PhysicalLight light : lights) {
             double size = light.isPoint ? WHOLE_SPHERE : Math.PI * light.form.area();
             add(sum, size, light.r, light.g, light.b, light.ultraviolet);
         }

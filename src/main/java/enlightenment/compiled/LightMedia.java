@@ -24,7 +24,7 @@ final class LightMedia {
         for (int id : compiled.glassSolids()) {
             isGlass.set(id);
         }
-        PolledWork work = new PolledWork(poll);
+        CancellationCheck work = new CancellationCheck(poll);
         BvhQuery query =
                 new BvhQuery(compiled.kind(), new long[compiled.kindNames().size()]);
         int[] found = new int[1];

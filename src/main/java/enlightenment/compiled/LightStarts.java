@@ -1,6 +1,7 @@
 package enlightenment.compiled;
 
 import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
 import java.util.Arrays;
 
 /**
@@ -10,7 +11,7 @@ import java.util.Arrays;
 public final class LightStarts {
     private static final int[] NO_MEDIA = {};
 
-    private final CompiledScene scene;
+    private final PhysicalScene physical;
 
     /** The lights. */
     public final PhysicalLight[] lights;
@@ -34,15 +35,16 @@ public final class LightStarts {
     /**
      * Those of a scene.
      *
-     * @param scene whose shading is physical
+     * @param physical its lights and surroundings
+     * @param primitives all of its surfaces
      * @param withBackground whether paths may begin in the surroundings
      */
-    LightStarts(CompiledScene scene, boolean withBackground) {
-        this.scene = scene;
-        lights = scene.physical.lights;
+    LightStarts(PhysicalScene physical, Primitive[] primitives, boolean withBackground) {
+        this.physical = physical;
+        lights = physical.lights;
         int n = lights.length;
         background = n;
-        SceneBall ball = SceneBall.around(scene.primitives);
+        SceneBall ball = SceneBall.around(primitives);
         center = ball.center();
         radius = ball.radius();
         shinesBothWays = new boolean[n];
@@ -71,16 +73,16 @@ public final class LightStarts {
 
     /** The mean of all directions. */
     private double background() {
-        if (scene.physical.surroundings != null) {
-            return scene.physical.surroundings.power() / (12 * Math.PI);
+        if (physical.surroundings != null) {
+            return physical.surroundings.power() / (12 * Math.PI);
         }
-        return mean(scene.physical.backgroundR, scene.physical.backgroundG, scene.physical.backgroundB);
+        return mean(physical.backgroundR, physical.backgroundG, physical.backgroundB);
     }
 
     private double brightness(PhysicalLight light) {
         double visible = mean(light.r, light.g, light.b);
-        return scene.physical.hasUltraviolet
-                ? Math.fma(scene.physical.visibleOfUltraviolet / 3, light.ultraviolet, visible)
+        return physical.hasUltraviolet
+                ? Math.fma(physical.visibleOfUltraviolet / 3, light.ultraviolet, visible)
                 : visible;
     }
 

@@ -40,42 +40,45 @@ public final class MirrorBalls {
      *
      * @param poll called now and then; ends this by what it throws
      */
-    static MirrorBalls of(CompiledScene scene, PhysicalScene physical, Runnable poll) {
+    static MirrorBalls of(
+            CompiledPrimitives compiled, CoincidentSurfaces coincident, PhysicalScene physical, Runnable poll) {
         if (physical.maxBounces < 2) {
             return null;
         }
-        PolledWork work = new PolledWork(poll);
+        CancellationCheck work = new CancellationCheck(poll);
         StrongestPairs best = new StrongestPairs(MOST_PAIRS);
         MirroredLights lights = null;
         long pairs = 0;
-        for (int id = 0; id < scene.primitives.length; id++) {
-            if (isMirror(scene, id)) {
+        for (int id = 0; id < compiled.primitives().length; id++) {
+            if (isMirror(compiled, coincident, id)) {
                 if (lights == null) {
-                    int[] some = reflected(scene, physical);
+                    int[] some = reflected(coincident, physical);
                     if (some.length == 0) {
                         return null;
                     }
                     lights = new MirroredLights(physical.lights, some, physical.visibleOfUltraviolet, work);
                 }
                 pairs += lights.count() - (physical.lightOf(id, 0) >= 0 ? 1 : 0);
-                lights.offer((SpherePrimitive) scene.primitives[id], id, best);
+                lights.offer((SpherePrimitive) compiled.primitives()[id], id, best);
             }
         }
-        return pairs == 0 ? null : new MirrorBalls(pairs > MOST_PAIRS ? best.byPower() : best.byId(), scene.primitives);
+        return pairs == 0
+                ? null
+                : new MirrorBalls(pairs > MOST_PAIRS ? best.byPower() : best.byId(), compiled.primitives());
     }
 
     /** The lights that may be reflected. */
-    private static int[] reflected(CompiledScene scene, PhysicalScene physical) {
+    private static int[] reflected(CoincidentSurfaces coincident, PhysicalScene physical) {
         return IntStream.range(0, physical.lights.length)
-                .filter(i -> !physical.lights[i].isPoint && !scene.coincident.concerns(physical.lights[i].id))
+                .filter(i -> !physical.lights[i].isPoint && !coincident.concerns(physical.lights[i].id))
                 .toArray();
     }
 
-    private static boolean isMirror(CompiledScene scene, int id) {
-        if (!(scene.primitives[id] instanceof SpherePrimitive) || scene.coincident.concerns(id)) {
+    private static boolean isMirror(CompiledPrimitives compiled, CoincidentSurfaces coincident, int id) {
+        if (!(compiled.primitives()[id] instanceof SpherePrimitive) || coincident.concerns(id)) {
             return false;
         }
-        SurfaceMaterial m = scene.material(id, 0);
+        SurfaceMaterial m = compiled.materials().of(id, 0);
         return m.isDelta && !m.isGlass && !m.isBlack;
     }
 

@@ -16,7 +16,7 @@ final class MirroredLights {
     private static final int LEAF = 4;
 
     private final PhysicalLight[] lights;
-    private final PolledWork work;
+    private final CancellationCheck work;
 
     /** Indices of lights: a node's are a range, its children's the halves of that. */
     private final int[] order;
@@ -38,7 +38,7 @@ final class MirroredLights {
      * @param visibleOfUltraviolet see {@link PhysicalScene#visibleOfUltraviolet}
      * @param work is told each step
      */
-    MirroredLights(PhysicalLight[] lights, int[] some, double visibleOfUltraviolet, PolledWork work) {
+    MirroredLights(PhysicalLight[] lights, int[] some, double visibleOfUltraviolet, CancellationCheck work) {
         this.lights = lights;
         this.work = work;
         order = some.clone();

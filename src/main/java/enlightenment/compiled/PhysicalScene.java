@@ -167,7 +167,7 @@ public final class PhysicalScene {
         Sun sun = this.surroundings == null ? null : this.surroundings.sun;
         caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights, poll);
-        lightOfBands = fluoresces ? LightBands.typical(this) : null;
+        lightOfBands = fluoresces ? LightBands.typical(lights, background) : null;
     }
 
     /** What is left of the surroundings behind a medium that has no end: what it takes nothing of. */
@@ -245,7 +245,7 @@ public final class PhysicalScene {
     void lieOn(
             CompiledPrimitives compiled, TouchedBoxes near, CoincidentSurfaces coincident, boolean few, Runnable poll) {
         for (int i = 0; i < lights.length; i++) {
-            if (SceneCompiler.isPolled(i)) {
+            if (CancellationCheck.isDue(i)) {
                 poll.run();
             }
             lights[i].lieOn(compiled, near, coincident, few);

@@ -11,7 +11,6 @@ import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.math.ExactPoint;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
@@ -50,15 +49,7 @@ public final class SceneCompiler {
     /** A view may be at most this many powers of two wider than the scene, whose extent in its frame is about 1. */
     private static final int MAX_VIEW_EXPONENT = 64;
 
-    /** Who waits for the end of the compiling is asked once per so many objects: they take a millisecond or so. */
-    static final int POLLED = 1024;
-
     private SceneCompiler() {}
-
-    /** Whether to ask at this object, counted from 0: not in small scenes, which are there before anybody could wait for them. */
-    static boolean isPolled(int i) {
-        return i % POLLED == POLLED - 1;
-    }
 
     /** The scene, ready for rendering at the size of the settings. */
     public static CompiledScene compile(Scene scene, RenderSettings settings) {
@@ -244,23 +235,15 @@ public final class SceneCompiler {
 
     /** The largest coordinate in a frame. */
     private static double extent(Scene scene, SceneFrame frame) {
-        double largest = extent(scene.camera().anchors(), 0, frame);
+        double largest = SceneExtent.of(scene.camera().anchors(), 0, frame);
         for (Light light : scene.lights()) {
-            largest = Math.max(largest, extent(light.anchors(), light.reach(), frame));
+            largest = Math.max(largest, SceneExtent.of(light.anchors(), light.reach(), frame));
         }
         for (SceneObject o : scene.objects()) {
             Shape s = o.shape();
-            largest = Math.max(largest, extent(s.anchors(), s.reach(), frame));
+            largest = Math.max(largest, SceneExtent.of(s.anchors(), s.reach(), frame));
         }
         return largest;
-    }
-
-    static double extent(List<ExactPoint> anchors, double reach, SceneFrame frame) {
-        double largest = 0;
-        for (ExactPoint p : anchors) {
-            largest = Math.max(largest, frame.toFrame(p).maxAbs());
-        }
-        return largest + frame.toFrame(reach);
     }
 
     /** By identity: a material that is used many times is one object, and comparing records by value is slow to start. */

@@ -2,11 +2,13 @@ package enlightenment.compiled;
 
 import enlightenment.frame.SceneFrame;
 import enlightenment.light.Light;
+import enlightenment.math.ExactPoint;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
+import java.util.List;
 
 /** How large a scene is beside the smallest of its things: physical light has densities per area, and they have squares. */
 final class SceneExtent {
@@ -14,6 +16,21 @@ final class SceneExtent {
     private static final int LEAST = -440;
 
     private SceneExtent() {}
+
+    /**
+     * The largest absolute coordinate of a description.
+     *
+     * @param anchors its points, exact
+     * @param reach how far it extends beyond them, in scene units
+     * @return in the units of the frame
+     */
+    static double of(List<ExactPoint> anchors, double reach, SceneFrame frame) {
+        double largest = 0;
+        for (ExactPoint p : anchors) {
+            largest = Math.max(largest, frame.toFrame(p).maxAbs());
+        }
+        return largest + frame.toFrame(reach);
+    }
 
     /** The extent, in the frame, of the smallest thing that is more than a point beside its distance from the eye; at most 1. */
     static double least(Primitive[] primitives) {
@@ -42,10 +59,10 @@ final class SceneExtent {
 
     private static String farthest(Scene scene, SceneFrame frame) {
         String place = "/camera";
-        double largest = SceneCompiler.extent(scene.camera().anchors(), 0, frame);
+        double largest = of(scene.camera().anchors(), 0, frame);
         for (int i = 0; i < scene.lights().size(); i++) {
             Light light = scene.lights().get(i);
-            double extent = SceneCompiler.extent(light.anchors(), light.reach(), frame);
+            double extent = of(light.anchors(), light.reach(), frame);
             if (extent > largest) {
                 largest = extent;
                 place = "/lights/" + i;
@@ -53,8 +70,7 @@ final class SceneExtent {
         }
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject object = scene.objects().get(i);
-            double extent = SceneCompiler.extent(
-                    object.shape().anchors(), object.shape().reach(), frame);
+            double extent = of(object.shape().anchors(), object.shape().reach(), frame);
             if (extent > largest) {
                 largest = extent;
                 place = "/objects/" + i;

@@ -68,7 +68,7 @@ final class StraightGlass {
                 new BvhQuery(compiled.kind(), new long[compiled.kindNames().size()]);
         int[] solids = compiled.glassSolids();
         // Solids that are nested are compared in pairs.
-        PolledWork work = new PolledWork(poll);
+        CancellationCheck work = new CancellationCheck(poll);
         for (int solid : solids) {
             work.step();
             Bounds box = widened(solid);

@@ -79,7 +79,7 @@ public final class Tracer {
     public Tracer(CompiledScene scene, RayCounters counters) {
         this.scene = scene;
         this.counters = counters;
-        coincident = new CoincidentHits(scene);
+        coincident = scene.coincidentHits();
         closest = new Closest(scene.kind, counters.tests);
         query = new BvhQuery(scene.kind, counters.tests);
         judge = scene.occluders.new Judge();

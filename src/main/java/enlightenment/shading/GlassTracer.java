@@ -69,7 +69,7 @@ final class GlassTracer {
         inside = new MediumStack(scene, wavelength);
         saved = new MediumStack(scene, wavelength);
         beyond = new MediumStack(scene, wavelength);
-        coincident = new CoincidentHits(scene);
+        coincident = scene.coincidentHits();
         missed = new MissedBorders(scene, inside);
     }
 

@@ -19,7 +19,7 @@ final class MissedBorders {
     MissedBorders(CompiledScene scene, MediumStack inside) {
         this.scene = scene;
         this.inside = inside;
-        boxes = GlassBoxes.of(scene).search();
+        boxes = scene.glassBoxes.search();
     }
 
     /**

@@ -35,7 +35,7 @@ class CoincidentManyTest {
     private static final Material BLACK = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
 
     /** Who cancels is asked once per so many things looked at. */
-    private static final int POLLED = SceneCompiler.POLLED;
+    private static final int POLLED = CancellationCheck.INTERVAL;
 
     private static SceneBuilder scene() {
         return Scene.builder()

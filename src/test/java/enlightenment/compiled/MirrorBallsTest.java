@@ -161,7 +161,7 @@ class MirrorBallsTest {
         Scene scene = crowd(MIRROR, n).build();
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
         int[] asked = new int[1];
-        MirrorBalls balls = MirrorBalls.of(compiled, compiled.physical, () -> asked[0]++);
+        MirrorBalls balls = MirrorBalls.of(compiled.parts(), compiled.coincident, compiled.physical, () -> asked[0]++);
         assertSame(expected(compiled), balls);
         int ofAllPairs = n / 1024 * n;
         assertTrue(asked[0] < ofAllPairs / 8, asked[0] + " times; a loop would ask " + ofAllPairs + " times");

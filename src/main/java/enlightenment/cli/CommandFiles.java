@@ -30,9 +30,11 @@ final class CommandFiles {
     /** A file, and what it is to the user: of an output its option, of an input a few words. */
     private record Named(String what, Path file, boolean isChecked) {}
 
-    /** The command reads this file, if it is not null. */
+    /** The command reads this file, if it is not null; "-" is what standard input is open on. */
     CommandFiles reads(String what, Path file) {
-        if (file != null && !StandardStreams.isNamed(file)) {
+        if (file != null && StandardStreams.isNamed(file)) {
+            StandardStreams.inputFile().ifPresent(open -> inputs.add(new Named(what, open, false)));
+        } else if (file != null) {
             inputs.add(new Named(what, file, false));
         }
         return this;
@@ -127,8 +129,12 @@ final class CommandFiles {
     private void checkInputs(Named output) throws IOException {
         for (Named input : inputs) {
             if (isOneFile(output, input)) {
-                throw CliException.wrongUsage(
-                        output.what + " would write over " + input.what + ", " + spelled(input.file, output.file));
+                boolean isStandardInput =
+                        StandardStreams.inputFile().filter(input.file::equals).isPresent();
+                throw CliException.wrongUsage(output.what + " would write over " + input.what + ", "
+                        + (isStandardInput
+                                ? "\"" + output.file + "\", which " + StandardStreams.INPUT + " reads"
+                                : spelled(input.file, output.file)));
             }
         }
     }

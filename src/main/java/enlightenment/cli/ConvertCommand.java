@@ -49,7 +49,7 @@ final class ConvertCommand extends Subcommand {
         return StandardStreams.isNamed(input)
                 // The format is ASCII; comments may hold anything.
                 ? NffReader.parse(
-                        new String(terminal.in().readAllBytes(), StandardCharsets.ISO_8859_1),
+                        new String(StandardStreams.readInput(terminal), StandardCharsets.ISO_8859_1),
                         StandardStreams.INPUT,
                         "")
                 : readFile();

@@ -1,6 +1,5 @@
 package enlightenment.cli;
 
-import enlightenment.file.FileFailure;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
@@ -53,11 +52,7 @@ final class SceneInput {
 
     private byte[] bytes() {
         if (bytes == null) {
-            try {
-                bytes = terminal.in().readAllBytes();
-            } catch (IOException e) {
-                throw CliException.failed("cannot read " + StandardStreams.INPUT + ": " + FileFailure.described(e));
-            }
+            bytes = StandardStreams.readInput(terminal);
         }
         return bytes;
     }

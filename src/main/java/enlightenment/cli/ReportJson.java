@@ -129,7 +129,11 @@ final class ReportJson {
         }
         json.writeBooleanProperty("heavyTail", light.heavyTail());
         json.writeNumberProperty("lostSamples", light.lostSamples());
-        json.writeNumberProperty("leftToChance", light.leftToChance());
+        json.writeArrayPropertyStart("undersampled");
+        for (String transport : light.undersampled()) {
+            json.writeString(transport);
+        }
+        json.writeEndArray();
     }
 
     private static void phases(JsonGenerator json, RenderReport report) {

@@ -20,19 +20,13 @@ final class RequestedError {
         OptionalDouble samples = result.samplesForError();
         throw CliException.failed(String.format(
                 Locale.ROOT,
-                "the error is about %.4g and may be %.4g, more than --error %s; decided by %s%s%s%s",
+                "the error is about %.4g and may be %.4g, more than --error %s; decided by %s%s%s",
                 Math.hypot(sampling.estimatedError(), sampling.rounding()),
                 sampling.errorInFile(),
                 DecimalNumber.plain(asked),
                 report.decidedBy(),
                 samples.isPresent() ? "; try --samples " + DecimalNumber.plain(samples.getAsDouble()) + " or more" : "",
-                rounding(sampling, asked),
-                sampling.lacksLight()
-                        ? String.format(
-                                Locale.ROOT,
-                                "; %.4g of it is light that this method leaves to chance: try another one",
-                                sampling.leftToChance())
-                        : ""));
+                rounding(sampling, asked)));
     }
 
     /** What the file's rounding has to do with it, if it has. */

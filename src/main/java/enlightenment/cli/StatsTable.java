@@ -93,8 +93,8 @@ final class StatsTable {
         if (Double.isFinite(light.kurtosis())) {
             line("  kurtosis", "%,18.1f%s", light.kurtosis(), light.heavyTail() ? "   " + LightNotes.HEAVY_TAIL : "");
         }
-        if (light.leftToChance() > 0) {
-            line("  left to chance", "%18.5f   light that samples lack and do not tell of", light.leftToChance());
+        for (String transport : light.undersampled()) {
+            line("  may be too small", "%18s   few samples find %s", "", transport);
         }
         if (light.lostSamples() > 0) {
             row("lost samples", light.lostSamples());

@@ -106,7 +106,6 @@ public final class CompiledScene {
     private ConeSearch coneSearch;
     private LightStarts lightStarts;
     private LightStarts lightStartsWithBackground;
-    private ChanceLights chanceLights;
     private final Map<Class<?>, Object> made = new HashMap<>();
     private final List<String> features;
     private final List<String> absent;
@@ -275,18 +274,6 @@ public final class CompiledScene {
             lightStarts = new LightStarts(physical, primitives, false);
         }
         return lightStarts;
-    }
-
-    /**
-     * What is left to chance in the picture. Found out when it is first asked for.
-     *
-     * @param finder finds it
-     */
-    public synchronized ChanceLights chanceLights(Supplier<ChanceLights> finder) {
-        if (chanceLights == null) {
-            chanceLights = finder.get();
-        }
-        return chanceLights;
     }
 
     /**

@@ -97,7 +97,7 @@ public final class DividedRender implements UnitSource {
                 phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images, stopped));
         Planner planner = new Planner(compiled, settings, stopped);
         RenderPlan plan = phases.run("plan", () -> isLast ? planner.planOnce(time) : planner.plan(time, 0));
-        Rounds rounds = Rounds.of(settings, compiled, stopped);
+        Rounds rounds = new Rounds(settings.budget());
         RenderOutline outline = RenderOutline.of(scene.name(), compiled, settings, plan);
         return new DividedRender(compiled, outline, phases, planner, rounds, 1, time);
     }
@@ -136,8 +136,7 @@ public final class DividedRender implements UnitSource {
     }
 
     /**
-     * A render that was planned elsewhere, to make its units. Who puts them together has the outline of the render that was planned: this
-     * one's knows nothing of light that is left to chance.
+     * A render that was planned elsewhere, to make its units.
      *
      * @param files gives the content of an image file, or null if it is to be read from the disk
      * @throws enlightenment.scene.SceneException if the scene cannot be used
@@ -156,7 +155,7 @@ public final class DividedRender implements UnitSource {
     public static DividedRender planned(Scene scene, RenderSettings settings, RenderPlan plan, SharedImages images) {
         Phases phases = new Phases();
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images));
-        return alone(compiled, RenderOutline.ofUnits(scene.name(), compiled, settings, plan), phases);
+        return alone(compiled, RenderOutline.of(scene.name(), compiled, settings, plan), phases);
     }
 
     /** The units of a render whose scene is compiled, and which is planned. */

@@ -105,7 +105,7 @@ final class MixedPicture extends PictureFilm {
 
     @Override
     public ErrorEstimate error() {
-        return sum().error().with(outline.chance());
+        return sum().error();
     }
 
     @Override

@@ -3,7 +3,6 @@ package enlightenment.engine;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.color.Tone;
-import enlightenment.compiled.ChanceError;
 import enlightenment.film.SplatScale;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
@@ -146,8 +145,7 @@ public final class OutlineBytes {
         write(out, outline.kinds());
         out.writeInt(outline.splatScale().exponent());
         write(out, outline.display());
-        out.writeDouble(outline.chance().shortfall());
-        out.writeDouble(outline.chance().most());
+        write(out, outline.undersampled());
     }
 
     /**
@@ -165,7 +163,7 @@ public final class OutlineBytes {
         return new RenderOutline(name, decided.settings(), decided.plan(), features, kinds)
                 .withSplatScale(new SplatScale(in.readInt()))
                 .withDisplay(readDisplay(in))
-                .withChance(new ChanceError(in.readDouble(), in.readDouble()));
+                .withUndersampled(readTexts(in));
     }
 
     /** The kind of the pixels' numbers, exposure, and kind of the tone curve. */

@@ -1,7 +1,6 @@
 package enlightenment.engine;
 
 import enlightenment.color.DisplayCurve;
-import enlightenment.compiled.ChanceError;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatScale;
@@ -22,7 +21,7 @@ import java.util.List;
  * @param kinds the kinds of primitives in the scene, in the order of their counters
  * @param display what pixels are, and how they become what a screen takes
  * @param splatScale the unit in which contributions of paths are summed; of no meaning where no units are batches of paths
- * @param chance what light that is left to chance does to the error, as far as is known
+ * @param undersampled light transport that samples of the method hardly find: {@link Integrators#undersampled}
  */
 public record RenderOutline(
         String sceneName,
@@ -32,31 +31,28 @@ public record RenderOutline(
         List<String> kinds,
         DisplayCurve display,
         SplatScale splatScale,
-        ChanceError chance) {
+        List<String> undersampled) {
     private static final SplatScale NO_SCALE = new SplatScale(0);
 
     public RenderOutline {
         features = List.copyOf(features);
         kinds = List.copyOf(kinds);
+        undersampled = List.copyOf(undersampled);
     }
 
     /** An outline for units that are tiles of display-referred pixels. */
     public RenderOutline(
             String sceneName, RenderSettings settings, RenderPlan plan, List<String> features, List<String> kinds) {
-        this(sceneName, settings, plan, features, kinds, DisplayCurve.NONE, NO_SCALE, ChanceError.NONE);
+        this(sceneName, settings, plan, features, kinds, DisplayCurve.NONE, NO_SCALE, List.of());
     }
 
     /** The outline of a render of this scene. */
     public static RenderOutline of(String sceneName, CompiledScene scene, RenderSettings settings, RenderPlan plan) {
-        return ofUnits(sceneName, scene, settings, plan).withChance(Integrators.chance(plan, scene, settings.region()));
-    }
-
-    /** The same where units are made only, not the picture: what light is left to chance, which takes time to find out, is no matter then. */
-    static RenderOutline ofUnits(String sceneName, CompiledScene scene, RenderSettings settings, RenderPlan plan) {
         List<String> features = new ArrayList<>(scene.features());
         Integrators.blindSpot(settings.method(), scene).ifPresent(features::add);
-        RenderOutline outline =
-                new RenderOutline(sceneName, settings, plan, features, scene.kindNames).withDisplay(scene.display);
+        RenderOutline outline = new RenderOutline(sceneName, settings, plan, features, scene.kindNames)
+                .withDisplay(scene.display)
+                .withUndersampled(Integrators.undersampled(plan.method(), scene));
         RayCounters nobodys = new RayCounters(scene.kindNames.size());
         WorkUnits units = WorkUnits.forMachines(settings, plan);
         if (units.batches() == 0) {
@@ -69,17 +65,17 @@ public record RenderOutline(
 
     /** The same outline with another scale. */
     public RenderOutline withSplatScale(SplatScale scale) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, display, scale, chance);
+        return new RenderOutline(sceneName, settings, plan, features, kinds, display, scale, undersampled);
     }
 
     /** The same outline for other pixels. */
     public RenderOutline withDisplay(DisplayCurve curve) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, curve, splatScale, chance);
+        return new RenderOutline(sceneName, settings, plan, features, kinds, curve, splatScale, undersampled);
     }
 
-    /** The same outline with other light that is left to chance. */
-    public RenderOutline withChance(ChanceError of) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, display, splatScale, of);
+    /** The same outline with other undersampled transport. */
+    public RenderOutline withUndersampled(List<String> transport) {
+        return new RenderOutline(sceneName, settings, plan, features, kinds, display, splatScale, transport);
     }
 
     /** Number of units of work, as they are handed out to many machines. */

@@ -1,6 +1,5 @@
 package enlightenment.engine;
 
-import enlightenment.compiled.ChanceError;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
@@ -23,7 +22,6 @@ public final class TilePicture extends PictureFilm {
     /** Whether finished tiles can be taken apart again. */
     private final boolean isKept;
 
-    private final ChanceError chance;
     private long pixelPasses;
     private long finished;
 
@@ -31,7 +29,6 @@ public final class TilePicture extends PictureFilm {
     TilePicture(WorkUnits units, RenderOutline outline, boolean isKept) {
         super(units, outline);
         this.isKept = isKept;
-        chance = outline.chance();
         film = new Film(region.x(), region.y(), region.width(), region.height(), outline.display());
     }
 
@@ -141,7 +138,7 @@ public final class TilePicture extends PictureFilm {
 
     @Override
     public ErrorEstimate error() {
-        return film.error().with(chance);
+        return film.error();
     }
 
     @Override

@@ -1,6 +1,5 @@
 package enlightenment.film;
 
-import enlightenment.compiled.ChanceError;
 import enlightenment.film.VarianceDecay.Samples;
 import java.util.List;
 import java.util.Optional;
@@ -50,11 +49,8 @@ public final class ErrorEstimate {
     /** Of a film of linear light, or null. */
     private final LinearError linear;
 
-    /** The part of the mean square that the samples do not tell. */
-    private final double shortfall;
-
     private ErrorEstimate(float[] variances, double meanSquare, double least, double most, double unseen, long pixels) {
-        this(variances, meanSquare, least, most, unseen, pixels, null, 0);
+        this(variances, meanSquare, least, most, unseen, pixels, null);
     }
 
     private ErrorEstimate(
@@ -64,8 +60,7 @@ public final class ErrorEstimate {
             double most,
             double unseen,
             long pixels,
-            LinearError linear,
-            double shortfall) {
+            LinearError linear) {
         this.variances = variances;
         this.meanSquare = meanSquare;
         this.least = least;
@@ -73,33 +68,11 @@ public final class ErrorEstimate {
         this.unseen = unseen;
         this.pixels = pixels;
         this.linear = linear;
-        this.shortfall = shortfall;
-    }
-
-    /** The same where some light is left to chance: the samples tell of it only where it was found. */
-    public ErrorEstimate with(ChanceError chance) {
-        if (!(chance.most() > 0)) {
-            return this;
-        }
-        double told = meanSquare + chance.shortfall();
-        LinearError light = linear == null || chance.shortfall() < meanSquare
-                ? linear
-                : new LinearError(linear.relative(), linear.kurtosis(), true);
-        return new ErrorEstimate(
-                variances,
-                told,
-                meanSquare * least / told,
-                // As far as it was found it is in what is told.
-                Math.max(meanSquare * most, meanSquare + chance.most()) / told,
-                unseen,
-                pixels,
-                light,
-                chance.shortfall());
     }
 
     /** The same with what is told of linear light. */
     ErrorEstimate with(LinearError light) {
-        return new ErrorEstimate(variances, meanSquare, least, most, unseen, pixels, light, shortfall);
+        return new ErrorEstimate(variances, meanSquare, least, most, unseen, pixels, light);
     }
 
     /** What is told of linear light; empty for display-referred pictures, and where it is not known. */
@@ -283,11 +256,6 @@ public final class ErrorEstimate {
     /** The estimated root mean square error over all finished pixels and components, in displayed units, at least 0. */
     public double rmse() {
         return Math.sqrt(meanSquare);
-    }
-
-    /** The part of {@link #rmse} that the samples do not tell, as they lack light: the root of the difference of squares. */
-    public double leftToChance() {
-        return Math.sqrt(shortfall);
     }
 
     /** The lower end of a 95 % confidence interval for the true RMSE, in displayed units. */

@@ -1,15 +1,11 @@
 package enlightenment.method;
 
-import enlightenment.compiled.ChanceLights;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.RefractingMedia;
 import enlightenment.film.SplatBatch;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.ChanceSearch;
 import enlightenment.shading.LightPathTracer;
-import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -79,28 +75,6 @@ public final class LightPaths implements SplatIntegrator {
     public static LightPaths ofBidirectional(CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return new LightPaths(scene, settings, counters, LightPathTracer::ofBidirectional);
     }
-
-    /**
-     * What paths from the eye find by chance only, since paths from lights cannot be connected to the eye where it is seen: caustics in
-     * mirrors and through glass, and in media behind borders that refract. Found out once for a scene of physical shading.
-     *
-     * @param cancelled asked now and then
-     * @throws java.util.concurrent.CancellationException soon after that has become true, if it was not found out before
-     */
-    public static ChanceLights leftToChance(CompiledScene scene, BooleanSupplier cancelled) {
-        return scene.chanceLights(() -> ChanceSearch.byEye(scene, cancelled));
-    }
-
-    /** The same of what paths from both ends find by chance only, or of few of which samples tell too little. */
-    public static ChanceLights leftByBothEnds(CompiledScene scene, BooleanSupplier cancelled) {
-        if (Arrays.stream(scene.moments()).noneMatch(RefractingMedia::areThere)) {
-            // Paths from both ends meet in such media only.
-            return leftToChance(scene, cancelled);
-        }
-        return scene.once(OfBothEnds.class, () -> new OfBothEnds(ChanceSearch.byBothEnds(scene, cancelled))).lights;
-    }
-
-    private record OfBothEnds(ChanceLights lights) {}
 
     @Override
     public void stopWhen(BooleanSupplier cancelled) {

@@ -1,7 +1,5 @@
 package enlightenment.plan;
 
-import enlightenment.compiled.ChanceError;
-import enlightenment.compiled.ChanceLights;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.RefractingMedia;
@@ -23,14 +21,11 @@ import enlightenment.scene.Method;
 import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
-import enlightenment.scene.RenderSettings.Crop;
 import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.BooleanSupplier;
 
 /** Makes what does the work of a render: the one place that knows the class behind each method, and what planning needs of it. */
@@ -71,12 +66,6 @@ public final class Integrators {
     private static final double FEWEST_OF_METROPOLIS = 8;
 
     private static final double MOST_WITHOUT_METROPOLIS = 7.99;
-
-    /**
-     * Chains take most of the samples of metropolis, and what they find depends on what was found before: of light that is left to chance
-     * they find as much as so many independent paths per sample.
-     */
-    private static final double METROPOLIS_SHARE_OF_SAMPLES = 3.0 / 8;
 
     private Integrators() {}
 
@@ -196,95 +185,49 @@ public final class Integrators {
                         + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
     }
 
-    /** What paths do not find of a scene, or so seldom that no error tells, as sentences without full stops. */
-    public static List<String> unseen(CompiledScene scene) {
+    /** Light transport of a scene that a method cannot sample or hardly samples, as sentences without full stops. */
+    public static List<String> limitations(Method method, CompiledScene scene) {
         List<String> all = new ArrayList<>();
-        if (scene.physical == null) {
-            return all;
-        }
-        if (scene.isEver(Integrators::mirrorsPoints)) {
+        if (scene.physical != null && scene.isEver(Integrators::mirrorsPoints)) {
             all.add("what mirrors, panes and smooth glass make of the light of points is not seen where the eye"
                     + " sees it in such things: no path finds it; a small sphere in place of the point is seen");
         }
-        if (scene.isEver(RefractingMedia::areLitBySmallLights)) {
-            all.add(
-                    "light of lamps as small as these is found by chance inside of media whose border refracts, and that"
-                            + " of points never: a picture with too few samples lacks it, which its estimated error"
-                            + " tells; " + BuiltInMethod.BIDIRECTIONAL.word() + " finds more of it, but for the sun's"
-                            + " and what of points is scattered once");
+        for (String transport : undersampled(method, scene)) {
+            all.add("the error may be underestimated: few samples find " + transport);
         }
         return all;
+    }
+
+    /**
+     * Light transport that a method of ours samples so rarely that the error which is estimated from samples may be too small, in noun
+     * phrases: it depends on the scene alone, not on samples.
+     */
+    public static List<String> undersampled(Method method, CompiledScene scene) {
+        List<String> all = new ArrayList<>();
+        if (!(method instanceof BuiltInMethod) || method == BuiltInMethod.LIGHT || scene.physical == null) {
+            return all;
+        }
+        if (scene.isEver(Integrators::showsCaustics)) {
+            all.add("caustics that are seen in mirrors, through glass or in polished metal");
+        }
+        if (scene.isEver(RefractingMedia::areLitBySmallLights)) {
+            all.add("light of small lamps inside of media whose border refracts"
+                    + (method == BuiltInMethod.BIDIRECTIONAL
+                            ? ""
+                            : "; " + BuiltInMethod.BIDIRECTIONAL.word() + " finds more of it"));
+        }
+        return all;
+    }
+
+    private static boolean showsCaustics(CompiledScene moment) {
+        return moment.physical.hasCausticPass()
+                && (moment.physical.showsMirrored || moment.physical.caustics.takesNarrow());
     }
 
     private static boolean mirrorsPoints(CompiledScene moment) {
         return moment.physical.showsMirrored
                 && moment.physical.hasCausticPass()
                 && Arrays.stream(moment.physical.lights).anyMatch(light -> light.isPoint);
-    }
-
-    /**
-     * What light that is left to chance does to the error of a picture, as far as is known: of methods whose paths from the eye find by
-     * chance what others of theirs do not.
-     */
-    public static ChanceError chance(RenderPlan plan, CompiledScene scene, Crop region) {
-        return plan.samples() > 0
-                ? chance(plan.method(), scene, plan.samples(), region, () -> false)
-                : ChanceError.NONE;
-    }
-
-    /**
-     * The same of a picture of a method with so many samples per pixel.
-     *
-     * @param cancelled asked now and then
-     * @throws java.util.concurrent.CancellationException soon after that has become true, where such light has not been sought before
-     */
-    static ChanceError chance(
-            Method method, CompiledScene scene, double samples, Crop region, BooleanSupplier cancelled) {
-        Set<ChanceLights.Kind> kinds = leftToChance(method);
-        if (scene.physical == null || kinds.isEmpty()) {
-            return ChanceError.NONE;
-        }
-        double columns = scene.camera.columns;
-        double rows = scene.camera.rows;
-        boolean fromBothEnds = method == BuiltInMethod.BIDIRECTIONAL;
-        ChanceLights all =
-                fromBothEnds ? LightPaths.leftByBothEnds(scene, cancelled) : LightPaths.leftToChance(scene, cancelled);
-        ChanceLights light = all.within(
-                region.x() / columns,
-                region.y() / rows,
-                (region.x() + region.width()) / columns,
-                (region.y() + region.height()) / rows);
-        if (method != BuiltInMethod.METROPOLIS) {
-            return light.error(kinds, scene.display, samples);
-        }
-        EnumSet<ChanceLights.Kind> surfaces = EnumSet.of(ChanceLights.Kind.SURFACES);
-        ChanceError onSurfaces = light.error(surfaces, scene.display, METROPOLIS_SHARE_OF_SAMPLES * samples);
-        // What one path has found, chains show to all pixels of a block.
-        return light.error(EnumSet.complementOf(surfaces), scene.display, samples, pixelsOfBlock(scene))
-                .plus(onSurfaces);
-    }
-
-    private static double pixelsOfBlock(CompiledScene scene) {
-        return Math.min(scene.camera.columns, MetropolisSettings.BLOCK_SIDE)
-                * Math.min(scene.camera.rows, MetropolisSettings.BLOCK_SIDE);
-    }
-
-    /** Which light a method leaves to chance. */
-    private static Set<ChanceLights.Kind> leftToChance(Method method) {
-        if (!(method instanceof BuiltInMethod own)) {
-            return Set.of();
-        }
-        return switch (own) {
-            case RAYTRACE, CLUSTER, METROPOLIS -> EnumSet.allOf(ChanceLights.Kind.class);
-            // Connects points of media; but paths from the sun are not connected.
-            case BIDIRECTIONAL ->
-                EnumSet.of(
-                        ChanceLights.Kind.SURFACES,
-                        ChanceLights.Kind.SUN_IN_MEDIA,
-                        ChanceLights.Kind.UNCONNECTED_IN_MEDIA,
-                        ChanceLights.Kind.CONNECTED_IN_MEDIA);
-            case LIGHT -> Set.of();
-        };
     }
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */

@@ -71,7 +71,6 @@ public final class Planner {
     private RenderPlan plan(Stopwatch time, double previewed, boolean isLast) {
         Budget budget = settings.budget();
         noteScene();
-        seekChanceLight();
         if (budget.isNone()) {
             return plans.ofAntialias();
         }
@@ -98,19 +97,12 @@ public final class Planner {
      */
     public RenderPlan known(RenderPlan plan) {
         noteScene();
-        seekChanceLight();
         return plan;
-    }
-
-    /** What light the method leaves to chance is kept with the scene. It is sought now, where it can be cancelled and is part of planning. */
-    private void seekChanceLight() {
-        Integrators.chance(settings.method(), scene, 1, settings.region(), cancelled);
-        Rounds.lasting(settings, scene, cancelled);
     }
 
     private void noteScene() {
         Integrators.blindSpot(settings.method(), scene).ifPresent(notes::add);
-        notes.addAll(Integrators.unseen(scene));
+        notes.addAll(Integrators.limitations(settings.method(), scene));
         noteCrop();
     }
 

@@ -1,14 +1,11 @@
 package enlightenment.plan;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
-import enlightenment.scene.RenderSettings;
 import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.BooleanSupplier;
 
 /**
  * Decides whether a finished picture is as exact as its budget asks, and with how many samples to render it again if not. A round
@@ -49,9 +46,6 @@ public final class Rounds {
 
     private final Budget budget;
 
-    /** What no number of samples mends that is tried. */
-    private final LastingError lasting;
-
     /** Of the first round that tells something; 0 before that. */
     private double firstSamples;
 
@@ -66,35 +60,9 @@ public final class Rounds {
     private double error;
     private boolean isLimited;
 
-    /** Whether only light that is left to chance keeps the error from being as asked. */
-    private boolean isLeftToChance;
-
-    /** The rounds of one render with this budget, whose method finds all light. */
+    /** The rounds of one render with this budget. */
     public Rounds(Budget budget) {
-        this(budget, LastingError.NONE);
-    }
-
-    private Rounds(Budget budget, LastingError lasting) {
         this.budget = budget;
-        this.lasting = lasting;
-    }
-
-    /**
-     * The rounds of a render of this scene.
-     *
-     * @param cancelled asked now and then
-     * @throws java.util.concurrent.CancellationException soon after that has become true, where a planner has not found out before what
-     *     light is left to chance
-     */
-    public static Rounds of(RenderSettings settings, CompiledScene scene, BooleanSupplier cancelled) {
-        return new Rounds(settings.budget(), lasting(settings, scene, cancelled));
-    }
-
-    /** What no number of samples mends that is tried; parameters as of {@link Integrators#chance}. */
-    static LastingError lasting(RenderSettings settings, CompiledScene scene, BooleanSupplier cancelled) {
-        return settings.budget().error().isPresent()
-                ? LastingError.of(settings, scene, TOO_MANY, cancelled)
-                : LastingError.NONE;
     }
 
     /**
@@ -112,13 +80,13 @@ public final class Rounds {
         // What cannot be reached is come as near to as other limits allow.
         boolean isEndless =
                 !(aim > 0) && budget.samples().isEmpty() && budget.seconds().isEmpty();
-        double high = mendable(outcome, outcome.errorHigh());
-        if (isMet(outcome) || isAllButChanceMet(high, aim) || !(n < most) || isEndless) {
+        double high = outcome.errorHigh();
+        if (isMet(outcome) || !(n < most) || isEndless) {
             return OptionalDouble.empty();
         }
         if (budget.samples().isEmpty()
                 && budget.seconds().isEmpty()
-                && isOutOfReach(n, high, mendable(outcome, outcome.estimatedError()), aim)) {
+                && isOutOfReach(n, high, outcome.estimatedError(), aim)) {
             return OptionalDouble.empty();
         }
         double next = samplesFor(n, high, aim);
@@ -152,28 +120,13 @@ public final class Rounds {
     public static OptionalDouble samplesForError(RenderReport report) {
         OptionalDouble asked = report.settings().budget().error();
         RenderReport.Sampling outcome = report.sampling();
-        if (asked.isEmpty() || report.isErrorMet() || outcome.lacksLight()) {
+        if (asked.isEmpty() || report.isErrorMet()) {
             return OptionalDouble.empty();
         }
         double aim = new Rounds(Budget.NONE.withError(asked.getAsDouble())).aim(outcome.rounding());
         double least = LEAST_FACTOR * outcome.plannedSamples();
         double n = Math.max(asIndependent(outcome.plannedSamples(), outcome.errorHigh(), aim), least);
         return aim > 0 && n <= Budget.MAX_SAMPLES ? OptionalDouble.of(Tidy.of(n)) : OptionalDouble.empty();
-    }
-
-    /** What samples can mend of the estimated error, or of the upper end of its interval. */
-    private double mendable(RenderReport.Sampling outcome, double error) {
-        if (!(lasting.square() > 0)) {
-            return error;
-        }
-        double left = Math.min(outcome.leftToChance(), Math.sqrt(lasting.square()));
-        return Math.sqrt(Math.max(error * error - left * left, 0));
-    }
-
-    /** Whether the rest of the error is as asked where light that is left to chance keeps all of it from ever being so. */
-    private boolean isAllButChanceMet(double high, double aim) {
-        isLeftToChance = budget.error().isPresent() && lasting.square() > aim * aim && high <= Math.max(aim, 0);
-        return isLeftToChance;
     }
 
     /** How many samples would make the error as small as this if they were independent. */
@@ -207,13 +160,6 @@ public final class Rounds {
 
     /** Why nothing more is tried though the error is not kept; empty if there is no such reason. */
     public Optional<String> resignation() {
-        if (isLeftToChance) {
-            return Optional.of(String.format(
-                    Locale.ROOT,
-                    "about %.3g of the error is light that more samples hardly find: %s",
-                    Math.sqrt(lasting.square()),
-                    lasting.why()));
-        }
         if (outOfReach == 0) {
             return Optional.empty();
         }

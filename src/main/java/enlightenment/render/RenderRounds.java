@@ -65,7 +65,7 @@ final class RenderRounds {
 
     /** The last picture that became whole; if not even the first did, what there is of it. */
     RenderResult run(RenderPlan first) {
-        Rounds rounds = Rounds.of(settings, scene, request.cancelled());
+        Rounds rounds = new Rounds(settings.budget());
         RenderResult best = null;
         RenderPlan plan = first;
         for (int round = 1; ; round++) {

@@ -71,9 +71,6 @@ public record RenderReport(
             double rounding,
             int rounds,
             Optional<Light> light) {
-        /** A share of squared errors. */
-        private static final double LACKING = 0.75;
-
         /** How it was sampled, for a display-referred picture. */
         public Sampling(
                 Method method,
@@ -102,19 +99,6 @@ public record RenderReport(
                     rounding,
                     rounds,
                     Optional.empty());
-        }
-
-        /** {@link Light#leftToChance}; 0 for a display-referred picture. */
-        public double leftToChance() {
-            return light.map(Light::leftToChance).orElse(0.0);
-        }
-
-        /**
-         * Whether nearly all of the upper end of the interval is light that is left to chance, and sure to be lacking: more samples hardly
-         * mend that.
-         */
-        public boolean lacksLight() {
-            return leftToChance() * leftToChance() > LACKING * errorHigh * errorHigh;
         }
 
         /** The error that is to be counted on, with that of rounding: the upper end of the interval. */
@@ -149,14 +133,18 @@ public record RenderReport(
      *     all, within blocks of 32 × 32 pixels; NaN where it is not known
      * @param heavyTail whether few bright samples carry the error, so that it may be underestimated
      * @param lostSamples how many samples were infinite or no numbers, and taken for black; more than none is a fault of the program
-     * @param leftToChance the part of {@link Sampling#estimatedError} that samples do not tell, as they lack light which paths find by
-     *     chance only: root mean square, in display units, the root of the difference of squares; 0 if nothing is known to be left so
+     * @param undersampled light transport that few samples of the method find, in noun phrases: where there is some, the error may be
+     *     underestimated. It follows from scene and method, not from samples
      */
     public record Light(
-            double relativeError, double kurtosis, boolean heavyTail, long lostSamples, double leftToChance) {
-        /** Where nothing is left to chance. */
+            double relativeError, double kurtosis, boolean heavyTail, long lostSamples, List<String> undersampled) {
+        public Light {
+            undersampled = List.copyOf(undersampled);
+        }
+
+        /** Where all light transport is sampled. */
         public Light(double relativeError, double kurtosis, boolean heavyTail, long lostSamples) {
-            this(relativeError, kurtosis, heavyTail, lostSamples, 0);
+            this(relativeError, kurtosis, heavyTail, lostSamples, List.of());
         }
     }
 

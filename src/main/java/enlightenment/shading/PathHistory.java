@@ -17,23 +17,11 @@ final class PathHistory {
     /** Whether a narrow lobe was the first that is not a delta lobe: paths from lights are not connected to the eye there. */
     private boolean narrowFirst;
 
-    /** Whether there was no other event than of delta lobes and narrow ones. */
-    private boolean onlySharp;
-
     /** Whether there were events of delta lobes before. */
     private boolean deltaFirst;
 
     /** Whether light was gathered at the last vertex, so that light that the path runs into is weighted. */
     boolean gathered;
-
-    /** Whether a medium scattered the path that no lamp outside is sampled from, or whose light the pass of caustics leaves alone. */
-    boolean behindBorder;
-
-    /** Whether paths from both ends may meet between two events, the eye counted, neither of which is one of a delta lobe. */
-    private boolean hasMet;
-
-    /** Whether the last event, or the eye, could be the end of such a segment. */
-    private boolean connects;
 
     /** Whether the path goes on to a surface in the same place, whose light only chance finds. */
     boolean isThere;
@@ -43,12 +31,8 @@ final class PathHistory {
         scattered = false;
         scatteredFirst = false;
         narrowFirst = false;
-        onlySharp = true;
         deltaFirst = false;
         gathered = false;
-        behindBorder = false;
-        hasMet = false;
-        connects = true;
         isThere = false;
     }
 
@@ -59,24 +43,14 @@ final class PathHistory {
             scatteredFirst = !deltaFirst;
         }
         deltaFirst |= !scattered;
-        onlySharp &= isDelta;
-        hasMet |= connects && !isDelta;
-        connects = !isDelta;
         gathered = !isDelta;
         isThere = false;
     }
 
     /** The same of a narrow lobe. */
     void leaveNarrow() {
-        boolean wasSharp = onlySharp;
         narrowFirst |= !scattered;
         leave(false);
-        onlySharp = wasSharp;
-    }
-
-    /** Whether the eye sees the surface that the path is at by way of delta lobes and narrow ones, at least one. */
-    boolean isSeenSharply() {
-        return onlySharp && (deltaFirst || narrowFirst);
     }
 
     /** Whether light that narrow lobes send here is found by paths from small lights: they are connected to the eye where this began. */
@@ -94,20 +68,11 @@ final class PathHistory {
     void leaveInMedium(boolean hasGathered, boolean leavesCaustics) {
         scatteredFirst = leavesCaustics && (scattered ? scatteredFirst : !deltaFirst);
         scattered = true;
-        onlySharp = false;
-        hasMet |= connects;
-        connects = true;
         gathered = hasGathered;
-        behindBorder |= !leavesCaustics;
     }
 
     /** Whether the eye sees the surface that the path is at, or the first that it was scattered by, in a mirror or through glass. */
     boolean isSeenByMirrors() {
         return scattered ? !scatteredFirst : deltaFirst;
-    }
-
-    /** Whether a path from a light that is scattered where this one is could have met it there or before. */
-    boolean meetsOtherEnd() {
-        return hasMet || connects;
     }
 }

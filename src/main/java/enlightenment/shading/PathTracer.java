@@ -33,9 +33,6 @@ public final class PathTracer extends EyePathTracer {
     /** Follows paths through media that scatter light; null if there are none. */
     private final RandomWalk walk;
 
-    /** What looks for light that the path leaves to chance; null if nobody does. */
-    private ChanceProbe probe;
-
     /** Whether a path ends where light has come to its first vertex straight. */
     private final boolean endsSoon;
 
@@ -72,13 +69,6 @@ public final class PathTracer extends EyePathTracer {
         hasNarrowPass = leavesOut && physical.caustics.takesNarrow();
         walk = RandomWalk.of(scene, counters, path, value, part);
         mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
-    }
-
-    /** A tracer that shows surfaces which are seen in mirrors or through glass to a probe. */
-    static PathTracer probing(CompiledScene scene, RayCounters counters, ChanceProbe probe) {
-        PathTracer tracer = new PathTracer(scene, counters);
-        tracer.probe = probe;
-        return tracer;
     }
 
     @Override
@@ -180,9 +170,6 @@ public final class PathTracer extends EyePathTracer {
             return false;
         }
         forgetMirrors();
-        if (probe != null) {
-            probe.look(walk.behindBorder(), walk.event, path, value, history);
-        }
         return walk.scatter(ray, light, history, sampler, address++) && path.goesOn();
     }
 
@@ -257,11 +244,6 @@ public final class PathTracer extends EyePathTracer {
      * does.
      */
     private boolean gatherMirrored(Bsdf bsdf, Ray ray, Sampler sampler) {
-        if (probe != null && (history.isSeenSharply() || history.behindBorder && history.isSeenByMirrors())) {
-            // What mirrors make is sought by the pass of caustics where the first lobe is no delta lobe.
-            boolean onlyNarrow = history.scattered && history.scatteredFirst;
-            probe.look(bsdf, path.arrive(ray, surface), path.hit, value, onlyNarrow);
-        }
         if (mirrors == null || !history.isSeenByMirrors()) {
             return false;
         }

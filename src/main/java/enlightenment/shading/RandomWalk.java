@@ -161,11 +161,6 @@ final class RandomWalk {
         return survives(sampler, history.events);
     }
 
-    /** The medium that scatters the path where it is, if no lamp outside is sampled from there as its border refracts; null otherwise. */
-    HomogeneousMedium behindBorder() {
-        return index == 1 ? null : medium;
-    }
-
     /** Plays roulette where the medium scattered the path: by its throughput now, against what that was before. */
     private boolean survives(Sampler sampler, int event) {
         double survival =

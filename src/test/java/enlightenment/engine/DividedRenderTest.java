@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.ChanceError;
 import enlightenment.film.FilmTile;
 import enlightenment.plan.RenderPlan;
 import enlightenment.render.RenderProgress;
@@ -71,17 +70,14 @@ class DividedRenderTest {
         assertEquals(expected.report().pixels(), actual.report().pixels());
     }
 
-    /** Finding it out takes time, which a worker would spend for nothing. */
     @Test
-    void whoOnlyMakesUnitsDoesNotSeekLightThatIsLeftToChance() {
+    void aWorkersOutlineIsThatOfTheRenderThatWasPlanned() {
         Scene scene = SceneReader.read(Path.of("scenes/caustics.json"));
         RenderSettings settings = RenderSettings.of(scene).withSize(12, 8).withBudget(Budget.NONE.withSamples(2));
         DividedRender planned = DividedRender.prepare(scene, settings, () -> false);
-        assertTrue(planned.outline().chance().shortfall() > 0);
         DividedRender worker = DividedRender.planned(scene, settings, planned.plan(), file -> null);
-        assertEquals(ChanceError.NONE, worker.outline().chance());
-        assertEquals(
-                planned.outline(), worker.outline().withChance(planned.outline().chance()));
+        assertEquals(1, planned.outline().undersampled().size());
+        assertEquals(planned.outline(), worker.outline());
         for (int unit = 0; unit < planned.units(); unit++) {
             assertArrayEquals(planned.maker().make(unit), worker.maker().make(unit));
         }

@@ -3,7 +3,6 @@ package enlightenment.film;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.ChanceError;
 import enlightenment.sampling.Sobol;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
@@ -179,21 +178,5 @@ class ErrorEstimateTest {
         // Few pictures are that smooth: a little caution.
         double ratio = film.error().rmse() / Math.sqrt(errors);
         assertTrue(ratio > 0.95 && ratio < 1.2, "" + ratio);
-    }
-
-    /** What was not found is told and counts; what was found is told already. */
-    @Test
-    void lightThatIsLeftToChanceMakesTheErrorNoSmaller() {
-        ErrorEstimate told = noisy(32, 32, 16, 0.25, 0, new Random(1)).error();
-        double square = told.rmse() * told.rmse();
-        ErrorEstimate much = told.with(new ChanceError(3 * square, 8 * square));
-        assertEquals(2 * told.rmse(), much.rmse(), 1e-12);
-        // What no sample may have met is added to either.
-        assertEquals(3 * told.rmse(), much.high(), 1e-3 * told.rmse());
-        assertEquals(told.low(), much.low(), 1e-12);
-        ErrorEstimate little = told.with(new ChanceError(0, 0.01 * square));
-        assertEquals(told.rmse(), little.rmse(), 1e-12);
-        assertEquals(told.high(), little.high(), 1e-12);
-        assertEquals(told.high(), told.with(ChanceError.NONE).high());
     }
 }

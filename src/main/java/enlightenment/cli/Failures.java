@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.file.FileFailure;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -52,14 +53,26 @@ final class Failures implements IParameterExceptionHandler, IExecutionExceptionH
         }
         if (t instanceof CancellationException e) {
             terminal.say(e.getMessage());
-        } else if (t instanceof IOException e) {
-            terminal.say(FileFailure.described(e));
+        } else if (ioFailure(t).isPresent()) {
+            terminal.say(FileFailure.described(ioFailure(t).get()));
         } else if (t instanceof OutOfMemoryError) {
             terminal.say("out of memory; java -Xmx sets how much there is");
         } else {
             terminal.say("internal error: " + t + " (java -Denlightenment.trace=true shows where)");
         }
         return ExitCode.FAILED;
+    }
+
+    /**
+     * The failure of reading or writing behind what was thrown; empty if something else went wrong. Where a process may open no more files,
+     * Java cannot load its own classes, and wraps that in errors of linking.
+     */
+    private static Optional<IOException> ioFailure(Throwable thrown) {
+        Throwable t = thrown;
+        while (t instanceof UncheckedIOException || t instanceof LinkageError) {
+            t = t.getCause();
+        }
+        return t instanceof IOException e ? Optional.of(e) : Optional.empty();
     }
 
     private void wrongUsage(ParameterException e) {

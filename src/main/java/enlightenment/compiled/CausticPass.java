@@ -59,6 +59,8 @@ public final class CausticPass {
     /** By light, the sun after the last: whether it is taken where a narrow lobe is the first to scatter its light. */
     private final boolean[] isSmall;
 
+    private final boolean hasSmallLights;
+
     private final boolean[] isBeam;
     private final boolean[] shinesBothWays;
 
@@ -69,6 +71,7 @@ public final class CausticPass {
             SpecularThings balls,
             boolean[] isSmall,
             CompiledPrimitives compiled) {
+        hasSmallLights = SmallLights.areThere(SmallLights.of(lights, sun, balls));
         this.lights = lights;
         this.isSmall = isSmall;
         this.sun = sun;
@@ -114,6 +117,11 @@ public final class CausticPass {
             probability[pair] /= sum;
             cumulative[pair] /= sum;
         }
+    }
+
+    /** Whether a light is so small, as seen from a mirror or glass, that paths from the eye seldom find its caustics. */
+    public boolean hasSmallLights() {
+        return hasSmallLights;
     }
 
     /**

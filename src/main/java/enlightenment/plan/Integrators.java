@@ -221,6 +221,7 @@ public final class Integrators {
 
     private static boolean showsCaustics(CompiledScene moment) {
         return moment.physical.hasCausticPass()
+                && moment.physical.caustics.hasSmallLights()
                 && (moment.physical.showsMirrored || moment.physical.caustics.takesNarrow());
     }
 

@@ -141,8 +141,14 @@ final class CompareCommand extends Subcommand {
             DisplayCurve curve = DisplayCurve.of(exposure == null ? 0 : exposure, tone == null ? Tone.CLIP : tone);
             return ImageFiles.read(file, Encoding.LINEAR).withCurve(curve);
         } catch (IOException e) {
-            throw CliException.wrongUsage(FileFailure.described(e));
+            String reason = FileFailure.described(e);
+            // A file that is too large for this process is none that could not be used.
+            throw isOutOfMemory(e) ? CliException.failed(reason) : CliException.wrongUsage(reason);
         }
+    }
+
+    private static boolean isOutOfMemory(Throwable failure) {
+        return failure != null && (failure instanceof OutOfMemoryError || isOutOfMemory(failure.getCause()));
     }
 
     /** What the file says of itself: nothing that differs from run to run. */

@@ -16,6 +16,9 @@ import javax.imageio.stream.MemoryCacheImageInputStream;
  * are taken as they are. Two JDKs may decode the same JPEG file to numbers that differ by one.
  */
 final class ImageIoReader {
+    /** ImageIO's name of JPEG files. */
+    static final String JPEG = "jpeg";
+
     private ImageIoReader() {}
 
     /**
@@ -28,6 +31,9 @@ final class ImageIoReader {
         if (!readers.hasNext()) {
             throw new IOException("this Java cannot read " + format + " files");
         }
+        if (format.equals(JPEG)) {
+            JpegEnd.require(file);
+        }
         ImageReader reader = readers.next();
         // In memory: ImageIO's own choice would be a file in the folder for temporary files.
         try (ImageInputStream input = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
@@ -36,7 +42,7 @@ final class ImageIoReader {
         } catch (EOFException e) {
             throw new IOException("it ends too early", e);
         } catch (RuntimeException e) { // ImageIO's readers meet damage with all kinds of them
-            throw new IOException("it is damaged: " + e, e);
+            throw new IOException("it is damaged", e);
         } finally {
             reader.dispose();
         }

@@ -25,7 +25,7 @@ public enum RasterDecoder {
 
         @Override
         public Raster read(byte[] file) throws IOException {
-            return ImageIoReader.read(file, "jpeg");
+            return ImageIoReader.read(file, ImageIoReader.JPEG);
         }
     },
     BMP {

@@ -11,9 +11,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Random;
+import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ImageIoReaderTest {
     @TempDir
@@ -114,6 +120,58 @@ class ImageIoReaderTest {
                 String message = assertThrows(IOException.class, () -> read(cut), format + " cut to " + length)
                         .getMessage();
                 assertTrue(message.startsWith("cannot read " + file + ": ") && !message.endsWith("null"), message);
+            }
+        }
+    }
+
+    private static byte[] photograph(boolean isProgressive) throws IOException {
+        BufferedImage image = new BufferedImage(96, 64, BufferedImage.TYPE_INT_RGB);
+        Random random = new Random(7);
+        for (int i = 0; i < 96 * 64; i++) {
+            image.setRGB(i % 96, i / 96, random.nextInt(1 << 24));
+        }
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ImageWriteParam param = writer.getDefaultWriteParam();
+        if (isProgressive) {
+            param.setProgressiveMode(ImageWriteParam.MODE_DEFAULT);
+        }
+        writer.setOutput(new MemoryCacheImageOutputStream(out));
+        writer.write(null, new IIOImage(image, null, null), param);
+        ((MemoryCacheImageOutputStream) writer.getOutput()).flush();
+        writer.dispose();
+        return out.toByteArray();
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void photographsThatWereCutAreRefusedWhereverThatWas(boolean isProgressive) throws IOException {
+        byte[] whole = photograph(isProgressive);
+        assertEquals(96, read(whole).width());
+        for (int k = 1; k <= 64; k++) {
+            byte[] cut = Arrays.copyOf(whole, (int) ((long) whole.length * k / 65));
+            assertTrue(assertThrows(IOException.class, () -> read(cut))
+                    .getMessage()
+                    .startsWith("cannot read "));
+        }
+        byte[] lacksItsEnd = Arrays.copyOf(whole, whole.length - 2);
+        String message =
+                assertThrows(IOException.class, () -> read(lacksItsEnd)).getMessage();
+        assertTrue(message.endsWith("it ends too early, in the middle of its pixels"), message);
+    }
+
+    @Test
+    void noRefusalOfABitmapShowsAClassOfJava() throws IOException {
+        byte[] whole = encode(new BufferedImage(3, 3, BufferedImage.TYPE_INT_RGB), "bmp");
+        for (int at = 2; at < 54; at++) {
+            for (int value : new int[] {0, 1, 3, 12, 127, 128, 255}) {
+                byte[] changed = whole.clone();
+                changed[at] = (byte) value;
+                try {
+                    read(changed);
+                } catch (IOException e) {
+                    assertTrue(!e.getMessage().contains("java."), e.getMessage());
+                }
             }
         }
     }

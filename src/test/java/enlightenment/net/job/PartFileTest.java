@@ -53,6 +53,47 @@ class PartFileTest {
         assertEquals(List.of(), RenderParts.merge(List.of(file)).missing());
     }
 
+    private Scene other(double radius) {
+        return SceneReader.readString(
+                """
+                { "name": "part", "image": { "width": 11, "height": 9 },
+                  "camera": { "type": "isometric", "lookAt": [0, 0, 0], "height": 3 },
+                  "objects": [ { "type": "sphere", "center": [0, 0, 0], "radius": %s,
+                    "material": { "type": "matte", "color": "#80c0ff" } } ] }
+                """
+                        .formatted(radius),
+                folder,
+                "part");
+    }
+
+    private void renders(double radius, int part, int parts) throws IOException {
+        Scene scene = other(radius);
+        RenderSettings settings = RenderSettings.of(scene).withAntialias(1).withThreads(1);
+        RenderParts.render(
+                scene,
+                settings,
+                part,
+                parts,
+                samples -> Map.of("Title", "part"),
+                file,
+                RenderProgress.NONE,
+                () -> false);
+    }
+
+    @Test
+    void aFileThatHoldsAnotherPartIsNotReplaced() throws IOException {
+        renders(1, 1, 1);
+        for (int[] wanted : new int[][] {{1, 2}, {2, 2}}) {
+            IOException e = assertThrows(IOException.class, () -> renders(1, wanted[0], wanted[1]));
+            assertTrue(e.getMessage().startsWith(file + ": holds part 1 of 1"), e.getMessage());
+        }
+        IOException e = assertThrows(IOException.class, () -> renders(1.5, 1, 1));
+        assertTrue(e.getMessage().contains("of another render"), e.getMessage());
+        assertEquals(good.length, Files.size(file));
+        Files.write(file, new byte[] {1, 2, 3});
+        renders(1.5, 1, 1);
+    }
+
     /** The bytes with the hash that they should have. */
     private byte[] withHash(byte[] content) {
         byte[] bytes = Arrays.copyOf(content, content.length + ContentHash.BYTES);

@@ -151,7 +151,7 @@ class LightCommandsTest {
     /** What inspect says is modelled of a scene. */
     private static List<String> modelled(Path scene) {
         String out = CliRun.of("inspect", scene).out();
-        return out.substring(out.indexOf("modelled:") + "modelled:".length(), out.indexOf("not modelled:"))
+        return out.substring(out.indexOf("modelled:") + "modelled:".length(), out.indexOf("not needed:"))
                 .lines()
                 .map(String::strip)
                 .toList();

@@ -195,6 +195,7 @@ final class RenderCommand extends Subcommand {
         } finally {
             ProgressOption.end(display);
         }
+        progress.tellWritten(output.file(), terminal);
         if (!complete) {
             throw CliException.failed("stopped: " + output.file() + " holds only some of part " + part);
         }
@@ -218,6 +219,7 @@ final class RenderCommand extends Subcommand {
         Image shown = view.view(result.image(), terminal);
         watch.rendered(shown, result);
         output.write(shown, png, terminal);
+        progress.tellWritten(output.file(), terminal);
         aovFiles.write(result.auxiliary(), shown, png);
         report.write(result, output, terminal);
         if (clusters != null) {

@@ -123,6 +123,7 @@ final class ServerCommand extends Subcommand {
         String line = SettingsLine.replayable(settings, samples, frame.number());
         Image shown = view.view(result.image(), terminal);
         output.write(shown, new PngOptions(output.depth(), PictureText.of(scene, line)), terminal);
+        progress.tellWritten(output.file(), terminal);
         report.write(result, output, terminal);
         if (!result.complete()) {
             throw StoppedRender.after(result, output, "");

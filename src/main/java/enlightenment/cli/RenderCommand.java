@@ -144,6 +144,7 @@ final class RenderCommand extends Subcommand {
             ChainFile.check(chains, settings);
         }
         if (part == null) {
+            output.check(settings);
             String title = scene.name().isEmpty() ? input.name() : scene.name();
             boolean keeps = !output.isStandardOutput();
             return watching.watch(title, settings, view, keeps, terminal, w -> renderPicture(scene, settings, w));

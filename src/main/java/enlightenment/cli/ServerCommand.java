@@ -76,6 +76,7 @@ final class ServerCommand extends Subcommand {
         input = argument.open(terminal);
         Scene scene = frame.read(input);
         RenderSettings settings = PictureOutput.withRounding(options.settings(scene, input), output.writtenDepth());
+        output.check(settings);
         view.check(scene);
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene);

@@ -132,6 +132,11 @@ final class PictureOutput {
         }
     }
 
+    /** Says so if the finished picture is nearly black or nearly white in this file. */
+    void tellBrightness(Image shown, Terminal terminal) {
+        BrightnessHint.tell(shown, format().holdsFloats(), (kind, text) -> terminal.say(text));
+    }
+
     /** The formats that can be written. */
     static final class Formats extends WordOption<ImageFormat> {
         Formats() {

@@ -233,8 +233,10 @@ final class RenderCommand extends Subcommand {
             boolean hasPreview = result.shownPixels() > result.report().pixels();
             throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "", keep.hint());
         }
-        UniformImageHint.tell(scene, settings, result, terminal);
-        LightNotes.tell(result, shown, terminal::say);
+        if (!UniformImageHint.tell(scene, settings, result, terminal)) {
+            output.tellBrightness(shown, terminal);
+        }
+        LightNotes.tell(result, terminal::say);
         LightNotes.require(result, shown);
         RequestedError.require(result);
     }

@@ -50,7 +50,8 @@ final class ResultPicture {
         if (!missing.isEmpty()) {
             throw CliException.failed(missing);
         }
-        LightNotes.tell(result, shown, terminal::say);
+        output.tellBrightness(shown, terminal);
+        LightNotes.tell(result, terminal::say);
         LightNotes.require(result, shown);
         RequestedError.require(result);
     }

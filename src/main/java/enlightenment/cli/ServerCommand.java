@@ -129,8 +129,10 @@ final class ServerCommand extends Subcommand {
         if (!result.complete()) {
             throw StoppedRender.after(result, output, "");
         }
-        UniformImageHint.tell(scene, settings, result, terminal);
-        LightNotes.tell(result, shown, terminal::say);
+        if (!UniformImageHint.tell(scene, settings, result, terminal)) {
+            output.tellBrightness(shown, terminal);
+        }
+        LightNotes.tell(result, terminal::say);
         LightNotes.require(result, shown);
         RequestedError.require(result);
     }

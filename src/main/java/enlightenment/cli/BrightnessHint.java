@@ -4,6 +4,7 @@ import enlightenment.color.Encoding;
 import enlightenment.color.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.picture.Exposure;
+import enlightenment.render.RenderResult;
 import java.util.Locale;
 import java.util.function.BiConsumer;
 
@@ -24,10 +25,19 @@ final class BrightnessHint {
     /**
      * Says so if it is nearly black or nearly white.
      *
+     * @param result what the render gave
      * @param shown the picture as it was written
      * @param holdsFloats whether the file holds floats: of linear light they are as they are, whatever the exposure
      * @param say hears what may be the same of many pictures, and what is to be said of this one
      */
+    static void tell(RenderResult result, Image shown, boolean holdsFloats, BiConsumer<String, String> say) {
+        // A part of a picture may be dark, and so may a single pixel, which is a measurement.
+        if (result.report().settings().crop().isEmpty() && shown.width() * shown.height() > 1) {
+            tell(shown, holdsFloats, say);
+        }
+    }
+
+    /** As {@link #tell(RenderResult, Image, boolean, BiConsumer)}, of a whole picture of several pixels. */
     static void tell(Image shown, boolean holdsFloats, BiConsumer<String, String> say) {
         // What is lost is a failure, which says more.
         if (LightNotes.lost(shown) > 0 || LightNotes.count(shown, v -> !Double.isFinite(v)) > 0) {

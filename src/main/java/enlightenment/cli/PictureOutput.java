@@ -4,6 +4,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -133,8 +134,8 @@ final class PictureOutput {
     }
 
     /** Says so if the finished picture is nearly black or nearly white in this file. */
-    void tellBrightness(Image shown, Terminal terminal) {
-        BrightnessHint.tell(shown, format().holdsFloats(), (kind, text) -> terminal.say(text));
+    void tellBrightness(RenderResult result, Image shown, Terminal terminal) {
+        BrightnessHint.tell(result, shown, format().holdsFloats(), (kind, text) -> terminal.say(text));
     }
 
     /** The formats that can be written. */

@@ -234,7 +234,7 @@ final class RenderCommand extends Subcommand {
             throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "", keep.hint());
         }
         if (!UniformImageHint.tell(scene, settings, result, terminal)) {
-            output.tellBrightness(shown, terminal);
+            output.tellBrightness(result, shown, terminal);
         }
         LightNotes.tell(result, terminal::say);
         LightNotes.require(result, shown);

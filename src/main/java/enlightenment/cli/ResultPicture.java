@@ -50,7 +50,7 @@ final class ResultPicture {
         if (!missing.isEmpty()) {
             throw CliException.failed(missing);
         }
-        output.tellBrightness(shown, terminal);
+        output.tellBrightness(result, shown, terminal);
         LightNotes.tell(result, terminal::say);
         LightNotes.require(result, shown);
         RequestedError.require(result);

@@ -130,7 +130,7 @@ final class ServerCommand extends Subcommand {
             throw StoppedRender.after(result, output, "");
         }
         if (!UniformImageHint.tell(scene, settings, result, terminal)) {
-            output.tellBrightness(shown, terminal);
+            output.tellBrightness(result, shown, terminal);
         }
         LightNotes.tell(result, terminal::say);
         LightNotes.require(result, shown);

@@ -136,6 +136,22 @@ class BrightnessHintTest {
         assertEquals(1, told(grey(0.01, DisplayCurve.NONE), true).size());
     }
 
+    @Test
+    void aPartAndASinglePixelMayBeDark() throws IOException {
+        Path dark = Files.writeString(
+                folder.resolve("dark.json"),
+                Files.readString(Path.of("src/test/resources/physical/cornell.json"))
+                        .replace("[17, 12, 4]", "[17e-6, 12e-6, 4e-6]"));
+        for (String[] part : new String[][] {{"--size", "1x1"}, {"--size", "16x16", "--crop", "0,0,8,8"}}) {
+            List<Object> words =
+                    new ArrayList<>(List.of("render", dark, "-o", folder.resolve("p.png"), "--samples", "8"));
+            words.addAll(List.of(part));
+            CliRun run = CliRun.of(words.toArray());
+            assertEquals(0, run.code(), run.err());
+            assertFalse(run.err().contains("hint"), run.err());
+        }
+    }
+
     private static Stream<Path> shippedScenes() throws IOException {
         try (Stream<Path> files = Files.list(Path.of("scenes"))) {
             return files.filter(f -> f.toString().endsWith(".json")).sorted().toList().stream();

@@ -55,7 +55,8 @@ final class FrameWriter {
         // The last: where it is there, the others are.
         ImageFiles.write(shown, output.pattern().file(frame), png);
         report.add(frame, result);
-        LightNotes.tell(result, shown, (kind, said) -> notes.say(frame, kind, said));
+        BrightnessHint.tell(result, shown, false, (kind, said) -> notes.say(frame, kind, said));
+        LightNotes.tell(result, said -> notes.say(frame, said));
         try {
             LightNotes.require(result, shown);
             RequestedError.require(result);

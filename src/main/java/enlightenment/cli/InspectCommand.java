@@ -63,7 +63,8 @@ final class InspectCommand extends Subcommand {
         list("can render it", methods(inspection));
         line("settings", SettingsLine.of(settings, frame.number()) + " threads=" + settings.threads());
         list("modelled", inspection.modelled());
-        list("not modelled", inspection.notModelled());
+        List<String> idle = inspection.notModelled();
+        line("not needed", idle.isEmpty() ? "(nothing)" : String.join("; ", idle));
         line("primitives", Integer.toString(inspection.primitives()));
         line("expected memory", String.format(Locale.ROOT, "%.1f MiB", inspection.expectedMemoryBytes() / MEBI));
         List<String> hints = new ArrayList<>(inspection.hints());

@@ -3,11 +3,9 @@ package enlightenment.cli;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
-import enlightenment.picture.Exposure;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
 import java.util.Locale;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.DoublePredicate;
 
@@ -16,53 +14,20 @@ final class LightNotes {
     /** For pictures whose errors sit in few places. */
     static final String HEAVY_TAIL = "few bright samples carry the error; it may be underestimated";
 
-    /** A picture that is darker than this in the mean, as shown, is hardly as it was meant. */
-    private static final double DARK = 0.02;
-
     /** Between two colours of a screen of 8 bits. */
     private static final double STEP = 1 / 255.0;
 
     private LightNotes() {}
 
-    /**
-     * Says what there is to say.
-     *
-     * @param shown the picture as it was written
-     */
-    static void tell(RenderResult result, Image shown, Consumer<String> say) {
-        tell(result, shown, (kind, text) -> say.accept(text));
-    }
-
-    /**
-     * Says what there is to say of one of several pictures.
-     *
-     * @param say hears what may be the same of many, and what is to be said of this one
-     */
-    static void tell(RenderResult result, Image shown, BiConsumer<String, String> say) {
-        RenderReport report = result.report();
-        if (report.sampling().light().map(RenderReport.Light::heavyTail).orElse(false)) {
-            say.accept("warning: " + HEAVY_TAIL, "warning: " + HEAVY_TAIL);
+    /** Says what the samples of a picture do not tell. */
+    static void tell(RenderResult result, Consumer<String> say) {
+        if (result.report()
+                .sampling()
+                .light()
+                .map(RenderReport.Light::heavyTail)
+                .orElse(false)) {
+            say.accept("warning: " + HEAVY_TAIL);
         }
-        double mean = shown.encoding() == Encoding.LINEAR ? Exposure.meanDisplayed(shown) : 1;
-        // What is lost is told as a failure, which says more.
-        if (mean < DARK && lost(shown) == 0 && count(shown, v -> !Double.isFinite(v)) == 0) {
-            tellDark(shown, mean, say);
-        }
-    }
-
-    private static void tellDark(Image shown, double mean, BiConsumer<String, String> say) {
-        if (count(shown, v -> v > 0) == 0) {
-            String black = "hint: the picture is black: no light was found";
-            say.accept(black, black);
-            return;
-        }
-        Image exposed = shown.withCurve(shown.curve().withExposure(Exposure.automatic(shown)));
-        String help = lost(exposed) == 0
-                ? ": --exposure auto shows more of it"
-                : ": its light is at the end of the range of floats; give the lights more";
-        say.accept(
-                "hint: the picture is dark" + help,
-                String.format(Locale.ROOT, "hint: the picture is dark, %.4f in the mean", mean) + help);
     }
 
     /**
@@ -112,7 +77,7 @@ final class LightNotes {
     }
 
     /** How many numbers light may have lost so much of, when it became floats, that a screen of 8 bits shows it. */
-    private static long lost(Image shown) {
+    static long lost(Image shown) {
         DisplayCurve curve = shown.curve();
         return count(shown, v -> v > 0 && v < Float.MIN_NORMAL && curve.of(most(v)) - curve.of(least(v)) > STEP);
     }
@@ -126,7 +91,8 @@ final class LightNotes {
         return v + Float.MIN_VALUE / 2.0;
     }
 
-    private static long count(Image image, DoublePredicate which) {
+    /** How many numbers of a picture are of this kind. */
+    static long count(Image image, DoublePredicate which) {
         long found = 0;
         for (int y = 0; y < image.height(); y++) {
             for (int x = 0; x < image.width(); x++) {

@@ -4,6 +4,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -17,7 +18,7 @@ final class PictureOutput {
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "the picture: .png, or .pfm for exact floats; - for standard output")
+            description = "the picture: .png, .jpg, or .pfm for exact floats; - for standard output")
     private Path file;
 
     @Option(
@@ -25,7 +26,7 @@ final class PictureOutput {
             paramLabel = "FORMAT",
             converter = Formats.class,
             completionCandidates = Formats.class,
-            description = "format on standard output, only with -o -: png (default) or pfm")
+            description = "format on standard output, only with -o -: png (default), jpg or pfm")
     private ImageFormat format;
 
     @Option(
@@ -67,10 +68,31 @@ final class PictureOutput {
         if (!isStandardOutput() && hasFormat()) {
             throw CliException.wrongUsage("--format must only be given with -o -: the name of a file tells its format");
         }
-        boolean holdsFloats = format().holdsFloats();
-        if (hasDepth() && holdsFloats) {
-            String what = isStandardOutput() ? "--format pfm" : "a .pfm file";
-            throw CliException.wrongUsage("--depth must not be given for " + what + ", which holds floats");
+        ImageFormat format = format();
+        if (hasDepth() && !format.depths().contains(depth)) {
+            String what = isStandardOutput()
+                    ? "--format " + new Formats().word(format)
+                    : "a " + FileNames.extension(file) + " file";
+            throw CliException.wrongUsage(
+                    format.holdsFloats()
+                            ? "--depth must not be given for " + what + ", which holds floats"
+                            : "--depth " + depth + " must not be given for " + what + ", which holds "
+                                    + format.depths().get(0) + " bits per component; .png holds 16");
+        }
+    }
+
+    /** Fails if a picture rendered like that cannot be kept in this format. */
+    void check(RenderSettings settings) {
+        ImageFormat format = format();
+        RenderSettings.Crop region = settings.region();
+        if (Math.max(region.width(), region.height()) > format.largestSide()) {
+            throw CliException.wrongUsage("a picture of " + region.width() + "x" + region.height()
+                    + " pixels is too large for JPEG, which has at most " + format.largestSide()
+                    + " columns and rows here; .png has more");
+        }
+        if (format.isLossy() && settings.budget().error().isPresent()) {
+            throw CliException.wrongUsage(
+                    "--error is the error of the file, and what JPEG loses is not measured:" + " choose .png or .pfm");
         }
     }
 
@@ -85,7 +107,7 @@ final class PictureOutput {
                         + ImageFormat.extensions(ImageFormat.written()) + ", not \"" + file + "\""));
     }
 
-    /** Bits per component of a PNG file. */
+    /** Bits per component of a PNG file; a JPEG file has the usual depth only. */
     int depth() {
         return hasDepth() ? depth : USUAL_DEPTH;
     }
@@ -111,6 +133,11 @@ final class PictureOutput {
         }
     }
 
+    /** Says so if the finished picture is nearly black or nearly white in this file. */
+    void tellBrightness(RenderResult result, Image shown, Terminal terminal) {
+        BrightnessHint.tell(result, shown, format().holdsFloats(), (kind, text) -> terminal.say(text));
+    }
+
     /** The formats that can be written. */
     static final class Formats extends WordOption<ImageFormat> {
         Formats() {
@@ -119,7 +146,7 @@ final class PictureOutput {
 
         @Override
         String word(ImageFormat format) {
-            return format.word();
+            return format.extensions().get(0);
         }
     }
 

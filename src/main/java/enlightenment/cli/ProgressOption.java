@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.render.RenderProgress;
 import java.io.Console;
 import java.io.PrintStream;
+import java.nio.file.Path;
 import java.util.function.LongSupplier;
 import picocli.CommandLine.Option;
 
@@ -33,6 +34,13 @@ final class ProgressOption {
             case BAR -> new BarProgress(err);
             default -> new PlainProgress(err, new NanoClock());
         };
+    }
+
+    /** Says which file has been written, terminal or not; silent with {@code none}, and where the picture is standard output. */
+    void tellWritten(Path file, Terminal terminal) {
+        if (kind != ProgressKind.NONE && !StandardStreams.isNamed(file)) {
+            terminal.say("wrote " + file);
+        }
     }
 
     /** Ends a display. */

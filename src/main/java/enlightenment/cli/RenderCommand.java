@@ -144,6 +144,7 @@ final class RenderCommand extends Subcommand {
             ChainFile.check(chains, settings);
         }
         if (part == null) {
+            output.check(settings);
             String title = scene.name().isEmpty() ? input.name() : scene.name();
             boolean keeps = !output.isStandardOutput();
             return watching.watch(title, settings, view, keeps, terminal, w -> renderPicture(scene, settings, w));
@@ -195,6 +196,7 @@ final class RenderCommand extends Subcommand {
         } finally {
             ProgressOption.end(display);
         }
+        progress.tellWritten(output.file(), terminal);
         if (!complete) {
             throw CliException.failed("stopped: " + output.file() + " holds only some of part " + part);
         }
@@ -218,6 +220,7 @@ final class RenderCommand extends Subcommand {
         Image shown = view.view(result.image(), terminal);
         watch.rendered(shown, result);
         output.write(shown, png, terminal);
+        progress.tellWritten(output.file(), terminal);
         aovFiles.write(result.auxiliary(), shown, png);
         report.write(result, output, terminal);
         if (clusters != null) {
@@ -230,8 +233,10 @@ final class RenderCommand extends Subcommand {
             boolean hasPreview = result.shownPixels() > result.report().pixels();
             throw StoppedRender.after(result, output, hasPreview ? ", and a preview of the rest" : "", keep.hint());
         }
-        UniformImageHint.tell(scene, settings, result, terminal);
-        LightNotes.tell(result, shown, terminal::say);
+        if (!UniformImageHint.tell(scene, settings, result, terminal)) {
+            output.tellBrightness(result, shown, terminal);
+        }
+        LightNotes.tell(result, terminal::say);
         LightNotes.require(result, shown);
         RequestedError.require(result);
     }

@@ -42,6 +42,7 @@ final class ResultPicture {
      * @param missing what is missing in it, in words; {@code ""} for nothing
      */
     void write(RenderResult made, Map<String, String> texts, String missing, Terminal terminal) throws IOException {
+        output.check(made.report().settings());
         RenderResult result = made.withRounding(Rounding.of(made.image(), output.writtenDepth()));
         Image shown = view.view(result.image(), terminal);
         output.write(shown, new PngOptions(output.depth(), texts), terminal);
@@ -49,7 +50,8 @@ final class ResultPicture {
         if (!missing.isEmpty()) {
             throw CliException.failed(missing);
         }
-        LightNotes.tell(result, shown, terminal::say);
+        output.tellBrightness(result, shown, terminal);
+        LightNotes.tell(result, terminal::say);
         LightNotes.require(result, shown);
         RequestedError.require(result);
     }

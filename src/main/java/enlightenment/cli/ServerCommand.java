@@ -76,6 +76,7 @@ final class ServerCommand extends Subcommand {
         input = argument.open(terminal);
         Scene scene = frame.read(input);
         RenderSettings settings = PictureOutput.withRounding(options.settings(scene, input), output.writtenDepth());
+        output.check(settings);
         view.check(scene);
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene);
@@ -123,12 +124,15 @@ final class ServerCommand extends Subcommand {
         String line = SettingsLine.replayable(settings, samples, frame.number());
         Image shown = view.view(result.image(), terminal);
         output.write(shown, new PngOptions(output.depth(), PictureText.of(scene, line)), terminal);
+        progress.tellWritten(output.file(), terminal);
         report.write(result, output, terminal);
         if (!result.complete()) {
             throw StoppedRender.after(result, output, "");
         }
-        UniformImageHint.tell(scene, settings, result, terminal);
-        LightNotes.tell(result, shown, terminal::say);
+        if (!UniformImageHint.tell(scene, settings, result, terminal)) {
+            output.tellBrightness(result, shown, terminal);
+        }
+        LightNotes.tell(result, terminal::say);
         LightNotes.require(result, shown);
         RequestedError.require(result);
     }

@@ -12,17 +12,21 @@ import java.util.Locale;
 final class UniformImageHint {
     private UniformImageHint() {}
 
-    /** Says so if the whole picture has one colour and a reason is known. */
-    static void tell(Scene scene, RenderSettings settings, RenderResult result, Terminal terminal) {
+    /**
+     * Says so if the whole picture has one colour and a reason is known.
+     *
+     * @return whether that was said
+     */
+    static boolean tell(Scene scene, RenderSettings settings, RenderResult result, Terminal terminal) {
         Image image = result.image();
         if (image.width() * image.height() == 1 || !isUniform(image)) {
-            return;
+            return false;
         }
         List<String> hints = Renderer.inspect(scene, settings).hints();
         boolean nothing = settings.crop().isEmpty()
                 && result.report().hitsByPrimitive().values().stream().allMatch(n -> n == 0);
         if (hints.isEmpty() && !nothing) {
-            return;
+            return false;
         }
         terminal.say(String.format(
                 Locale.ROOT,
@@ -32,6 +36,7 @@ final class UniformImageHint {
                 of255(image, 2),
                 nothing ? ": the camera sees none of the objects" : ""));
         hints.forEach(hint -> terminal.say("hint: " + hint));
+        return true;
     }
 
     private static boolean isUniform(Image image) {

@@ -1,5 +1,6 @@
 package enlightenment.image;
 
+import enlightenment.codec.JpegWriter;
 import enlightenment.codec.PfmFormat;
 import enlightenment.codec.PngWriter;
 import enlightenment.codec.Raster;
@@ -12,7 +13,7 @@ import java.nio.file.Path;
 
 /**
  * Pictures on disk. A file that is written appears as a whole or not at all, and its bytes depend on nothing but the
- * picture and the options: not on the machine, the JDK or the time. A file's kind is told by its first bytes when it is
+ * picture and the options: not on the machine, the JDK or the time, but for JPEG, whose encoder is the JDK's. A file's kind is told by its first bytes when it is
  * read, by its extension when it is written.
  *
  * <p>All methods that read or write a file fail with an {@link IOException} whose message names the file and the reason.
@@ -24,7 +25,8 @@ public final class ImageFiles {
      * Writes a picture in the format that the file's extension names, one of {@link ImageFormat#written}.
      *
      * @param options only for PNG
-     * @throws IllegalArgumentException if the extension is another one
+     * @throws IllegalArgumentException if the extension is another one, or the picture larger than {@link
+     *     ImageFormat#largestSide}
      */
     public static void write(Image image, Path file, PngOptions options) throws IOException {
         ImageFormat format = writtenFormat(file);
@@ -35,7 +37,8 @@ public final class ImageFiles {
      * Writes what a file of that format would hold to a stream, which stays open.
      *
      * @param options only for PNG
-     * @throws IllegalArgumentException if the format is none of {@link ImageFormat#written}
+     * @throws IllegalArgumentException if the format is none of {@link ImageFormat#written}, or the picture larger than
+     *     {@link ImageFormat#largestSide}
      */
     public static void write(Image image, OutputStream out, ImageFormat format, PngOptions options) throws IOException {
         switch (format) {
@@ -44,6 +47,7 @@ public final class ImageFiles {
                 new PngWriter(out, image.width(), image.height(), options.depth())
                         .write((x, y, c) -> image.displayedFor(maximum, x, y, c), options.text());
             }
+            case JPEG -> JpegWriter.write(image.width(), image.height(), image.toArgb(), out);
             case PFM -> PfmFormat.write(image.width(), image.height(), image::component, out);
             default -> throw new IllegalArgumentException("no " + format + " files are written");
         }

@@ -1,5 +1,6 @@
 package enlightenment.image;
 
+import enlightenment.codec.JpegWriter;
 import enlightenment.codec.RasterDecoder;
 import enlightenment.color.Encoding;
 import enlightenment.text.WordList;
@@ -20,8 +21,8 @@ public enum ImageFormat {
     /** Portable Network Graphics (W3C): lossless, the format of finished pictures. */
     PNG(List.of("png"), List.of(8, 16), true, RasterDecoder.PNG),
 
-    /** JPEG (ISO/IEC 10918). Two Java versions may decode the same file to components that differ by one step. */
-    JPEG(List.of("jpg", "jpeg"), List.of(8), false, RasterDecoder.JPEG),
+    /** JPEG (ISO/IEC 10918): lossy. Two Java versions may decode the same file to components that differ by one step. */
+    JPEG(List.of("jpg", "jpeg"), List.of(8), true, RasterDecoder.JPEG),
 
     /** Windows bitmaps. */
     BMP(List.of("bmp"), List.of(8), false, RasterDecoder.BMP),
@@ -89,9 +90,10 @@ public enum ImageFormat {
         return Optional.empty();
     }
 
-    /** Extensions for messages: {@code .png or .pfm}. */
+    /** Usual extensions for messages: {@code .png, .jpg or .pfm}. */
     public static String extensions(List<ImageFormat> formats) {
-        return WordList.join(formats.stream().map(f -> "." + f.word()).toList(), "or");
+        return WordList.join(
+                formats.stream().map(f -> "." + f.extensions.get(0)).toList(), "or");
     }
 
     /** Names for messages: {@code PNG, JPEG and BMP}, with the conjunction "and". */
@@ -99,7 +101,7 @@ public enum ImageFormat {
         return WordList.join(formats.stream().map(ImageFormat::name).toList(), conjunction);
     }
 
-    /** The format's name in small letters, which is its usual extension, too: {@code png}. */
+    /** The format's name in small letters, which is one of its extensions, too: {@code png}. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }
@@ -117,6 +119,16 @@ public enum ImageFormat {
     /** Whether components are floats, exact and without limits; otherwise whole numbers that stand for 0..1. */
     public boolean holdsFloats() {
         return depths.isEmpty();
+    }
+
+    /** Whether a file of this format may differ from the picture by more than the rounding to its {@link #depths}. */
+    public boolean isLossy() {
+        return this == JPEG;
+    }
+
+    /** The most columns, and the most rows, that {@link ImageFiles} writes. */
+    public int largestSide() {
+        return this == JPEG ? JpegWriter.LARGEST_SIDE : Integer.MAX_VALUE;
     }
 
     /**

@@ -15,6 +15,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,10 +53,22 @@ class CommandsTest {
         assertTrue(run.out().matches("(?s).*\nlights: +1 \\(1 sphere\\)\n.*"), run.out());
         assertTrue(run.out().matches("(?s).*\nnamed materials: +1 \\(1 matte\\)\n.*"), run.out());
         assertTrue(run.out().matches("(?s).*\nmodelled: +direct light of 1 light\n +shadows\n.*"), run.out());
-        assertTrue(run.out().matches("(?s).*\nnot modelled: +mirrors\n.*"), run.out());
+        assertTrue(run.out().matches("(?s).*\nnot needed: +mirrors; refraction; [^\n]+\nprimitives: .*"), run.out());
         // A mebi of pixels of 36 bytes each; two primitives do not show.
         assertTrue(run.out().matches("(?s).*\nexpected memory: +48.0 MiB\n"), run.out());
         assertTrue(run.out().contains("size=1024x1024 antialias=4 shadowSamples=10 seed=0 threads=2"), run.out());
+    }
+
+    @Test
+    void inspectListsWhatTheSceneDoesNotNeedInOneLine() throws IOException {
+        CliRun run = CliRun.of("inspect", CliRun.scene(folder, "\"width\": 8, \"height\": 6"));
+        List<String> lines = run.outLines();
+        int at = lines.indexOf(lines.stream()
+                .filter(l -> l.startsWith("not needed:"))
+                .findFirst()
+                .orElseThrow());
+        assertTrue(lines.get(at).contains("mirrors; refraction; image textures"), lines.get(at));
+        assertTrue(lines.get(at + 1).startsWith("primitives:"), lines.get(at + 1));
     }
 
     @Test

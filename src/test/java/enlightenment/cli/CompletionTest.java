@@ -40,7 +40,7 @@ class CompletionTest {
                 "render  | --proposal | normal zeta linear",
                 "render  | --progress | auto bar plain none",
                 "render  | --depth    | 8 16",
-                "render  | --format   | png pfm",
+                "render  | --format   | png jpg pfm",
                 "render  | --aov      | error samples depth normal object albedo direct indirect",
                 "trade   | --methods  | METHODS"
             })

@@ -61,11 +61,11 @@ class FilmNotesTest {
                 """);
         CliRun run = CliRun.of("animate", scene, "-o", folder.resolve("f-%02d.png"), "--antialias", "1");
         List<String> hints = run.errLines().stream()
-                .filter(line -> line.contains("the picture is dark"))
+                .filter(line -> line.contains("the picture is nearly black"))
                 .toList();
         assertEquals(2, hints.size(), run.err());
         assertEquals(
-                "enlightenment: all 3 frames: hint: the picture is dark: --exposure auto shows more of it",
+                "enlightenment: all 3 frames: hint: the picture is nearly black: --exposure auto shows more of it",
                 hints.get(1));
     }
 }

@@ -151,7 +151,7 @@ class LightCommandsTest {
     /** What inspect says is modelled of a scene. */
     private static List<String> modelled(Path scene) {
         String out = CliRun.of("inspect", scene).out();
-        return out.substring(out.indexOf("modelled:") + "modelled:".length(), out.indexOf("not modelled:"))
+        return out.substring(out.indexOf("modelled:") + "modelled:".length(), out.indexOf("not needed:"))
                 .lines()
                 .map(String::strip)
                 .toList();
@@ -219,7 +219,7 @@ class LightCommandsTest {
         Object[] args = {"render", dark, "-o", png, "--size", "16x16", "--samples", "8", "--exposure", "auto"};
         assertFalse(CliRun.of(args).err().contains("hint"));
         Object[] plain = java.util.Arrays.copyOf(args, 8);
-        assertTrue(CliRun.of(plain).err().contains("hint: the picture is dark"));
+        assertTrue(CliRun.of(plain).err().contains("hint: the picture is nearly black"));
     }
 
     /** Light in another unit, a power of two, and the exposure that makes up for it. */

@@ -93,7 +93,7 @@ class LightNotesTest {
             assertEquals(ExitCode.FAILED, e.exitCode());
             assertTrue(e.getMessage().startsWith("2 numbers of the picture are no numbers"), e.getMessage());
             List<String> told = new ArrayList<>();
-            LightNotes.tell(good, bad, line -> told.add(line));
+            BrightnessHint.tell(bad, false, (kind, line) -> told.add(line));
             assertEquals(List.of(), told, "that it is dark says less");
         }
     }
@@ -120,25 +120,6 @@ class LightNotesTest {
         assertDoesNotThrow(() -> LightNotes.require(good, image(1000, 0)));
         assertDoesNotThrow(() -> LightNotes.require(good, image(1000, 1)));
         assertDoesNotThrow(() -> LightNotes.require(good, image(125, Float.MIN_NORMAL)));
-    }
-
-    @Test
-    void anExposureIsRecommendedOnlyWhereItHelps() throws Exception {
-        RenderResult good = result(0);
-        String advice = ": --exposure auto shows more of it";
-        assertEquals(List.of("hint: the picture is dark, 0.0000 in the mean" + advice), told(good, 0, 0x1p-100));
-        assertEquals(
-                List.of("hint: the picture is dark, 0.0000 in the mean: its light is at the end of the range of floats;"
-                        + " give the lights more"),
-                told(good, 0, Float.MIN_VALUE));
-        assertEquals(List.of("hint: the picture is black: no light was found"), told(good, 0, 0));
-        assertEquals(List.of(), told(good, 150, Float.MIN_VALUE));
-    }
-
-    private static List<String> told(RenderResult result, double exposure, double value) {
-        List<String> told = new ArrayList<>();
-        LightNotes.tell(result, image(exposure, value), line -> told.add(line));
-        return told;
     }
 
     @Test

@@ -168,7 +168,9 @@ class RenderCommandTest extends SceneFixture {
         CliRun run = CliRun.of("render", scene, "-o", gif);
         assertEquals(
                 new CliRun(
-                        2, "", "enlightenment: -o must name a file that ends in .png or .pfm, not \"" + gif + "\"\n"),
+                        2,
+                        "",
+                        "enlightenment: -o must name a file that ends in .png, .jpg or .pfm, not \"" + gif + "\"\n"),
                 run);
     }
 

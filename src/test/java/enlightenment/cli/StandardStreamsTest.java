@@ -168,7 +168,7 @@ class StandardStreamsTest {
     void whatNeedsAFileSaysSo() {
         refused("--aov writes files beside the picture: -o must name a file, not standard output", "--aov", "depth");
         refused("--preview replaces the picture: -o must name a file, not standard output", "--preview", "1");
-        refused("--format must be one of png, pfm, not \"jpg\"", "--format", "jpg");
+        refused("--format must be one of png, jpg, pfm, not \"bmp\"", "--format", "bmp");
         refused("--depth must not be given for --format pfm, which holds floats", "--format", "pfm", "--depth", "8");
         refused(
                 "only the picture (-o) can go to standard output, \"-\"; \"./-\" is a file of that name",

@@ -137,7 +137,7 @@ class ImageFilesTest {
         assertEquals(5, ImageIO.read(folder.resolve("a.PNG").toFile()).getWidth());
         assertArrayEquals(
                 image.toArray(), ImageFiles.read(folder.resolve("a.pfm")).toArray());
-        for (String name : new String[] {"a.jpg", "png", "a.png.bak", "a"}) {
+        for (String name : new String[] {"a.bmp", "png", "a.png.bak", "a"}) {
             String message = assertThrows(
                             IllegalArgumentException.class,
                             () -> ImageFiles.write(image, folder.resolve(name), PngOptions.DEFAULT),

@@ -15,6 +15,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -73,7 +74,12 @@ public final class SceneReader {
      */
     public static Scene readBytes(byte[] json, Path baseFolder, String displayName, OptionalInt frame) {
         Problems problems = new Problems(displayName, remark(frame));
-        return read(() -> decoded(new ByteArrayInputStream(json)), baseFolder, problems, frame);
+        try {
+            return read(() -> decoded(new ByteArrayInputStream(json)), baseFolder, problems, frame);
+        } catch (SceneException e) {
+            byte[] start = Arrays.copyOf(json, Math.min(json.length, ForeignFormat.START));
+            throw unlessForeign(e, displayName, start, json.length);
+        }
     }
 
     /**
@@ -125,8 +131,30 @@ public final class SceneReader {
             problems.add(0, 0, "", "cannot be read: permission denied");
         }
         problems.throwIfAny();
-        return read(
-                () -> decoded(Files.newInputStream(file)), file.toAbsolutePath().getParent(), problems, frame);
+        try {
+            return read(
+                    () -> decoded(Files.newInputStream(file)),
+                    file.toAbsolutePath().getParent(),
+                    problems,
+                    frame);
+        } catch (SceneException e) {
+            throw unlessForeign(e, file);
+        }
+    }
+
+    private static SceneException unlessForeign(SceneException e, Path file) {
+        try (InputStream in = Files.newInputStream(file)) {
+            return unlessForeign(e, file.toString(), in.readNBytes(ForeignFormat.START), Files.size(file));
+        } catch (IOException unreadable) {
+            return e;
+        }
+    }
+
+    /** What was wrong with a scene; of what is a file of another program, only that. */
+    private static SceneException unlessForeign(SceneException e, String name, byte[] start, long size) {
+        return ForeignFormat.of(name, start, size)
+                .map(f -> new SceneException(List.of(new SceneException.Problem(name, 0, 0, "", f.refusal()))))
+                .orElse(e);
     }
 
     private static String remark(OptionalInt frame) {

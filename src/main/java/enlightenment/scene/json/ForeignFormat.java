@@ -1,0 +1,177 @@
+package enlightenment.scene.json;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A format of other programs in which scenes and meshes come. It is recognized only where a file has been refused as a scene, to say
+ * what the file is and what can be done with it.
+ */
+enum ForeignFormat {
+    PLY("a mesh in the Stanford PLY format", Advice.MESH, Comments.NONE, "ply[\\r\\n]", "ply"),
+    STL(
+            "a mesh in the STL format",
+            Advice.MESH,
+            Comments.NONE,
+            "solid\\b[^\\n]*\\n\\s*(facet\\s+normal|endsolid)",
+            "stl"),
+    GLTF(
+            "a scene in the glTF format",
+            Advice.SCENE,
+            Comments.NONE,
+            "glTF|\\{.*\"asset\"\\s*:\\s*\\{[^}]{0,1000}\"version\"\\s*:\\s*\"[0-9]",
+            "glb",
+            "gltf"),
+    FBX("a scene in Autodesk's FBX format", Advice.SCENE, Comments.NONE, "Kaydara FBX Binary|; FBX ", "fbx"),
+    BLENDER("a scene of Blender's", Advice.SCENE, Comments.NONE, "BLENDER", "blend"),
+    SERIALIZED(
+            "a mesh in Mitsuba's serialized format",
+            Advice.MESH,
+            Comments.NONE,
+            "\\x1c\\x04[\\x03\\x04]\\x00",
+            "serialized"),
+    USD("a scene in the USD format", Advice.SCENE, Comments.NONE, "#usda |PXR-USDC", "usd", "usda", "usdc", "usdz"),
+    COLLADA("a scene in the COLLADA format", Advice.SCENE, Comments.NONE, "<(.*<)?COLLADA[\\s>]", "dae"),
+    MITSUBA("a scene of Mitsuba's", Advice.SCENE, Comments.NONE, "<(.*<)?scene\\s[^>]{0,1000}\\bversion\\s*="),
+    XML("an XML file", Advice.SCENE, Comments.NONE, "<\\?xml\\s", "xml"),
+    NFF("a scene in the Neutral File Format", Advice.CONVERT, Comments.HASH, "v\\s*\\n\\s*from\\s", "nff"),
+    OBJ(
+            "a mesh in the Wavefront OBJ format",
+            Advice.MESH,
+            Comments.HASH,
+            "((mtllib|usemtl|o|g|s)\\s.*?\\n)?v(\\s+[-+.0-9eE]+){3}",
+            "obj"),
+    PBRT(
+            "a scene of pbrt's",
+            Advice.SCENE,
+            Comments.HASH,
+            "(LookAt|Camera|Film|PixelFilter|Sampler|(Surface)?Integrator|Renderer|Accelerator|Option|ColorSpace"
+                    + "|Transform|ConcatTransform|Scale|Translate|Rotate|Identity|WorldBegin|AttributeBegin|Include|Import"
+                    + "|Texture|Material|MakeNamedMaterial|MakeNamedMedium|Shape|LightSource)[\\s\"\\[]",
+            "pbrt"),
+    POV_RAY(
+            "a scene of POV-Ray's",
+            Advice.SCENE,
+            Comments.SLASH,
+            "#\\s*(include\\s*\"|version\\s|declare\\s|default\\s|local\\s|macro\\s)"
+                    + "|(global_settings|camera|background|light_source)\\s*\\{",
+            "pov");
+
+    /** The number of bytes at the beginning of a file that are looked at. */
+    static final int START = 1 << 16;
+
+    private static final int STL_HEADER = 84;
+    private static final int STL_TRIANGLE = 50;
+
+    private final String description;
+    private final String advice;
+    private final Comments comments;
+    private final Pattern content;
+    private final List<String> extensions;
+
+    /** @param content of what follows blanks and comments at the start of a file, each byte a character */
+    ForeignFormat(String description, String advice, Comments comments, String content, String... extensions) {
+        this.description = description;
+        this.advice = advice;
+        this.comments = comments;
+        this.content = Pattern.compile(content, Pattern.DOTALL);
+        this.extensions = List.of(extensions);
+    }
+
+    /** What may stand before the beginning of a format, beside blanks. */
+    private enum Comments {
+        NONE,
+        /** From a # to the end of the line. */
+        HASH,
+        /** As in C++. */
+        SLASH;
+
+        private static final String BLANKS = " \t\r\n";
+
+        /** The place behind blanks and comments at the beginning of a text. */
+        int end(String text) {
+            int at = 0;
+            while (at < text.length()) {
+                if (BLANKS.indexOf(text.charAt(at)) >= 0) {
+                    at++;
+                } else if (this == HASH && text.startsWith("#", at) || this == SLASH && text.startsWith("//", at)) {
+                    at = after(text, "\n", at);
+                } else if (this == SLASH && text.startsWith("/*", at)) {
+                    at = after(text, "*/", at + 2);
+                } else {
+                    return at;
+                }
+            }
+            return at;
+        }
+
+        private static int after(String text, String end, int from) {
+            int at = text.indexOf(end, from);
+            return at < 0 ? text.length() : at + end.length();
+        }
+    }
+
+    /** What can be done. */
+    private static final class Advice {
+        static final String MESH =
+                "meshes cannot be rendered yet; a scene is made of spheres, boxes, triangles and the other shapes of"
+                        + " docs/scene-format.md";
+        static final String SCENE =
+                "it cannot be read yet; a scene is JSON as docs/scene-format.md describes it, and 'enlightenment"
+                        + " convert' makes it of NFF files only";
+        static final String CONVERT = "'enlightenment convert IN.nff OUT.json' makes a scene file of it";
+
+        private Advice() {}
+    }
+
+    /**
+     * The format of a file that is no scene; empty if it is unknown.
+     *
+     * @param name the file's name, whose extension decides where the content does not; may be ""
+     * @param start the file's first {@link #START} bytes; fewer if it has fewer
+     * @param size of the file, in bytes
+     */
+    static Optional<ForeignFormat> of(String name, byte[] start, long size) {
+        if (isBinaryStl(start, size)) {
+            return Optional.of(STL);
+        }
+        String text = new String(start, StandardCharsets.ISO_8859_1);
+        String content = text.startsWith("\u00ef\u00bb\u00bf") ? text.substring(3) : text;
+        for (ForeignFormat format : values()) {
+            Matcher matcher = format.content.matcher(content);
+            if (matcher.region(format.comments.end(content), content.length()).lookingAt()) {
+                return Optional.of(format);
+            }
+        }
+        // Whatever it is called, such a file is meant as a scene.
+        boolean isJson = content.isBlank() || content.stripLeading().startsWith("{");
+        String extension = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+        for (ForeignFormat format : values()) {
+            if (format.extensions.contains(extension) && extension.length() < name.length() && !isJson) {
+                return Optional.of(format);
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** The format has no signature, but the number of its triangles after a header of 80 bytes, and nothing after them. */
+    private static boolean isBinaryStl(byte[] start, long size) {
+        if (start.length < STL_HEADER) {
+            return false;
+        }
+        long triangles = 0;
+        for (int i = 1; i <= Integer.BYTES; i++) {
+            triangles = triangles << Byte.SIZE | start[STL_HEADER - i] & 0xff;
+        }
+        return triangles > 0 && size == STL_HEADER + STL_TRIANGLE * triangles;
+    }
+
+    /** What is to be said of such a file, after its name. */
+    String refusal() {
+        return "is " + description + ", not a scene file: " + advice;
+    }
+}

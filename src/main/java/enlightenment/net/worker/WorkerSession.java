@@ -245,8 +245,9 @@ public final class WorkerSession {
         try {
             mine = jobs.pool(wanted, this::flush);
         } catch (IOException e) {
-            on.sayLast(new Message.Bye(e.getMessage()));
-            return new SessionEnd(true, false, e.getMessage());
+            String reason = FileFailure.described(e);
+            on.sayLast(new Message.Bye(reason));
+            return new SessionEnd(true, false, reason);
         }
         on.send(new Message.Ready(job, identity.process(), Handshake.hmac(identity.machine(), job.toBytes())));
         pool = mine;

@@ -65,9 +65,6 @@ public final class ServerConnection {
         /** The worker has all that it needs. */
         void ready(ServerConnection connection);
 
-        /** Begins whoever is missing. */
-        void beginNow();
-
         /** Tells the coordinator, and does what it decides. */
         void handle(Event event);
 
@@ -235,10 +232,6 @@ public final class ServerConnection {
 
     private void deliver(MessageChannel on, Message.Result result) {
         ServerJob job = server.job();
-        if (!isJoined) {
-            // It worked for an earlier incarnation of this server: there is nothing to wait for.
-            server.beginNow();
-        }
         if (!result.job().equals(job.hash()) || !isJoined || isTooEarly(job, result.tile())) {
             on.send(new Message.Acknowledge(result.tile()));
             return;

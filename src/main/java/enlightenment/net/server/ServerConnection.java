@@ -24,7 +24,7 @@ import javax.net.ssl.SSLException;
 /** One connection to a server, from the first byte of a stranger to the last of a worker. One thread listens to it. */
 public final class ServerConnection {
     private static final SecureRandom RANDOM = new SecureRandom();
-    private static final int LONGEST_NAME = 60;
+    private static final int LONGEST_NAME = 80;
 
     private final long id;
     private final Host server;

@@ -224,7 +224,7 @@ public final class WorkerSession {
                 Message.PROTOCOL,
                 Message.PROTOCOL,
                 identity.version(),
-                MachineIdentity.name(),
+                MachineIdentity.workerName(),
                 identity.threads(),
                 Canary.hash(),
                 nonce);

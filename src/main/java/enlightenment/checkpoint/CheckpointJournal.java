@@ -103,15 +103,13 @@ public final class CheckpointJournal implements Closeable {
             JournalScan scan = new JournalScan(file, header);
             int results = 0;
             for (byte[] body = scan.next(); body != null; body = scan.next()) {
-                ByteBuffer in = ByteBuffer.wrap(body);
-                long plan = in.getLong();
-                JournalRecord record = JournalRecord.decode(in);
-                results += record instanceof JournalRecord.Kept ? 1 : 0;
+                JournalEntry entry = entry(path, body, scan.place());
+                results += entry.record() instanceof JournalRecord.Kept ? 1 : 0;
                 if (results > 0 && !mayHoldResults) {
                     throw new JournalException(
                             path + " holds results of this render already: --resume goes on with them");
                 }
-                reader.record(plan, record, scan.place());
+                reader.record(entry.plan(), entry.record(), scan.place());
             }
             CheckpointJournal journal = new CheckpointJournal(file, lock, forcing, header, scan);
             journal.begin(found, render, now);
@@ -123,6 +121,14 @@ public final class CheckpointJournal implements Closeable {
             file.close();
             // Of a full disk the message says no more than that.
             throw FileFailure.named(path, e);
+        }
+    }
+
+    private static JournalEntry entry(Path path, byte[] body, long place) throws IOException {
+        try {
+            return JournalEntry.of(body);
+        } catch (JournalException e) {
+            throw new JournalException(path + ": " + e.getMessage() + " (at byte " + place + "); it is left as it is");
         }
     }
 
@@ -192,7 +198,7 @@ public final class CheckpointJournal implements Closeable {
         byte[] body = JournalScan.body(file, header, place, file.size());
         return body == null
                 ? Optional.empty()
-                : Optional.of(JournalRecord.decode(ByteBuffer.wrap(body).position(Long.BYTES)));
+                : Optional.of(JournalEntry.of(body).record());
     }
 
     /** Forces what was written to the disk if the last time was 200 ms ago. */

@@ -2,7 +2,6 @@ package enlightenment.checkpoint;
 
 import enlightenment.job.RenderIdentity;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -48,11 +47,10 @@ final class JournalContents {
         JournalScan scan = new JournalScan(file, header);
         boolean hasResults = false;
         for (byte[] body = scan.next(); body != null; body = scan.next()) {
-            ByteBuffer in = ByteBuffer.wrap(body).position(Long.BYTES);
-            byte kind = body[Long.BYTES];
+            byte kind = JournalEntry.kind(body);
             hasResults |= kind == JournalRecord.KEPT;
             // The same in more words; an older one may be of a render that this file was of before.
-            if (kind == JournalRecord.ABOUT && JournalRecord.decode(in) instanceof JournalRecord.About about) {
+            if (kind == JournalRecord.ABOUT && JournalEntry.of(body).record() instanceof JournalRecord.About about) {
                 difference = new RenderIdentity(header.scene(), about.settings(), about.build())
                         .difference(render)
                         .orElse(difference);

@@ -104,6 +104,9 @@ public sealed interface JournalRecord {
      * @throws JournalException if it makes no sense
      */
     static JournalRecord decode(ByteBuffer in) throws IOException {
+        if (!in.hasRemaining()) {
+            throw new JournalException("the checkpoint has an empty record, which makes no sense to this version");
+        }
         byte kind = in.get();
         if (kind == PLANNED) {
             return new Planned(rest(in));

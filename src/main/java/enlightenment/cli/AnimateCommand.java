@@ -2,6 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.file.FileFailure;
 import enlightenment.file.FilePlace;
+import enlightenment.net.AuditReport;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.Film;
 import enlightenment.render.RenderProgress;
@@ -108,20 +109,19 @@ final class AnimateCommand extends Subcommand {
                 : new ServedFrames(film, settings, writer, serving, server, terminal);
         RenderSettings asWritten = options.settings(scene, input);
         String title = scene.name().isEmpty() ? input.name() : scene.name();
-        return watching.watch(
-                title,
-                asWritten,
-                view,
-                true,
-                terminal,
-                w -> finish(files, range, make(maker, writer.notes(), plan, range, w)));
+        return watching.watch(title, asWritten, view, true, terminal, w -> {
+            int faulty = make(maker, writer.notes(), plan, range, w);
+            finish(files, range, faulty, maker.audits().orElse(AuditReport.NONE));
+        });
     }
 
-    private void finish(List<Path> files, FrameRange range, int faulty) throws IOException {
+    private void finish(List<Path> files, FrameRange range, int faulty, AuditReport audits) throws IOException {
         writeVideo(files, range);
+        serving.options().tellAudits(audits, terminal);
         if (faulty > 0) {
             throw CliException.failed(faulty + (faulty == 1 ? " frame is" : " frames are") + " not as asked");
         }
+        serving.options().requireAudits(audits);
     }
 
     private void check(Scene scene, FrameRange range, List<Path> frames) throws IOException {
@@ -207,7 +207,7 @@ final class AnimateCommand extends Subcommand {
             ProgressOption.end(display);
             notes.finish(written.size());
         }
-        report.write(terminal);
+        report.write(maker.audits(), terminal);
         if (!areAllThere) {
             throw stopped(plan.kept().size() + written.size(), range, "");
         }

@@ -2,6 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.file.WholeFile;
 import enlightenment.machine.MachineFacts;
+import enlightenment.net.AuditReport;
 import enlightenment.numeric.Counts;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
@@ -9,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 import picocli.CommandLine.Option;
@@ -62,11 +64,11 @@ final class FilmReport {
     }
 
     /** Writes and prints what was asked for, when all frames are there or the film was stopped. */
-    void write(Terminal terminal) throws IOException {
+    void write(Optional<AuditReport> audits, Terminal terminal) throws IOException {
         double seconds = (System.nanoTime() - begun) * NANO;
         double processors = (MachineFacts.processorNanos() - cpu) * NANO;
         if (file != null) {
-            WholeFile.write(file, FilmReportJson.of(asked, kept, frames, seconds, processors));
+            WholeFile.write(file, FilmReportJson.of(asked, kept, frames, audits, seconds, processors));
         }
         if (stats) {
             terminal.out().print(table(seconds, processors));

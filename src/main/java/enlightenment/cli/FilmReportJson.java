@@ -1,8 +1,10 @@
 package enlightenment.cli;
 
 import enlightenment.json.JsonText;
+import enlightenment.net.AuditReport;
 import enlightenment.report.RenderReport;
 import java.util.Map;
+import java.util.Optional;
 
 /** The report of a film as JSON; docs/cli.md lists the keys. */
 final class FilmReportJson {
@@ -14,10 +16,17 @@ final class FilmReportJson {
      * @param asked how many frames were wanted
      * @param kept how many of them were there already
      * @param frames the reports of those that were rendered, by their numbers
+     * @param audits those of a server; empty for others
      * @param seconds by the clock
      * @param processors seconds of processors that this process has taken
      */
-    static String of(int asked, int kept, Map<Integer, RenderReport> frames, double seconds, double processors) {
+    static String of(
+            int asked,
+            int kept,
+            Map<Integer, RenderReport> frames,
+            Optional<AuditReport> audits,
+            double seconds,
+            double processors) {
         return JsonText.of(json -> {
             json.writeStartObject();
             ReportJson.program(json);
@@ -29,6 +38,7 @@ final class FilmReportJson {
             json.writeNumberProperty("cpuSeconds", processors);
             json.writeNumberProperty("rays", FilmReport.rays(frames));
             json.writeNumberProperty("pixels", FilmReport.pixels(frames));
+            audits.ifPresent(a -> ReportJson.audits(json, a));
             json.writeArrayPropertyStart("frames");
             frames.forEach((frame, report) -> {
                 json.writeStartObject();

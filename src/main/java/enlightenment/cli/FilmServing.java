@@ -24,6 +24,11 @@ final class FilmServing {
         return server ? serving.options(terminal).build() : null;
     }
 
+    /** The options of a server. */
+    ServingOptions options() {
+        return serving;
+    }
+
     /** Says which files the server reads and writes. */
     void register(CommandFiles files) {
         if (server) {

@@ -1,8 +1,10 @@
 package enlightenment.cli;
 
+import enlightenment.net.AuditReport;
 import enlightenment.render.RenderProgress;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 
 /** Makes frames of a film and writes them. */
 interface FrameMaker {
@@ -23,4 +25,9 @@ interface FrameMaker {
      * @return whether all are there: false if the user wanted an end
      */
     boolean make(List<Integer> frames, RenderProgress display, Listener listener) throws IOException;
+
+    /** The audits of the frames that were made with workers; empty without. */
+    default Optional<AuditReport> audits() {
+        return Optional.empty();
+    }
 }

@@ -32,7 +32,8 @@ final class OptionRules {
             "--tls-key",
             "--status-port",
             "--local-threads",
-            "--audit");
+            "--audit",
+            "--audit-required");
 
     private static final List<OptionRule> SECRETS = List.of(
             excludes(

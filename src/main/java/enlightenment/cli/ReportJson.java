@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.json.JsonText;
+import enlightenment.net.AuditReport;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.Method;
@@ -8,20 +9,32 @@ import enlightenment.scene.MethodSetting;
 import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.Map;
+import java.util.Optional;
 import tools.jackson.core.JsonGenerator;
 
 /** A render's report as JSON; docs/cli.md lists the keys. */
 final class ReportJson {
     private ReportJson() {}
 
-    static String of(RenderResult result) {
-        return JsonText.of(json -> report(json, result.report(), result.complete()));
+    /** @param audits those of a server; empty for others */
+    static String of(RenderResult result, Optional<AuditReport> audits) {
+        return JsonText.of(json -> {
+            json.writeStartObject();
+            program(json);
+            content(json, result.report(), result.complete());
+            audits.ifPresent(a -> audits(json, a));
+            json.writeEndObject();
+        });
     }
 
-    private static void report(JsonGenerator json, RenderReport report, boolean complete) {
-        json.writeStartObject();
-        program(json);
-        content(json, report, complete);
+    /** The audits of what a server made, in an object that is begun. */
+    static void audits(JsonGenerator json, AuditReport audits) {
+        json.writeObjectPropertyStart("audits");
+        json.writeNumberProperty("due", audits.due());
+        json.writeNumberProperty("missing", audits.missing());
+        json.writeArrayPropertyStart(audits.isOfFilm() ? "frames" : "tiles");
+        audits.where().forEach(json::writeNumber);
+        json.writeEndArray();
         json.writeEndObject();
     }
 

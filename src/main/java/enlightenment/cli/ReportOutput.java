@@ -1,10 +1,12 @@
 package enlightenment.cli;
 
 import enlightenment.file.WholeFile;
+import enlightenment.net.AuditReport;
 import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
+import java.util.Optional;
 import picocli.CommandLine.Option;
 
 /** The options that tell what a render did. */
@@ -24,8 +26,14 @@ final class ReportOutput {
 
     /** Writes and prints what was asked for; where the picture goes to standard output, the statistics go elsewhere. */
     void write(RenderResult result, PictureOutput picture, Terminal terminal) throws IOException {
+        write(result, Optional.empty(), picture, terminal);
+    }
+
+    /** Does so for the picture of a server. */
+    void write(RenderResult result, Optional<AuditReport> audits, PictureOutput picture, Terminal terminal)
+            throws IOException {
         if (report != null) {
-            WholeFile.write(report, ReportJson.of(result));
+            WholeFile.write(report, ReportJson.of(result, audits));
         }
         if (stats) {
             PrintStream stream = picture.isStandardOutput() ? terminal.err() : terminal.out();

@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.math.InvalidValueException;
+import enlightenment.net.AuditReport;
 import enlightenment.net.FilmServer;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.Film;
@@ -13,6 +14,7 @@ import java.io.UncheckedIOException;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
 /** Renders the frames of a film with the help of workers. */
@@ -24,6 +26,8 @@ final class ServedFrames implements FrameMaker {
     private final ServerOptions options;
     private final Terminal terminal;
     private final Map<Integer, FrameWriter.Subject> subjects = new HashMap<>();
+
+    private AuditReport audits = AuditReport.NONE;
 
     /** The frame that is prepared. */
     private int current;
@@ -50,10 +54,12 @@ final class ServedFrames implements FrameMaker {
         }
         try (FilmServer server = FilmServer.start(frames, this::prepared, options, terminal.stop())) {
             serving.announce(server, terminal);
-            return server.await(
+            boolean areAllThere = server.await(
                     (frame, result) -> listener.written(frame, !writer.write(subjects.get(frame), result)),
                     display,
                     terminal.stop());
+            audits = server.audits();
+            return areAllThere;
         } catch (CancellationException e) {
             return false;
         } catch (InvalidValueException | SceneException e) {
@@ -63,6 +69,11 @@ final class ServedFrames implements FrameMaker {
         } catch (UncheckedIOException e) {
             throw e.getCause();
         }
+    }
+
+    @Override
+    public Optional<AuditReport> audits() {
+        return Optional.of(audits);
     }
 
     private FilmServer.Frame prepared(int frame) {

@@ -3,6 +3,7 @@ package enlightenment.cli;
 import enlightenment.image.Image;
 import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
+import enlightenment.net.AuditReport;
 import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.RenderProgress;
@@ -52,6 +53,7 @@ final class ServerCommand extends Subcommand {
     private ProgressOption progress = new ProgressOption();
 
     private SceneInput input;
+    private AuditReport audits = AuditReport.NONE;
 
     ServerCommand(Terminal terminal) {
         super(terminal);
@@ -96,7 +98,9 @@ final class ServerCommand extends Subcommand {
                 RenderServer server = RenderServer.start(
                         scene, settings, serverOptions.withArchives(archives.all()), terminal.stop())) {
             serving.announce(server.port(), server.pin(), server.statusPort(), terminal);
-            return server.await(display, terminal.stop());
+            RenderResult result = server.await(display, terminal.stop());
+            audits = server.audits();
+            return result;
         } catch (CancellationException e) {
             throw output.nothingRendered();
         } catch (InvalidValueException e) {
@@ -125,7 +129,7 @@ final class ServerCommand extends Subcommand {
         Image shown = view.view(result.image(), terminal);
         output.write(shown, new PngOptions(output.depth(), PictureText.of(scene, line)), terminal);
         progress.tellWritten(output.file(), terminal);
-        report.write(result, output, terminal);
+        report.write(result, Optional.of(audits), output, terminal);
         if (!result.complete()) {
             throw StoppedRender.after(result, output, "");
         }
@@ -134,6 +138,8 @@ final class ServerCommand extends Subcommand {
         }
         LightNotes.tell(result, terminal::say);
         LightNotes.require(result, shown);
+        serving.tellAudits(audits, terminal);
         RequestedError.require(result);
+        serving.requireAudits(audits);
     }
 }

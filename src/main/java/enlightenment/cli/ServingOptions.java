@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.net.AuditReport;
 import enlightenment.net.ServerOptions;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -85,10 +86,18 @@ final class ServingOptions {
                     "share of the tiles that two machines render, to find one that computes wrongly (default: 0.002)")
     private Double audit;
 
+    @Option(
+            names = "--audit-required",
+            description = "fail where no second machine was there to render a tile that --audit asks for")
+    private boolean isAuditRequired;
+
     ServingOptions() {}
 
     /** What the options ask for, to which more may be added; warns of what is not secret. */
     ServerOptions.Builder options(Terminal terminal) throws IOException {
+        if (isAuditRequired && audit != null && audit == 0) {
+            throw CliException.wrongUsage("--audit-required must not be given with --audit 0, which audits nothing");
+        }
         checkSecrets(terminal);
         ServerOptions.Builder o = ServerOptions.builder()
                 .address(host, port)
@@ -147,6 +156,20 @@ final class ServingOptions {
         JoinLines.of(Launcher.command(), host, listening, token, pin).forEach(terminal::say);
         if (status >= 0) {
             terminal.say("status: http://127.0.0.1:" + status + "/");
+        }
+    }
+
+    /** Says which audits were not made, unless that is a failure, which {@link #requireAudits} tells. */
+    void tellAudits(AuditReport audits, Terminal terminal) {
+        if (!audits.isComplete() && !isAuditRequired) {
+            terminal.say("warning: " + audits.sentence() + "; --audit-required makes that a failure");
+        }
+    }
+
+    /** Fails where audits were not made that have to be. */
+    void requireAudits(AuditReport audits) {
+        if (!audits.isComplete() && isAuditRequired) {
+            throw CliException.failed(audits.sentence() + ", which --audit-required asks for");
         }
     }
 

@@ -49,7 +49,7 @@ final class WorkerCommand extends Subcommand {
             names = "--reconnect",
             paramLabel = "SECONDS",
             converter = Reconnect.class,
-            description = "keep trying for this long when the server is away (default: 60)")
+            description = "keep trying for this long when the server is away or of no use (default: 60)")
     private Double reconnect;
 
     WorkerCommand(Terminal terminal) {

@@ -120,11 +120,6 @@ final class Coordination implements ServerConnection.Host {
         }
     }
 
-    @Override
-    public synchronized void beginNow() {
-        begin();
-    }
-
     private void begin() {
         if (!hasBegun) {
             hasBegun = true;
@@ -197,6 +192,10 @@ final class Coordination implements ServerConnection.Host {
             startLocal(Math.max(options.localThreads, 1));
         } else if (action instanceof Action.Finish) {
             isFinished = true;
+            AuditReport audits = AuditReport.ofTiles(auditsDue(), auditsMissing());
+            if (!audits.isComplete()) {
+                log.say("warning: " + audits.sentence());
+            }
             notifyAll();
         }
     }
@@ -278,6 +277,16 @@ final class Coordination implements ServerConnection.Host {
     /** How far it is. */
     synchronized Snapshot snapshot() {
         return coordinator.snapshot(System.nanoTime());
+    }
+
+    /** The tiles that two were to render. */
+    synchronized List<Integer> auditsDue() {
+        return coordinator.auditsDue();
+    }
+
+    /** Those among them that rest on the word of one machine. */
+    synchronized List<Integer> auditsMissing() {
+        return coordinator.auditsMissing();
     }
 
     /** The machines whose word counts no longer. */

@@ -69,6 +69,11 @@ final class FilmQueue {
             return numbers.get(frame);
         }
 
+        /** The number of the frame that a tile of the job belongs to. */
+        int numberOfTile(int tile) {
+            return number(film.frame(tile));
+        }
+
         boolean isDone() {
             return film.done() == film.units();
         }

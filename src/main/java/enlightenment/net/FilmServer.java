@@ -29,6 +29,7 @@ public final class FilmServer implements Closeable {
     private final FilmQueue queue;
     private final RoundChain chain;
     private final ServerRound first;
+    private final FilmAudits audits = new FilmAudits();
     private FilmQueue.Round round;
 
     /**
@@ -128,6 +129,7 @@ public final class FilmServer implements Closeable {
             while (server != null) {
                 FilmQueue.Round now = round;
                 server.await(progress, stop, () -> give(now, sink));
+                audits.add(now, server);
                 server = now.isDone() && !stop.getAsBoolean() ? after(now) : null;
             }
             return queue.isDone();
@@ -148,6 +150,11 @@ public final class FilmServer implements Closeable {
                 sink.frame(number, Results.of(rendered));
             }
         }
+    }
+
+    /** The audits of the frames that {@link #await} gave to the sink; without meaning before it has returned. */
+    public AuditReport audits() {
+        return audits.report();
     }
 
     private ServerRound after(FilmQueue.Round before) {

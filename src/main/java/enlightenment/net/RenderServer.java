@@ -93,6 +93,11 @@ public final class RenderServer implements Closeable {
         }
     }
 
+    /** The audits of the picture that {@link #await} returned; without meaning before it has. */
+    public AuditReport audits() {
+        return rounds.audits();
+    }
+
     /** The first round, for tests. */
     ServerRound round() {
         return first;

@@ -5,6 +5,7 @@ import enlightenment.net.protocol.Limits;
 import enlightenment.net.secure.SecretFile;
 import enlightenment.net.secure.Tls;
 import enlightenment.net.secure.Token;
+import enlightenment.net.worker.Patience;
 import enlightenment.net.worker.SessionEnd;
 import enlightenment.net.worker.WorkerJobs;
 import enlightenment.net.worker.WorkerSession;
@@ -22,8 +23,6 @@ import java.util.function.Supplier;
  * Renders tiles for a {@link RenderServer}. It needs no files, and neither writes nor executes anything that it is sent.
  */
 public final class RenderWorker {
-    private static final long FIRST_PAUSE_MILLIS = 100;
-    private static final long LONGEST_PAUSE_MILLIS = 5_000;
     private static final int LONGEST_REASON = 2_000;
 
     private RenderWorker() {}
@@ -42,8 +41,8 @@ public final class RenderWorker {
     }
 
     /**
-     * Works until the picture is done, the server refuses, shows a certificate that is not to be trusted, or has been away for
-     * too long. Only a server that has proved that it knows the token is believed: whoever else answers there is as good as a
+     * Works until the picture is done, the server refuses, shows a certificate that is not to be trusted, or has been away, or
+     * of no use, for too long. Only a server that has proved that it knows the token is believed: whoever else answers there is as good as a
      * server that is away.
      *
      * @param cancelled asked a few times a second by several threads; once true, or once the calling thread is interrupted, the
@@ -66,13 +65,16 @@ public final class RenderWorker {
         var server = new WorkerSession.ServerAddress(host, port, token, tls);
         var identity = new WorkerSession.Identity(options.version, options.threads, process, options.machine);
         AtomicReference<WorkerSession> current = new AtomicReference<>();
+        RepeatedLines lines = new RepeatedLines(log);
         try (WorkerJobs jobs = new WorkerJobs(options.threads, options.version, options.tamper)) {
             return work(
-                    () -> new WorkerSession(server, identity, options.timing, jobs, current, log, isOver),
+                    () -> new WorkerSession(server, identity, options.timing, jobs, current, lines::say, isOver),
                     options.reconnectSeconds,
                     jobs,
-                    log,
+                    lines,
                     isOver);
+        } finally {
+            lines.settle();
         }
     }
 
@@ -92,17 +94,15 @@ public final class RenderWorker {
         return options.authorities.isPresent() ? Tls.trusting(options.authorities.get()) : null;
     }
 
-    /** Session after session, until one is final or the server has been away for too long. */
+    /** Session after session, until one is final or the server has been away, or of no use, for too long. */
     private static Outcome work(
             Supplier<WorkerSession> sessions,
             double reconnectSeconds,
             WorkerJobs jobs,
-            Consumer<String> log,
+            RepeatedLines log,
             BooleanSupplier cancelled) {
         Random spread = new Random();
-        long lastContact = System.nanoTime();
-        long pause = FIRST_PAUSE_MILLIS;
-        String told = "";
+        Patience patience = new Patience(reconnectSeconds, System.nanoTime());
         while (true) {
             WorkerSession session = sessions.get();
             SessionEnd end = session.run();
@@ -112,26 +112,26 @@ public final class RenderWorker {
             if (end.isFinal()) {
                 return new Outcome(end.isDone(), end.reason(), jobs.made());
             }
-            if (session.wasWelcome()) {
-                lastContact = System.nanoTime();
-                pause = FIRST_PAUSE_MILLIS;
+            long now = System.nanoTime();
+            patience.sessionEnded(now, session.usefulNanos(), session.hasProgress());
+            if (session.hasProgress()) {
+                log.settle();
             }
-            double away = (System.nanoTime() - lastContact) / 1e9;
-            if (away >= reconnectSeconds) {
-                String reason = String.format(Locale.ROOT, "no server for %.0f s: %s", away, end.reason());
+            if (patience.isOver(now)) {
+                String reason = String.format(
+                        Locale.ROOT,
+                        "%s for %.0f s: %s",
+                        session.wasWelcome() ? "no tile was taken by the server" : "no server",
+                        patience.lostSeconds(now),
+                        end.reason());
                 return new Outcome(false, reason, jobs.made());
             }
-            if (session.wasWelcome()) {
-                log.accept("lost the server: " + end.reason() + "; trying again");
-            } else if (!told.equals(end.reason())) {
-                told = end.reason();
-                log.accept(told + "; trying again");
-            }
+            log.say((session.wasWelcome() ? "lost the server: " : "") + end.reason() + "; trying again");
             // Not all workers at once.
+            long pause = patience.nextPauseMillis();
             if (!pause(pause / 2 + spread.nextInt((int) pause), cancelled)) {
                 return new Outcome(false, "stopped", jobs.made());
             }
-            pause = Math.min(2 * pause, LONGEST_PAUSE_MILLIS);
         }
     }
 

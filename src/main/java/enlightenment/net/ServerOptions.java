@@ -7,6 +7,7 @@ import enlightenment.net.protocol.Timing;
 import enlightenment.net.schedule.CoordinatorSettings;
 import enlightenment.net.secure.OwnCertificate;
 import enlightenment.net.secure.Secrets;
+import enlightenment.net.worker.MachineIdentity;
 import enlightenment.render.ResultArchive;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
@@ -169,7 +170,7 @@ public final class ServerOptions {
          * First guesses of the speed of workers, relative to 1 for all others (the paper's speed map); measured speeds
          * replace them.
          *
-         * @param shares by the worker's name or address; each greater than 0
+         * @param shares by the worker's name, that of its machine, or its address; each greater than 0
          */
         public Builder shares(Map<String, Double> shares) {
             this.shares = Map.copyOf(shares);
@@ -354,6 +355,7 @@ public final class ServerOptions {
 
     /** The weight of a worker of this name at this address. */
     double weight(String name, String address) {
-        return shares.getOrDefault(name, shares.getOrDefault(address, 1.0));
+        String machine = MachineIdentity.machineOf(name);
+        return shares.getOrDefault(name, shares.getOrDefault(machine, shares.getOrDefault(address, 1.0)));
     }
 }

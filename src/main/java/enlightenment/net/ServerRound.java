@@ -192,6 +192,16 @@ final class ServerRound implements StatusSource {
         log.say(line);
     }
 
+    /** The tiles of the job that two machines were to render. */
+    List<Integer> auditsDue() {
+        return coordination.auditsDue();
+    }
+
+    /** Those among them that rest on the word of one machine. */
+    List<Integer> auditsMissing() {
+        return coordination.auditsMissing();
+    }
+
     /** How far it is. */
     Snapshot snapshot() {
         return coordination.snapshot();

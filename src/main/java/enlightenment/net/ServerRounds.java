@@ -13,6 +13,9 @@ final class ServerRounds {
     private final RoundChain chain;
     private ServedPicture picture;
 
+    /** Of the picture that is the best so far. */
+    private AuditReport audits = AuditReport.NONE;
+
     ServerRounds(ServerRound first, ServedPicture picture) {
         chain = new RoundChain(first);
         this.picture = picture;
@@ -21,12 +24,14 @@ final class ServerRounds {
     /** Renders round after round; returns the last picture that became whole, or what there is of the first. */
     Rendered await(RenderProgress progress, BooleanSupplier cancelled) throws IOException {
         Rendered best = result(chain.latest(), progress, cancelled);
+        audits = audits(chain.latest());
         ServerRound next = after(best, cancelled);
         while (next != null) {
             try {
                 Rendered result = result(next, progress, cancelled);
                 if (result.complete()) {
                     best = result;
+                    audits = audits(next);
                     next = after(best, cancelled);
                 } else {
                     next.end(false);
@@ -40,6 +45,15 @@ final class ServerRounds {
             }
         }
         return best;
+    }
+
+    private static AuditReport audits(ServerRound round) {
+        return AuditReport.ofTiles(round.auditsDue(), round.auditsMissing());
+    }
+
+    /** The audits of the picture that {@link #await} returned. */
+    AuditReport audits() {
+        return audits;
     }
 
     private Rendered result(ServerRound round, RenderProgress progress, BooleanSupplier cancelled) throws IOException {

@@ -110,7 +110,7 @@ public final class WorkerOptions {
             return this;
         }
 
-        /** For how many seconds, at least 0, it tries to reach a server that is away before it gives up. */
+        /** For how many seconds, at least 0, it tries to work for a server that is away, or of no use, before it gives up. */
         public Builder reconnectSeconds(double seconds) {
             reconnectSeconds = seconds;
             return this;

@@ -1,5 +1,6 @@
 package enlightenment.plan;
 
+import enlightenment.check.Check;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.RefractingMedia;
@@ -166,6 +167,7 @@ public final class Integrators {
         if (plan.method() instanceof IntegratorFactory factory) {
             return factory.makeLightPaths(plan, scene, settings, counters);
         }
+        Check.that(scene.physical != null, "plan", "has light paths, which no scene of classic shading has");
         return switch ((BuiltInMethod) plan.method()) {
             case RAYTRACE, CLUSTER, METROPOLIS -> LightPaths.ofCaustics(scene, settings, counters);
             case LIGHT -> LightPaths.ofAllLight(scene, settings, counters);

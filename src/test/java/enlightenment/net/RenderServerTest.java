@@ -12,6 +12,7 @@ import enlightenment.image.ImageFiles;
 import enlightenment.job.Build;
 import enlightenment.job.RenderIdentity;
 import enlightenment.job.SceneDocument;
+import enlightenment.net.worker.MachineIdentity;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
@@ -291,11 +292,24 @@ class RenderServerTest {
     }
 
     @Test
+    void aWorkersNameIsThatOfItsMachineWithTheNumberOfItsProcess() throws Exception {
+        try (Farm farm = new Farm(Farm.options()).begin()) {
+            farm.join(Farm.worker(1));
+            assertTrue(farm.result().complete());
+            String name = MachineIdentity.name() + "#" + ProcessHandle.current().pid();
+            assertTrue(farm.logHas(name + " (127.0.0.1) joined"), farm.log.toString());
+            assertEquals(MachineIdentity.name(), MachineIdentity.machineOf(name));
+        }
+    }
+
+    @Test
     void sharesAreFoundByNameAndByAddress() {
         ServerOptions options = ServerOptions.builder()
                 .shares(Map.of("fast", 4.0, "10.0.0.7", 2.0))
                 .build();
         assertEquals(4, options.weight("fast", "10.0.0.7"));
+        assertEquals(4, options.weight("fast#4711", "10.0.0.7"), "every worker of the machine");
+        assertEquals(1, options.weight("faster#4711", "10.0.0.8"));
         assertEquals(2, options.weight("other", "10.0.0.7"));
         assertEquals(1, options.weight("other", "10.0.0.8"));
     }

@@ -10,7 +10,9 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
+import java.io.UTFDataFormatException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -140,6 +142,8 @@ public final class FilmContent {
                 throw new IOException("the job has " + tiles + " tiles at the server, " + sum + " here");
             }
             return new Pictures(frames, true);
+        } catch (EOFException | UTFDataFormatException e) {
+            throw JobContent.senseless(e);
         }
     }
 }

@@ -15,7 +15,9 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
+import java.io.UTFDataFormatException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -169,8 +171,16 @@ public final class JobContent {
             Set<String> names = Set.copyOf(
                     images.stream().map(ContentHash::toString).distinct().toList());
             return new Document(readScenes(in, names), decided.settings(), decided.plan());
+        } catch (EOFException | UTFDataFormatException e) {
+            throw senseless(e);
         } catch (IllegalArgumentException | SceneException e) {
             throw new IOException("the job cannot be used: " + e.getMessage(), e);
         }
+    }
+
+    /** What is said of a document whose bytes end within a value, or are no text where one is due. */
+    static IOException senseless(IOException e) {
+        return new IOException(
+                "this is no job: " + (e instanceof EOFException ? "it ends too early" : e.getMessage()), e);
     }
 }

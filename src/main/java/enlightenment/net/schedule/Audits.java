@@ -6,6 +6,7 @@ import enlightenment.file.ContentHash;
 import enlightenment.sampling.Hash;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -27,6 +28,9 @@ final class Audits {
     private final Origin[] second;
 
     private final Map<Integer, Open> open = new TreeMap<>();
+
+    /** Tiles for which one word is not enough. */
+    private final BitSet due = new BitSet();
 
     /** Open tiles that nobody renders now. */
     private final Set<Integer> waiting = new LinkedHashSet<>();
@@ -114,8 +118,11 @@ final class Audits {
     void restore(Restored.Tile tile) {
         kept[tile.tile()] = new Vote(tile.origin(), tile.hash());
         second[tile.tile()] = tile.second();
-        if (tile.second() == null && isChosen(tile.tile())) {
-            open(tile.tile(), true);
+        if (isChosen(tile.tile())) {
+            due.set(tile.tile());
+            if (tile.second() == null) {
+                open(tile.tile(), true);
+            }
         }
     }
 
@@ -126,6 +133,7 @@ final class Audits {
         }
         open.put(tile, opened);
         waiting.add(tile);
+        due.set(tile, due.get(tile) || isRequired);
         return opened;
     }
 
@@ -288,6 +296,19 @@ final class Audits {
     /** The first tile that votes differ on; null if there is none. */
     Integer firstDisputed() {
         return disputed.isEmpty() ? null : disputed.iterator().next();
+    }
+
+    /** The tiles that are audited, in ascending order: without those of the server's own, whose word is enough. */
+    List<Integer> due() {
+        return due.stream()
+                .filter(tile -> kept[tile] != null && (second[tile] != null || !kept[tile].isServers()))
+                .boxed()
+                .toList();
+    }
+
+    /** Those among the tiles that are {@link #due} that rest on the word of one machine. */
+    List<Integer> missing() {
+        return due().stream().filter(tile -> second[tile] == null).toList();
     }
 
     int openCount() {

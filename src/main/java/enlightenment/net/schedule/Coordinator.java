@@ -18,7 +18,8 @@ import java.util.Set;
  * Decides who renders what. It knows no clock, no socket and no thread: it is told events with their time and says what is
  * to be done. The same events give the same actions, so that whole renders can be simulated.
  *
- * <p>What it rests on: a tile is a pure function, so results may come late, twice, from anyone and in any order. Whatever
+ * <p>What it rests on: a tile is a pure function, so results may come late, twice and in any order from any machine that was
+ * ever asked for them. Results that a machine was not asked for are acknowledged and do not count. Whatever
  * can be lost is renewed by time: a lease that its holder does not name in its heartbeats is given to someone else, a
  * worker that is not heard of is hung up on, one that lives but delivers nothing is not waited for. Two copies at most of
  * a tile are waited for at once, and the first result counts.
@@ -181,10 +182,19 @@ public final class Coordinator {
             return;
         }
         member.heard = now;
-        if (!finished) {
+        if (!dispatcher.wasAsked(member, tile)) {
+            unasked(member, tile);
+        } else if (!finished) {
             count(member, event);
         }
         actions.add(new Action.Acknowledge(member.worker, tile));
+    }
+
+    /** Honest workers have such tiles of an earlier incarnation of the server: they are made again by whom they are granted to. */
+    private void unasked(WorkerState member, int tile) {
+        if (member.unasked++ == 0) {
+            note(member.name + " sent tile " + tile + ", which it was not asked for: such tiles do not count");
+        }
     }
 
     private void count(WorkerState member, Event.Delivered event) {
@@ -360,6 +370,16 @@ public final class Coordinator {
     /** The machines whose word counts no longer. */
     public Set<Origin.Peer> expelled() {
         return Set.copyOf(expelled);
+    }
+
+    /** The tiles that a second machine was to render too, or the server, in ascending order. */
+    public List<Integer> auditsDue() {
+        return audits.due();
+    }
+
+    /** Those among them that nobody has rendered a second time: what they show rests on the word of one machine. */
+    public List<Integer> auditsMissing() {
+        return audits.missing();
     }
 
     /** How far everything is. */

@@ -27,6 +27,7 @@ final class Dispatcher {
     private final Audits audits;
     private final Collection<WorkerState> members;
     private final Consumer<Action> actions;
+    private final GrantLog granted;
 
     /** Members with threads to spare, and members that should get a lease before they have; first come, first served. */
     private final Set<WorkerState> idle = new LinkedHashSet<>();
@@ -52,6 +53,12 @@ final class Dispatcher {
         this.audits = audits;
         this.members = members;
         this.actions = actions;
+        granted = new GrantLog(settings.tiles());
+    }
+
+    /** Whether the member's machine was ever asked for the tile: its results of others count for nothing. */
+    boolean wasAsked(WorkerState member, int tile) {
+        return granted.isGranted(member.origin, tile);
     }
 
     /** The member's leases have changed. */
@@ -209,6 +216,7 @@ final class Dispatcher {
             member.progress = now;
         }
         member.leases.put(id, lease);
+        granted.granted(member.origin, first, last);
         actions.accept(new Action.Grant(member.worker, id, first, last));
         return lease;
     }

@@ -36,7 +36,7 @@ final class TileBoard {
     /** The tiles before this one may be given away from now on. */
     void offer(int end) {
         for (int tile = offered; tile < end; tile++) {
-            // Somebody may have sent it without being asked.
+            // It may have been restored.
             if (!done.get(tile) && !free.get(tile)) {
                 setFree(tile);
             }

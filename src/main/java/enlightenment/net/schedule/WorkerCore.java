@@ -144,17 +144,18 @@ public final class WorkerCore {
         return list;
     }
 
-    /** The server has the tile. */
-    public void acknowledged(int tile) {
+    /** The server has the tile; false if it waits in no box. */
+    public boolean acknowledged(int tile) {
         Boxed boxed = box.remove(tile);
         if (boxed == null) {
-            return;
+            return false;
         }
         for (Map.Entry<Long, Held> entry : List.copyOf(leases.entrySet())) {
             entry.getValue().begun.remove(tile);
             entry.getValue().waiting.remove(tile);
             forgetIfDone(entry.getKey(), entry.getValue());
         }
+        return true;
     }
 
     /** The leases to name in a heartbeat. */

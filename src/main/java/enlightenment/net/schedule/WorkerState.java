@@ -33,6 +33,9 @@ final class WorkerState {
     int audits;
     long bytes;
 
+    /** Results that it was not asked for. */
+    long unasked;
+
     WorkerState(Event.Joined event, long now) {
         worker = event.worker();
         process = event.process();

@@ -132,6 +132,11 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
         return new Open(film, frames.groups(frame), new BitSet(), results);
     }
 
+    /** The index of the picture that a unit belongs to. */
+    public int frame(int unit) {
+        return layout.frame(unit);
+    }
+
     private int within(int unit) {
         return unit - layout.first(layout.frame(unit));
     }

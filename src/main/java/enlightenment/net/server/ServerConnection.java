@@ -24,7 +24,7 @@ import javax.net.ssl.SSLException;
 /** One connection to a server, from the first byte of a stranger to the last of a worker. One thread listens to it. */
 public final class ServerConnection {
     private static final SecureRandom RANDOM = new SecureRandom();
-    private static final int LONGEST_NAME = 60;
+    private static final int LONGEST_NAME = 80;
 
     private final long id;
     private final Host server;
@@ -64,9 +64,6 @@ public final class ServerConnection {
 
         /** The worker has all that it needs. */
         void ready(ServerConnection connection);
-
-        /** Begins whoever is missing. */
-        void beginNow();
 
         /** Tells the coordinator, and does what it decides. */
         void handle(Event event);
@@ -235,10 +232,6 @@ public final class ServerConnection {
 
     private void deliver(MessageChannel on, Message.Result result) {
         ServerJob job = server.job();
-        if (!isJoined) {
-            // It worked for an earlier incarnation of this server: there is nothing to wait for.
-            server.beginNow();
-        }
         if (!result.job().equals(job.hash()) || !isJoined || isTooEarly(job, result.tile())) {
             on.send(new Message.Acknowledge(result.tile()));
             return;

@@ -14,7 +14,24 @@ import java.util.TreeSet;
 
 /** What tells this machine from others: a name for people, and a secret of its processes. */
 public final class MachineIdentity {
+    /** That of a host on the network has no more; the number of a process has room behind it. */
+    private static final int LONGEST_NAME = 63;
+
+    /** Between the name of a machine, which has none of these, and the number of a process. */
+    private static final String PROCESS = "#";
+
     private MachineIdentity() {}
+
+    /** For people: the machine's name with the number of this process, which tells workers of one machine apart. */
+    public static String workerName() {
+        return name() + PROCESS + ProcessHandle.current().pid();
+    }
+
+    /** The machine's part of a worker's name. */
+    public static String machineOf(String workerName) {
+        int end = workerName.lastIndexOf(PROCESS);
+        return end < 0 ? workerName : workerName.substring(0, end);
+    }
 
     /** For people; asks no network. */
     public static String name() {
@@ -32,7 +49,7 @@ public final class MachineIdentity {
     }
 
     private static String cut(String name) {
-        return name.length() > 100 ? name.substring(0, 100) : name;
+        return name.length() > LONGEST_NAME ? name.substring(0, LONGEST_NAME) : name;
     }
 
     /**

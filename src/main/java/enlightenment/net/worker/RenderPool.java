@@ -125,9 +125,11 @@ public final class RenderPool implements AutoCloseable {
         core.skipped(lease, first, last);
     }
 
-    public synchronized void acknowledged(int tile) {
-        core.acknowledged(tile);
+    /** The server has the tile; false if it is none that the pool has sent. */
+    public synchronized boolean acknowledged(int tile) {
+        boolean wasOurs = core.acknowledged(tile);
         notifyAll();
+        return wasOurs;
     }
 
     synchronized void disconnected() {

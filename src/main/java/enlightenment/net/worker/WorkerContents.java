@@ -12,11 +12,16 @@ import java.io.IOException;
 final class WorkerContents {
     private final MessageChannel channel;
     private final WorkerJobs jobs;
+    private final Runnable kept;
+
+    /** Bytes of the job that are here, kept or on their way. */
     private long fetched;
 
-    WorkerContents(MessageChannel channel, WorkerJobs jobs) {
+    /** @param kept called whenever a content is here whose hash is right */
+    WorkerContents(MessageChannel channel, WorkerJobs jobs, Runnable kept) {
         this.channel = channel;
         this.jobs = jobs;
+        this.kept = kept;
     }
 
     /** Null when all is there; else how the session ends. */
@@ -24,6 +29,7 @@ final class WorkerContents {
         if (!job.contents().get(0).equals(job.job())) {
             throw new ProtocolException("the job's hash is not that of its document");
         }
+        fetched = jobs.retain(job.contents());
         for (ContentHash hash : job.contents()) {
             if (!jobs.has(hash)) {
                 SessionEnd end = fetch(hash);
@@ -65,6 +71,7 @@ final class WorkerContents {
             throw new ProtocolException("content " + hash + " came with other bytes");
         }
         jobs.keep(hash, content);
+        kept.run();
         return null;
     }
 }

@@ -7,6 +7,7 @@ import enlightenment.net.protocol.Message;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /** What a worker knows beyond its connections: contents by their hashes, in memory only, and the job that it works at. */
@@ -36,6 +37,12 @@ public final class WorkerJobs implements AutoCloseable {
     /** Whether the content is here. */
     synchronized boolean has(ContentHash hash) {
         return contents.containsKey(hash);
+    }
+
+    /** Lets go of all contents but these; returns how many bytes of them are here. */
+    synchronized long retain(List<ContentHash> hashes) {
+        contents.keySet().retainAll(hashes);
+        return contents.values().stream().mapToLong(content -> content.length).sum();
     }
 
     /** Keeps a content. */

@@ -38,6 +38,8 @@ public final class WorkerSession {
     private volatile MessageChannel channel;
     private volatile RenderPool pool;
     private volatile boolean wasWelcome;
+    private volatile boolean hasProgress;
+    private volatile long usefulNanos;
     private volatile boolean isOver;
 
     /** Whether somebody took the connection, then said something; and whether the proof was waited for in vain. */
@@ -87,6 +89,20 @@ public final class WorkerSession {
         this.current = current;
         this.log = log;
         this.cancelled = cancelled;
+    }
+
+    /** Whether the server has taken a tile. */
+    public boolean hasProgress() {
+        return hasProgress;
+    }
+
+    /** From the beginning until the last content or message that a server of this job sends, in nanoseconds; 0 if none came. */
+    public long usefulNanos() {
+        return usefulNanos;
+    }
+
+    private void useful() {
+        usefulNanos = System.nanoTime() - opened;
     }
 
     /** Whether the server let us in. */
@@ -208,7 +224,7 @@ public final class WorkerSession {
                 Message.PROTOCOL,
                 Message.PROTOCOL,
                 identity.version(),
-                MachineIdentity.name(),
+                MachineIdentity.workerName(),
                 identity.threads(),
                 Canary.hash(),
                 nonce);
@@ -236,7 +252,7 @@ public final class WorkerSession {
         if (!(first instanceof Message.Job wanted)) {
             return end(first);
         }
-        SessionEnd early = new WorkerContents(on, jobs).fetch(wanted);
+        SessionEnd early = new WorkerContents(on, jobs, this::useful).fetch(wanted);
         if (early != null) {
             return early;
         }
@@ -245,8 +261,9 @@ public final class WorkerSession {
         try {
             mine = jobs.pool(wanted, this::flush);
         } catch (IOException e) {
-            on.sayLast(new Message.Bye(e.getMessage()));
-            return new SessionEnd(true, false, e.getMessage());
+            String reason = FileFailure.described(e);
+            on.sayLast(new Message.Bye(reason));
+            return new SessionEnd(true, false, reason);
         }
         on.send(new Message.Ready(job, identity.process(), Handshake.hmac(identity.machine(), job.toBytes())));
         pool = mine;
@@ -258,6 +275,7 @@ public final class WorkerSession {
             if (!hear(message)) {
                 return end(message);
             }
+            useful();
         }
     }
 
@@ -270,7 +288,8 @@ public final class WorkerSession {
         } else if (message instanceof Message.Skip m) {
             pool.skipped(m.lease(), m.first(), m.last());
         } else if (message instanceof Message.Acknowledge m) {
-            pool.acknowledged(m.tile());
+            // One that the worker has none of is no sign of a server.
+            hasProgress |= pool.acknowledged(m.tile());
             flush();
         } else {
             return message instanceof Message.Alive;

@@ -7,6 +7,7 @@ import enlightenment.engine.SharedImages;
 import enlightenment.engine.UnitGroups;
 import enlightenment.engine.UnitSource;
 import enlightenment.file.ContentHash;
+import enlightenment.file.FileFailure;
 import enlightenment.net.job.FilmContent;
 import enlightenment.net.job.JobContent;
 import enlightenment.scene.SceneException;
@@ -81,6 +82,9 @@ public final class WorkerUnits {
             return render;
         } catch (IllegalArgumentException | SceneException e) {
             throw new IOException("the job cannot be used: " + e.getMessage(), e);
+        } catch (RuntimeException e) {
+            // Values that each may be, and that no server's plan has together.
+            throw new IOException("the job cannot be used: " + FileFailure.told(e), e);
         }
     }
 }

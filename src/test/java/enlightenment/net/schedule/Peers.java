@@ -22,6 +22,25 @@ public final class Peers {
         return Origin.Peer.of(Handshake.hmac(secret(name), job.toBytes()));
     }
 
+    /** Settings of a job of which one tile only is audited. */
+    static CoordinatorSettings auditing(int tile, int tiles) {
+        double rate = 0.5;
+        long salt = 0;
+        while (!isOnlyChoice(rate, salt, tile, tiles)) {
+            salt++;
+        }
+        return CoordinatorSettings.of(tiles, 99, salt).withAuditRate(rate);
+    }
+
+    private static boolean isOnlyChoice(double rate, long salt, int tile, int tiles) {
+        for (int other = 0; other < tiles; other++) {
+            if (Audits.isChosen(rate, salt, other) != (other == tile)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     public static Event.Joined joined(long worker, String process, String machine, int threads, double weight) {
         ContentHash key = ContentHash.of(secret(process));
         return new Event.Joined(worker, key, machine(machine), false, machine, threads, weight);

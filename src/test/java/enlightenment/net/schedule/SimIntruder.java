@@ -37,7 +37,10 @@ final class SimIntruder {
             return;
         }
         // Always the same wrong answer: all that it is agree.
-        int tile = world.random.nextInt(tiles);
+        List<Integer> asked = server.askedOf(from);
+        int tile = asked.isEmpty() || world.chance(0.5)
+                ? world.random.nextInt(tiles)
+                : asked.get(world.random.nextInt(asked.size()));
         long lease = world.random.nextLong();
         server.receive(new Event.Delivered(from, lease, tile, SimTile.wrong(tile, 7)));
     }

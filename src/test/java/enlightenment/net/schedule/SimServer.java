@@ -31,6 +31,7 @@ final class SimServer {
     private final CoordinatorSettings settings;
     private final List<Written> journal = new ArrayList<>();
     private final Map<Long, SimWorker> connected = new HashMap<>();
+    private final Map<Long, List<Integer>> asked = new HashMap<>();
     private final Set<Long> used = new HashSet<>();
     private Coordinator coordinator;
     private Runnable onCallLocal = () -> {};
@@ -50,6 +51,11 @@ final class SimServer {
             Restored.Tile left = new Restored.Tile(0, origin, hash, second).without(machine);
             return left == null ? this : new Made(hash, left.origin(), left.second());
         }
+    }
+
+    /** The tiles that a connection was ever asked for. */
+    List<Integer> askedOf(long connection) {
+        return asked.getOrDefault(connection, List.of());
     }
 
     private record Written(long time, Consumer<Restored.Builder> replay) {}
@@ -139,6 +145,9 @@ final class SimServer {
 
     private void perform(Action action) {
         if (action instanceof Action.Grant a) {
+            for (int tile = a.first(); tile < a.last(); tile++) {
+                asked.computeIfAbsent(a.worker(), w -> new ArrayList<>()).add(tile);
+            }
             send(a.worker(), a);
         } else if (action instanceof Action.Cancel a) {
             send(a.worker(), a);

@@ -33,7 +33,7 @@ class WorkerContentsTest {
                 MessageChannel link = new MessageChannel(socket, socket, Farm.PATIENT, "test").begin()) {
             link.trust();
             server.send(answer);
-            return new WorkerContents(link, jobs).fetch(new Message.Job(wanted, 1, List.of(wanted)));
+            return new WorkerContents(link, jobs, () -> {}).fetch(new Message.Job(wanted, 1, List.of(wanted)));
         }
     }
 

@@ -58,6 +58,8 @@ final class Commands {
         line.registerConverter(Path.class, new FilePath());
         line.setOut(new PrintWriter(terminal.out(), true));
         line.setErr(new PrintWriter(terminal.err(), true));
+        OptionGroups.apply(line);
+        line.getSubcommands().values().forEach(OptionGroups::apply);
         Failures failures = new Failures(terminal);
         return line.setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
     }
@@ -92,7 +94,10 @@ final class Commands {
         for (String name : NAMES) {
             tree.addSubcommand(name, withAllMethods(create(name, terminal)));
         }
-        tree.addSubcommand("completion", new AutoComplete.GenerateCompletion());
+        CommandLine completion = new CommandLine(new AutoComplete.GenerateCompletion());
+        // Its own name, which its help shows, is another one.
+        completion.setCommandName("completion");
+        tree.addSubcommand("completion", completion);
         tree.addSubcommand("help", new CommandLine.HelpCommand());
         return configure(tree, terminal);
     }

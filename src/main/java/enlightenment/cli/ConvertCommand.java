@@ -9,7 +9,11 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** {@code enlightenment convert}: converts an NFF file to a scene file. */
 @Command(name = "convert", description = "Converts a file in the Neutral File Format to a scene file.")
@@ -17,8 +21,21 @@ final class ConvertCommand extends Subcommand {
     @Parameters(index = "0", paramLabel = "IN.nff", description = "the file to read; - for standard input")
     private Path input;
 
-    @Parameters(index = "1", paramLabel = "OUT.json", description = "the scene file to write; - for standard output")
-    private Path output;
+    @Parameters(
+            index = "1",
+            arity = "0..1",
+            paramLabel = "OUT.json",
+            description = "the scene file to write; - for standard output")
+    private Path second;
+
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "FILE",
+            description = "the same, as other commands have it; in place of OUT.json")
+    private Path option;
+
+    @Spec
+    private CommandSpec spec;
 
     ConvertCommand(Terminal terminal) {
         super(terminal);
@@ -26,6 +43,7 @@ final class ConvertCommand extends Subcommand {
 
     @Override
     int execute() throws IOException {
+        Path output = output();
         if (!StandardStreams.isNamed(output) && !FileNames.extension(output).equals(".json")) {
             throw CliException.wrongUsage("OUT.json must name a file that ends in .json, not \"" + output + "\"");
         }
@@ -43,6 +61,17 @@ final class ConvertCommand extends Subcommand {
             SceneWriter.write(result.scene(), output);
         }
         return ExitCode.DONE;
+    }
+
+    private Path output() {
+        if (option == null && second == null) {
+            throw new ParameterException(spec.commandLine(), "missing: -o FILE, or OUT.json after the file to read");
+        }
+        if (option != null && second != null) {
+            throw new ParameterException(
+                    spec.commandLine(), "-o and OUT.json name a file to write each; one of them is needed");
+        }
+        return option == null ? second : option;
     }
 
     private NffReader.Result read() throws IOException {

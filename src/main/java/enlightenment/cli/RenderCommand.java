@@ -66,9 +66,13 @@ final class RenderCommand extends Subcommand {
 
     @Option(
             names = "--preview",
+            arity = "0..1",
             paramLabel = "SECONDS",
+            fallbackValue = PreviewPeriod.DEFAULT,
             converter = PreviewPeriod.class,
-            description = "while rendering, write the picture so far about this often")
+            preprocessor = PreviewPeriod.OrDefault.class,
+            description = "while rendering, write the picture so far about this often (without SECONDS: every "
+                    + PreviewPeriod.DEFAULT + ")")
     private Double preview;
 
     @Mixin
@@ -276,8 +280,18 @@ final class RenderCommand extends Subcommand {
     }
 
     static final class PreviewPeriod extends DecimalNumber {
+        /** Seconds: a picture is looked at about so often, and writing it takes far less. */
+        static final String DEFAULT = "5";
+
         private static final double MIN = 0.01;
         private static final double MAX = 1e9;
+
+        /** Takes the next argument only if it is a number: the scene's name is none. */
+        static final class OrDefault extends NumberOrNothing {
+            OrDefault() {
+                super(DEFAULT);
+            }
+        }
 
         PreviewPeriod() {
             super(MIN, MAX);

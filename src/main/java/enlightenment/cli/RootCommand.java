@@ -1,9 +1,9 @@
 package enlightenment.cli;
 
+import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** What stands above all commands; it does nothing itself. */
@@ -17,7 +17,7 @@ import picocli.CommandLine.Spec;
             "Exit codes: 0 done, 1 failed, 2 wrong usage, or a scene or picture that cannot be used.",
             "'enlightenment help COMMAND' shows the options of a command."
         })
-final class RootCommand implements Runnable {
+final class RootCommand implements Callable<Integer> {
     // Both are read by picocli only.
     @Option(
             names = {"-h", "--help"},
@@ -36,9 +36,10 @@ final class RootCommand implements Runnable {
 
     RootCommand() {}
 
-    /** Called where no command is given. */
+    /** Called where no command is given: shows the help, which is no success. */
     @Override
-    public void run() {
-        throw new ParameterException(spec.commandLine(), "no command given");
+    public Integer call() {
+        spec.commandLine().usage(spec.commandLine().getErr());
+        return ExitCode.WRONG_INPUT;
     }
 }

@@ -2,11 +2,6 @@ package enlightenment.cli;
 
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
-import java.util.Map;
-import java.util.Stack;
-import picocli.CommandLine.IParameterPreprocessor;
-import picocli.CommandLine.Model.ArgSpec;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 
 /** The options that say how a render can be watched. */
@@ -52,16 +47,10 @@ final class WatchOptions {
         }
     }
 
-    /** Takes the next argument for the port only if it is a number: what is none may be the scene. */
-    static final class PortOrNothing implements IParameterPreprocessor {
-        @Override
-        public boolean preprocess(Stack<String> args, CommandSpec command, ArgSpec option, Map<String, Object> info) {
-            boolean isAttached = info.get("separator") != null && !" ".equals(info.get("separator"));
-            if (!isAttached && (args.isEmpty() || !args.peek().matches("\\d+"))) {
-                // As if --serve=0 had been given.
-                args.push("0");
-            }
-            return false;
+    /** As if {@code --serve=0} had been given. */
+    static final class PortOrNothing extends NumberOrNothing {
+        PortOrNothing() {
+            super("0");
         }
     }
 }

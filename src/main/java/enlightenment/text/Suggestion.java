@@ -28,8 +28,15 @@ public final class Suggestion {
         return names.size() > MOST_LISTED ? shown + " and " + (names.size() - MOST_LISTED) + " more" : shown;
     }
 
-    /** The nearest valid word, or null if none is near: at most a third of the letters may differ. */
+    /**
+     * The valid word for what other renderers call so, or the nearest one; null if there is none: at most a third of the letters may differ.
+     */
     public static String nearest(String written, Collection<String> valid) {
+        String synonym = Synonyms.of(written, valid);
+        return synonym == null ? nearestSpelling(written, valid) : synonym;
+    }
+
+    private static String nearestSpelling(String written, Collection<String> valid) {
         String a = written.toLowerCase(Locale.ROOT);
         String best = null;
         int least = Integer.MAX_VALUE;

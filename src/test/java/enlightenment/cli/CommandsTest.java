@@ -171,14 +171,14 @@ class CommandsTest {
 
     @Test
     void wrongUsageGetsOneMessageAndAHint() {
-        wrong("no command given", "");
         wrong("unknown command \"rendr\"; did you mean \"render\"?", "", "rendr");
         wrong("unknown option: '--foo'", "", "--foo");
         wrong("missing required options and parameters: '--output=FILE', 'SCENE'", " render", "render");
         wrong("missing required option: '--output=FILE'", " render", "render", "a.json");
         wrong("unknown option: '--foo'", " render", "render", "a.json", "-o", "b.png", "--foo");
         wrong("missing required parameter: 'SCENE'", " validate", "validate");
-        wrong("missing required parameter: 'OUT.json'", " convert", "convert", "a.nff");
+        wrong("missing: -o FILE, or OUT.json after the file to read", " convert", "convert", "a.nff");
+        wrong("unknown command \"info\"; did you mean \"inspect\"?", "", "info");
         wrong("missing required parameters: 'A', 'B'", " compare", "compare");
         wrong("missing required parameter: 'B'", " compare", "compare", "a.png");
         wrong("unmatched argument at index 0: 'x'", " schema", "schema", "x");

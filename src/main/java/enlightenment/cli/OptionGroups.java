@@ -1,0 +1,97 @@
+package enlightenment.cli;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import picocli.CommandLine;
+import picocli.CommandLine.Help;
+import picocli.CommandLine.Help.Layout;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.UsageMessageSpec;
+
+/** Shows the options of {@code render} in groups, the most common ones first: forty in one list hide those that everybody needs. */
+final class OptionGroups {
+    private static final Map<String, List<String>> RENDER = new LinkedHashMap<>();
+
+    static {
+        RENDER.put(
+                "Common",
+                List.of(
+                        "--output",
+                        "--size",
+                        "--samples",
+                        "--error",
+                        "--time",
+                        "--method",
+                        "--exposure",
+                        "--preview",
+                        "--threads",
+                        "--help"));
+        RENDER.put("Picture", List.of("--crop", "--frame", "--antialias", "--seed"));
+        RENDER.put("Method", List.of("--shadow-samples", "--proposal", "--large-steps", "--mutations"));
+        RENDER.put(
+                "Output",
+                List.of("--format", "--depth", "--report", "--stats", "--aov", "--dump-clusters", "--dump-chains"));
+        RENDER.put("Watching", List.of("--serve", "--window", "--progress"));
+        RENDER.put(
+                "Keeping",
+                List.of(
+                        "--checkpoint",
+                        "--resume",
+                        "--store",
+                        "--store-user",
+                        "--store-password-file",
+                        "--store-samples",
+                        "--store-rays"));
+        RENDER.put("Many machines", List.of("--part"));
+    }
+
+    /** For options of methods from outside, which are in no group. */
+    private static final String OTHERS = "Further methods";
+
+    private OptionGroups() {}
+
+    /** Makes the help of {@code render} show groups; other commands have few options. */
+    static void apply(CommandLine line) {
+        if (line.getCommand() instanceof RenderCommand) {
+            line.getHelpSectionMap().put(UsageMessageSpec.SECTION_KEY_OPTION_LIST, OptionGroups::list);
+        }
+    }
+
+    /** The names of all options that are in a group. */
+    static List<String> grouped() {
+        return RENDER.values().stream().flatMap(List::stream).toList();
+    }
+
+    private static String list(Help help) {
+        List<OptionSpec> left = new ArrayList<>(help.commandSpec().options());
+        left.removeIf(OptionSpec::hidden);
+        StringBuilder text = new StringBuilder();
+        RENDER.forEach((heading, names) -> {
+            List<OptionSpec> members = new ArrayList<>();
+            for (String name : names) {
+                OptionSpec option = help.commandSpec().findOption(name);
+                if (option != null && left.remove(option)) {
+                    members.add(option);
+                }
+            }
+            append(heading, members, help, text);
+        });
+        append(OTHERS, left, help, text);
+        return text.toString();
+    }
+
+    private static void append(String heading, List<OptionSpec> members, Help help, StringBuilder text) {
+        if (members.isEmpty()) {
+            return;
+        }
+        Layout layout = help.createDefaultLayout();
+        layout.addOptions(members, help.createDefaultParamLabelRenderer());
+        text.append(System.lineSeparator())
+                .append(heading)
+                .append(':')
+                .append(System.lineSeparator())
+                .append(layout);
+    }
+}

@@ -44,6 +44,7 @@ class ClusterInvarianceTest {
                 Arguments.of("keyhole", Budget.NONE.withSamples(9.7)),
                 Arguments.of("keyhole", Budget.NONE.withError(0.001).withSamples(30)),
                 Arguments.of("fire-and-ice", Budget.NONE.withSamples(9.7)),
+                Arguments.of("fire-and-ice", Budget.NONE.withSamples(70)),
                 Arguments.of("fire-and-ice", Budget.NONE.withError(0.02)));
     }
 

@@ -39,7 +39,8 @@ final class FineScenes {
                 .shading(DIM)
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 0, -10), ExactPoint.of(0, 0, 0), Vec3.Y, 3));
         switch (name) {
-            case "wires" -> wires(b);
+            case "wires" -> wires(b, 0.05, 0.33);
+            case "hairs" -> wires(b, 0.01, 0.03);
             case "slats" -> slats(b);
             case "grid" -> grid(b);
             case "lamps" -> lamps(b);
@@ -63,8 +64,8 @@ final class FineScenes {
         return new Light.Sphere(ExactPoint.of(-6, 9, -20), 0.5, DisplayRgb.WHITE);
     }
 
-    /** White wires at all angles before a dark wall, a twentieth to a third of a pixel wide. */
-    private static void wires(SceneBuilder b) {
+    /** White wires at all angles before a dark wall, of widths in this range of pixels. */
+    private static void wires(SceneBuilder b, double least, double most) {
         wall(b, 1, TestScenes.matte(0.1, 0.12, 0.15));
         Random random = new Random(1);
         for (int k = 0; k < 16; k++) {
@@ -72,7 +73,7 @@ final class FineScenes {
             double offset = 2.6 * random.nextDouble() - 1.3;
             double x = Math.cos(angle);
             double y = Math.sin(angle);
-            double width = PIXEL * (0.05 + 0.28 * k / 15);
+            double width = PIXEL * (least + (most - least) * k / 15);
             b.object(
                     rod(
                             ExactPoint.of(-offset * y - 4 * x, offset * x - 4 * y, -0.05 * k),

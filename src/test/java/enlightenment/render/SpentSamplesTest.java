@@ -26,11 +26,10 @@ class SpentSamplesTest {
     /** Block by block the need is guessed from other samples than the picture's: this much is left to chance. */
     private static final double CHANCE = 0.07;
 
-    /** Pixels across a block, and how many blocks are surveyed at most; four times as many from so many samples on. */
+    /** Pixels across a block, and how many blocks are surveyed at most. */
     private static final int SIDE = 8;
 
     private static final int BLOCKS = 512;
-    private static final int MANY = 64;
 
     @TempDir
     Path directory;
@@ -49,14 +48,13 @@ class SpentSamplesTest {
      * The relative standard error of a mean over all blocks that is judged by some of them: blocks differ, and where a scene
      * covers few of them, so does what a survey of a part meets.
      */
-    private static double surveyError(Picture p, int width, int height, double samples) {
+    private static double surveyError(Picture p, int width, int height) {
         double[] costs = new double[width / SIDE * (height / SIDE)];
         for (int k = 0; k < width * height; k++) {
             costs[k / width / SIDE * (width / SIDE) + k % width / SIDE] += p.counts()[k] / (double) (SIDE * SIDE);
         }
-        double surveyed = samples < MANY ? BLOCKS : 4 * BLOCKS;
         double mean = Welch.mean(costs);
-        double left = Math.max(0, 1 / surveyed - 1.0 / costs.length);
+        double left = Math.max(0, 1.0 / BLOCKS - 1.0 / costs.length);
         return Math.sqrt(Welch.variance(costs, mean) * left) / p.sampling().samplesPerPixel();
     }
 
@@ -234,7 +232,7 @@ class SpentSamplesTest {
         Picture p = render(scene, RenderSettings.of(scene).withSize(width, 240), samples);
         // Three standard errors: of 40 cases in which not all is surveyed, one fails with a probability of 10 % at
         // most.
-        double allowed = CHANCE + 3 * surveyError(p, width, 240, samples);
+        double allowed = CHANCE + 3 * surveyError(p, width, 240);
         assertEquals(1, p.sampling().samplesPerPixel() / samples, allowed);
     }
 

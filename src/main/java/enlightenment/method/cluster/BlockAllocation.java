@@ -9,6 +9,9 @@ final class BlockAllocation {
     /** A look takes one of so many samples. */
     private static final int WORTH_A_LOOK = 16;
 
+    /** Binary logarithm of the most samples per pixel of a look: they are no part of the picture. */
+    private static final int MOST_APART = 2;
+
     private final double samples;
     private final double share;
     private final BlockLimits limits;
@@ -39,7 +42,7 @@ final class BlockAllocation {
      * share of what the block takes. Negative if that is none.
      */
     int apart() {
-        return Math.max(Math.min(Math.getExponent(limits.mean() / WORTH_A_LOOK), ClusterMethod.MOST_FIRST), -1);
+        return Math.max(Math.min(Math.getExponent(limits.mean() / WORTH_A_LOOK), MOST_APART), -1);
     }
 
     /** A mean that makes them so many; not at the end of the range that does. */

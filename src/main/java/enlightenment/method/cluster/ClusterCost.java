@@ -21,13 +21,10 @@ public final class ClusterCost implements EffortCost {
     private final RenderSettings settings;
     private final RayCounters counters;
     /**
-     * From these numbers of samples on blocks are judged anew: more first samples tell about the others, or there are enough to
-     * judge by more blocks.
+     * From these numbers of samples on blocks are judged anew, with as many first samples as pictures of that many have. Beyond the last,
+     * pictures have more first samples: as long as the blocks' own show thin things, what is spent differs by a few per cent.
      */
     private static final double[] FROM = {1, 8, 16, 64};
-
-    /** How many times as many blocks then. */
-    private static final int[] TIMES = {1, 1, 1, 4};
 
     /** The camera rays per pixel of a block that shows only background: one sample each, and a corner for all. */
     private static final double OF_EMPTY = 1 + 1.0 / (FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE);
@@ -56,7 +53,7 @@ public final class ClusterCost implements EffortCost {
         counters = new RayCounters(scene.kindNames.size());
     }
 
-    /** Judges by {@code blocks} blocks or a few times as many, or by all if there are no more. */
+    /** Judges by {@code blocks} blocks, or by all if there are no more. */
     public static ClusterCost of(CompiledScene scene, RenderSettings settings, int blocks) {
         return of(scene, settings, blocks, () -> false);
     }
@@ -87,7 +84,7 @@ public final class ClusterCost implements EffortCost {
                 ? allocation(seen, EffortSearch.LEAST_EFFORT, samples).apart() + 1
                 : judgedLike(samples);
         if (surveyed[k] == null) {
-            surveyed[k] = new Surveyed(seen.spread(TIMES[k] * blockCount), judgedBy(k));
+            surveyed[k] = new Surveyed(seen.spread(blockCount), judgedBy(k));
         }
         return surveyed[k];
     }

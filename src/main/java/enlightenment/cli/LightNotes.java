@@ -16,6 +16,9 @@ final class LightNotes {
     /** For pictures whose errors sit in few places. */
     static final String HEAVY_TAIL = "few bright samples carry the error; it may be underestimated";
 
+    /** For pictures with light that is {@link RenderReport.Light#undersampled}, which follows. */
+    static final String UNDERESTIMATED = "the error may be underestimated: ";
+
     /** A picture that is darker than this in the mean, as shown, is hardly as it was meant. */
     private static final double DARK = 0.02;
 
@@ -42,6 +45,11 @@ final class LightNotes {
         RenderReport report = result.report();
         if (report.sampling().light().map(RenderReport.Light::heavyTail).orElse(false)) {
             say.accept("warning: " + HEAVY_TAIL, "warning: " + HEAVY_TAIL);
+        }
+        String undersampled =
+                report.sampling().light().map(RenderReport.Light::undersampled).orElse("");
+        if (!undersampled.isEmpty()) {
+            say.accept("warning: " + UNDERESTIMATED + undersampled, "warning: " + UNDERESTIMATED + undersampled);
         }
         double mean = shown.encoding() == Encoding.LINEAR ? Exposure.meanDisplayed(shown) : 1;
         // What is lost is told as a failure, which says more.

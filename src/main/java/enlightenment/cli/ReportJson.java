@@ -130,6 +130,9 @@ final class ReportJson {
         json.writeBooleanProperty("heavyTail", light.heavyTail());
         json.writeNumberProperty("lostSamples", light.lostSamples());
         json.writeNumberProperty("leftToChance", light.leftToChance());
+        if (!light.undersampled().isEmpty()) {
+            json.writeStringProperty("undersampled", light.undersampled());
+        }
     }
 
     private static void phases(JsonGenerator json, RenderReport report) {

@@ -96,6 +96,9 @@ final class StatsTable {
         if (light.leftToChance() > 0) {
             line("  left to chance", "%18.5f   light that samples lack and do not tell of", light.leftToChance());
         }
+        if (!light.undersampled().isEmpty()) {
+            line("  undersampled", "   %s", light.undersampled());
+        }
         if (light.lostSamples() > 0) {
             row("lost samples", light.lostSamples());
         }

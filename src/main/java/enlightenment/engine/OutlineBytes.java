@@ -148,6 +148,7 @@ public final class OutlineBytes {
         write(out, outline.display());
         out.writeDouble(outline.chance().shortfall());
         out.writeDouble(outline.chance().most());
+        text(out, outline.undersampled());
     }
 
     /**
@@ -165,7 +166,8 @@ public final class OutlineBytes {
         return new RenderOutline(name, decided.settings(), decided.plan(), features, kinds)
                 .withSplatScale(new SplatScale(in.readInt()))
                 .withDisplay(readDisplay(in))
-                .withChance(new ChanceError(in.readDouble(), in.readDouble()));
+                .withChance(new ChanceError(in.readDouble(), in.readDouble()))
+                .withUndersampled(plain(text(in)));
     }
 
     /** The kind of the pixels' numbers, exposure, and kind of the tone curve. */

@@ -23,6 +23,7 @@ import java.util.List;
  * @param display what pixels are, and how they become what a screen takes
  * @param splatScale the unit in which contributions of paths are summed; of no meaning where no units are batches of paths
  * @param chance what light that is left to chance does to the error, as far as is known
+ * @param undersampled {@link Integrators#undersampled}; empty if nothing is
  */
 public record RenderOutline(
         String sceneName,
@@ -32,7 +33,8 @@ public record RenderOutline(
         List<String> kinds,
         DisplayCurve display,
         SplatScale splatScale,
-        ChanceError chance) {
+        ChanceError chance,
+        String undersampled) {
     private static final SplatScale NO_SCALE = new SplatScale(0);
 
     public RenderOutline {
@@ -43,7 +45,7 @@ public record RenderOutline(
     /** An outline for units that are tiles of display-referred pixels. */
     public RenderOutline(
             String sceneName, RenderSettings settings, RenderPlan plan, List<String> features, List<String> kinds) {
-        this(sceneName, settings, plan, features, kinds, DisplayCurve.NONE, NO_SCALE, ChanceError.NONE);
+        this(sceneName, settings, plan, features, kinds, DisplayCurve.NONE, NO_SCALE, ChanceError.NONE, "");
     }
 
     /** The outline of a render of this scene. */
@@ -55,8 +57,9 @@ public record RenderOutline(
     static RenderOutline ofUnits(String sceneName, CompiledScene scene, RenderSettings settings, RenderPlan plan) {
         List<String> features = new ArrayList<>(scene.features());
         Integrators.blindSpot(settings.method(), scene).ifPresent(features::add);
-        RenderOutline outline =
-                new RenderOutline(sceneName, settings, plan, features, scene.kindNames).withDisplay(scene.display);
+        RenderOutline outline = new RenderOutline(sceneName, settings, plan, features, scene.kindNames)
+                .withDisplay(scene.display)
+                .withUndersampled(Integrators.undersampled(plan.method(), scene));
         RayCounters nobodys = new RayCounters(scene.kindNames.size());
         WorkUnits units = WorkUnits.forMachines(settings, plan);
         if (units.batches() == 0) {
@@ -69,17 +72,22 @@ public record RenderOutline(
 
     /** The same outline with another scale. */
     public RenderOutline withSplatScale(SplatScale scale) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, display, scale, chance);
+        return new RenderOutline(sceneName, settings, plan, features, kinds, display, scale, chance, undersampled);
     }
 
     /** The same outline for other pixels. */
     public RenderOutline withDisplay(DisplayCurve curve) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, curve, splatScale, chance);
+        return new RenderOutline(sceneName, settings, plan, features, kinds, curve, splatScale, chance, undersampled);
     }
 
     /** The same outline with other light that is left to chance. */
     public RenderOutline withChance(ChanceError of) {
-        return new RenderOutline(sceneName, settings, plan, features, kinds, display, splatScale, of);
+        return new RenderOutline(sceneName, settings, plan, features, kinds, display, splatScale, of, undersampled);
+    }
+
+    /** This outline with other light that is undersampled. */
+    public RenderOutline withUndersampled(String light) {
+        return new RenderOutline(sceneName, settings, plan, features, kinds, display, splatScale, chance, light);
     }
 
     /** Number of units of work, as they are handed out to many machines. */

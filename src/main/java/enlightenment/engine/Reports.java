@@ -37,7 +37,7 @@ public final class Reports {
                 RayCounts.raysByKind(counted),
                 counted.lightSamples,
                 counted.lightSamplesWithoutRay,
-                sampling(outline.plan(), film, counted, surveyRays, rounding, round),
+                sampling(outline, film, counted, surveyRays, rounding, round),
                 RayCounts.byPrimitive(outline.kinds(), counted.tests),
                 RayCounts.byPrimitive(outline.kinds(), counted.hits),
                 counted.textureLookups,
@@ -49,7 +49,8 @@ public final class Reports {
     }
 
     private static RenderReport.Sampling sampling(
-            RenderPlan plan, PictureFilm film, RayCounters counted, long surveyRays, double rounding, int round) {
+            RenderOutline outline, PictureFilm film, RayCounters counted, long surveyRays, double rounding, int round) {
+        RenderPlan plan = outline.plan();
         ErrorEstimate error = film.error();
         return new RenderReport.Sampling(
                 plan.method(),
@@ -64,17 +65,22 @@ public final class Reports {
                 counted.accepted,
                 rounding,
                 round,
-                light(film, error));
+                light(film, error, outline.undersampled()));
     }
 
-    private static Optional<RenderReport.Light> light(PictureFilm film, ErrorEstimate error) {
+    private static Optional<RenderReport.Light> light(PictureFilm film, ErrorEstimate error, String undersampled) {
         if (film.encoding() == Encoding.DISPLAY) {
             return Optional.empty();
         }
         return Optional.of(error.linear()
                 .map(e -> new RenderReport.Light(
-                        e.relative(), e.kurtosis(), e.hasHeavyTail(), film.lostSamples(), error.leftToChance()))
+                        e.relative(),
+                        e.kurtosis(),
+                        e.hasHeavyTail(),
+                        film.lostSamples(),
+                        error.leftToChance(),
+                        undersampled))
                 .orElse(new RenderReport.Light(
-                        Double.NaN, Double.NaN, false, film.lostSamples(), error.leftToChance())));
+                        Double.NaN, Double.NaN, false, film.lostSamples(), error.leftToChance(), undersampled)));
     }
 }

@@ -216,6 +216,11 @@ public final class Integrators {
         return all;
     }
 
+    /** Why the error of a picture by a method may be underestimated whatever its samples show, as the end of a sentence; empty if no reason is known. */
+    public static String undersampled(Method method, CompiledScene scene) {
+        return UndersampledLight.of(method, scene);
+    }
+
     private static boolean mirrorsPoints(CompiledScene moment) {
         return moment.physical.showsMirrored
                 && moment.physical.hasCausticPass()

@@ -166,6 +166,10 @@ public final class Renderer {
         List<String> hints = new ArrayList<>(SceneHints.of(scene, compiled));
         Integrators.blindSpot(settings.method(), compiled).ifPresent(hints::add);
         hints.addAll(Integrators.unseen(compiled));
+        String undersampled = Integrators.undersampled(settings.method(), compiled);
+        if (!undersampled.isEmpty()) {
+            hints.add("the error may be underestimated: " + undersampled);
+        }
         // Methods from outside are not looked for here: a scene that names none does not pay for the search.
         Set<Method> known = new LinkedHashSet<>(BuiltInMethod.ALL);
         known.add(settings.method());

@@ -151,12 +151,19 @@ public record RenderReport(
      * @param lostSamples how many samples were infinite or no numbers, and taken for black; more than none is a fault of the program
      * @param leftToChance the part of {@link Sampling#estimatedError} that samples do not tell, as they lack light which paths find by
      *     chance only: root mean square, in display units, the root of the difference of squares; 0 if nothing is known to be left so
+     * @param undersampled why the error may be underestimated whatever the samples show, as it follows from scene and method; empty if no
+     *     reason is known
      */
     public record Light(
-            double relativeError, double kurtosis, boolean heavyTail, long lostSamples, double leftToChance) {
-        /** Where nothing is left to chance. */
+            double relativeError,
+            double kurtosis,
+            boolean heavyTail,
+            long lostSamples,
+            double leftToChance,
+            String undersampled) {
+        /** Where nothing is known to be left to chance or undersampled. */
         public Light(double relativeError, double kurtosis, boolean heavyTail, long lostSamples) {
-            this(relativeError, kurtosis, heavyTail, lostSamples, 0);
+            this(relativeError, kurtosis, heavyTail, lostSamples, 0, "");
         }
     }
 

@@ -107,6 +107,22 @@ class UndersampledLightTest {
         assertEquals("", reason(BuiltInMethod.LIGHT, 0.3, ball(0, wax(1.4, 0))));
     }
 
+    /** The scenes of the table in docs/error-estimation.md. */
+    @Test
+    void theMeasuredScenesAreSaid() throws IOException {
+        for (BuiltInMethod method : BuiltInMethod.values()) {
+            for (String name : List.of("narrow-lobes", "narrow-lobes-2")) {
+                assertTrue(reason(method, measured(name)).contains("narrow"), name);
+            }
+            String reason = reason(method, measured("cloudy-rough"));
+            assertEquals(method == BuiltInMethod.LIGHT, !reason.isEmpty(), reason);
+        }
+    }
+
+    private static Scene measured(String name) throws IOException {
+        return SceneReader.read(Path.of("src/test/resources/physical/" + name + ".json"));
+    }
+
     @Test
     void noShippedSceneIsSaidToHaveSuchLight() throws IOException {
         List<String> said = new ArrayList<>();

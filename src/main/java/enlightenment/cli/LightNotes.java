@@ -14,6 +14,9 @@ final class LightNotes {
     /** For pictures whose errors sit in few places. */
     static final String HEAVY_TAIL = "few bright samples carry the error; it may be underestimated";
 
+    /** For pictures with light that is {@link RenderReport.Light#undersampled}, which follows. */
+    static final String UNDERESTIMATED = "the error may be underestimated: ";
+
     /** Between two colours of a screen of 8 bits. */
     private static final double STEP = 1 / 255.0;
 
@@ -21,13 +24,14 @@ final class LightNotes {
 
     /** Says what the samples of a picture do not tell. */
     static void tell(RenderResult result, Consumer<String> say) {
-        if (result.report()
-                .sampling()
-                .light()
-                .map(RenderReport.Light::heavyTail)
-                .orElse(false)) {
-            say.accept("warning: " + HEAVY_TAIL);
-        }
+        result.report().sampling().light().ifPresent(light -> {
+            if (light.heavyTail()) {
+                say.accept("warning: " + HEAVY_TAIL);
+            }
+            if (!light.undersampled().isEmpty()) {
+                say.accept("warning: " + UNDERESTIMATED + String.join("; ", light.undersampled()));
+            }
+        });
     }
 
     /**

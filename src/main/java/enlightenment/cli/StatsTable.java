@@ -93,8 +93,8 @@ final class StatsTable {
         if (Double.isFinite(light.kurtosis())) {
             line("  kurtosis", "%,18.1f%s", light.kurtosis(), light.heavyTail() ? "   " + LightNotes.HEAVY_TAIL : "");
         }
-        for (String transport : light.undersampled()) {
-            line("  may be too small", "%18s   few samples find %s", "", transport);
+        if (!light.undersampled().isEmpty()) {
+            line("  undersampled", "   %s", String.join("; ", light.undersampled()));
         }
         if (light.lostSamples() > 0) {
             row("lost samples", light.lostSamples());

@@ -27,20 +27,30 @@ public final class RefractingMedia {
         return false;
     }
 
-    /** Whether a light outside of such a solid is so small that hardly any path from inside finds it. */
-    public static boolean areLitBySmallLights(CompiledScene scene) {
+    /** Whether there are such solids whose border is rough. */
+    public static boolean haveRoughBorders(CompiledScene scene) {
         for (int id = 0; scene.physical.hasScattering && id < scene.primitives.length; id++) {
-            if (isOne(scene, id) && isLitBySmall(scene.physical, scene.primitives[id].bounds())) {
+            if (hasBorder(scene, id, false)) {
                 return true;
             }
         }
         return false;
     }
 
-    private static boolean isOne(CompiledScene scene, int id) {
+    /** Whether a light outside of such a solid is so small that hardly any path from inside finds it. */
+    public static boolean areLitBySmallLights(CompiledScene scene) {
+        for (int id = 0; scene.physical.hasScattering && id < scene.primitives.length; id++) {
+            if (hasBorder(scene, id, true) && isLitBySmall(scene.physical, scene.primitives[id].bounds())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean hasBorder(CompiledScene scene, int id, boolean isSmooth) {
         for (int face = 0; face < scene.primitives[id].faceCount(); face++) {
             SurfaceMaterial m = scene.material(id, face);
-            if (m.medium != null && m.indexOfRefraction != 1 && m.isDelta) {
+            if (m.medium != null && m.indexOfRefraction != 1 && m.isDelta == isSmooth) {
                 return true;
             }
         }

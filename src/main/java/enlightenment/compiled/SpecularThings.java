@@ -74,12 +74,12 @@ final class SpecularThings {
         return false;
     }
 
-    private static boolean isNarrow(SurfaceMaterial material) {
+    static boolean isNarrow(SurfaceMaterial material) {
         return material.bsdf.isNarrow() && !material.isBlack;
     }
 
     /** Whether it is glass, or scatters light into single directions only; not a border that turns no ray. */
-    private static boolean isSharp(SurfaceMaterial material) {
+    static boolean isSharp(SurfaceMaterial material) {
         boolean turns = material.medium == null || material.indexOfRefraction != 1;
         return material.isGlass && turns || !material.isGlass && material.isDelta && !material.isBlack;
     }

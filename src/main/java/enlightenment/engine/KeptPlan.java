@@ -21,7 +21,7 @@ import java.util.Optional;
  * @param outline what is rendered
  */
 public record KeptPlan(int round, int depth, RenderOutline outline) {
-    private static final int FORMAT = 1;
+    private static final int FORMAT = 2;
 
     public KeptPlan {
         Objects.requireNonNull(outline, "outline");

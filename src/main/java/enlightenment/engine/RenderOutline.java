@@ -21,7 +21,7 @@ import java.util.List;
  * @param kinds the kinds of primitives in the scene, in the order of their counters
  * @param display what pixels are, and how they become what a screen takes
  * @param splatScale the unit in which contributions of paths are summed; of no meaning where no units are batches of paths
- * @param undersampled light transport that samples of the method hardly find: {@link Integrators#undersampled}
+ * @param undersampled {@link Integrators#undersampled}
  */
 public record RenderOutline(
         String sceneName,

@@ -3,7 +3,6 @@ package enlightenment.plan;
 import enlightenment.check.Check;
 import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.RefractingMedia;
 import enlightenment.film.FilmTile;
 import enlightenment.math.InvalidValueException;
 import enlightenment.method.BidirectionalMethod;
@@ -23,7 +22,6 @@ import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -187,44 +185,20 @@ public final class Integrators {
                         + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
     }
 
-    /** Light transport of a scene that a method cannot sample or hardly samples, as sentences without full stops. */
-    public static List<String> limitations(Method method, CompiledScene scene) {
-        List<String> all = new ArrayList<>();
-        if (scene.physical != null && scene.isEver(Integrators::mirrorsPoints)) {
-            all.add("what mirrors, panes and smooth glass make of the light of points is not seen where the eye"
-                    + " sees it in such things: no path finds it; a small sphere in place of the point is seen");
-        }
-        for (String transport : undersampled(method, scene)) {
-            all.add("the error may be underestimated: few samples find " + transport);
-        }
-        return all;
+    /** Light that no path of any method finds, as sentences without full stops. */
+    public static List<String> limitations(CompiledScene scene) {
+        return scene.physical != null && scene.isEver(Integrators::mirrorsPoints)
+                ? List.of("what mirrors, panes and smooth glass make of the light of points is not seen where the eye"
+                        + " sees it in such things: no path finds it; a small sphere in place of the point is seen")
+                : List.of();
     }
 
     /**
-     * Light transport that a method of ours samples so rarely that the error which is estimated from samples may be too small, in noun
-     * phrases: it depends on the scene alone, not on samples.
+     * Why the error of a picture by a method may be underestimated whatever its samples show, each as the end of a sentence; empty if no
+     * reason is known.
      */
     public static List<String> undersampled(Method method, CompiledScene scene) {
-        List<String> all = new ArrayList<>();
-        if (!(method instanceof BuiltInMethod) || method == BuiltInMethod.LIGHT || scene.physical == null) {
-            return all;
-        }
-        if (scene.isEver(Integrators::showsCaustics)) {
-            all.add("caustics that are seen in mirrors, through glass or in polished metal");
-        }
-        if (scene.isEver(RefractingMedia::areLitBySmallLights)) {
-            all.add("light of small lamps inside of media whose border refracts"
-                    + (method == BuiltInMethod.BIDIRECTIONAL
-                            ? ""
-                            : "; " + BuiltInMethod.BIDIRECTIONAL.word() + " finds more of it"));
-        }
-        return all;
-    }
-
-    private static boolean showsCaustics(CompiledScene moment) {
-        return moment.physical.hasCausticPass()
-                && moment.physical.caustics.hasSmallLights()
-                && (moment.physical.showsMirrored || moment.physical.caustics.takesNarrow());
+        return UndersampledLight.of(method, scene);
     }
 
     private static boolean mirrorsPoints(CompiledScene moment) {

@@ -102,7 +102,7 @@ public final class Planner {
 
     private void noteScene() {
         Integrators.blindSpot(settings.method(), scene).ifPresent(notes::add);
-        notes.addAll(Integrators.limitations(settings.method(), scene));
+        notes.addAll(Integrators.limitations(scene));
         noteCrop();
     }
 

@@ -81,7 +81,8 @@ public final class Rounds {
         boolean isEndless =
                 !(aim > 0) && budget.samples().isEmpty() && budget.seconds().isEmpty();
         double high = outcome.errorHigh();
-        if (isMet(outcome) || !(n < most) || isEndless) {
+        boolean hasFew = hasFewForUndersampled(outcome);
+        if (!hasFew && isMet(outcome) || !(n < most) || isEndless) {
             return OptionalDouble.empty();
         }
         if (budget.samples().isEmpty()
@@ -89,7 +90,7 @@ public final class Rounds {
                 && isOutOfReach(n, high, outcome.estimatedError(), aim)) {
             return OptionalDouble.empty();
         }
-        double next = samplesFor(n, high, aim);
+        double next = hasFew ? Math.max(samplesFor(n, high, aim), FEWEST_TELLING) : samplesFor(n, high, aim);
         if (outcome.method() != report.settings().method()) {
             // The error of the method that is used for few samples tells little of that of the other: it may be far
             // smaller.
@@ -177,6 +178,13 @@ public final class Rounds {
 
     /** What is said of a picture that another one follows. */
     public String note(RenderReport report, double next) {
+        if (isMet(report.sampling())) {
+            return String.format(
+                    Locale.ROOT,
+                    "%s samples per pixel are too few to tell the error, as some light is undersampled: once more with %s",
+                    number(report.sampling().plannedSamples()),
+                    number(next));
+        }
         return String.format(
                 Locale.ROOT,
                 "error up to %.3g with %s samples per pixel, more than %s: once more with %s",
@@ -199,6 +207,16 @@ public final class Rounds {
     /** A number with as many digits as it has, and no exponent. */
     public static String number(double value) {
         return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
+    }
+
+    /**
+     * Whether so few samples were taken of a scene with undersampled light that hardly any has found it: they agree without it, and the
+     * upper end of the interval lies below the true error more often than not (docs/error-estimation.md).
+     */
+    private boolean hasFewForUndersampled(RenderReport.Sampling outcome) {
+        return budget.error().isPresent()
+                && outcome.plannedSamples() < FEWEST_TELLING
+                && outcome.light().filter(l -> !l.undersampled().isEmpty()).isPresent();
     }
 
     private boolean isMet(RenderReport.Sampling outcome) {

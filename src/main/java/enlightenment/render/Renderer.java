@@ -165,7 +165,10 @@ public final class Renderer {
         int primitives = compiled.primitives.length;
         List<String> hints = new ArrayList<>(SceneHints.of(scene, compiled));
         Integrators.blindSpot(settings.method(), compiled).ifPresent(hints::add);
-        hints.addAll(Integrators.limitations(settings.method(), compiled));
+        hints.addAll(Integrators.limitations(compiled));
+        for (String reason : Integrators.undersampled(settings.method(), compiled)) {
+            hints.add("the error may be underestimated: " + reason);
+        }
         // Methods from outside are not looked for here: a scene that names none does not pay for the search.
         Set<Method> known = new LinkedHashSet<>(BuiltInMethod.ALL);
         known.add(settings.method());

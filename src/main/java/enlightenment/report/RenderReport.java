@@ -133,8 +133,8 @@ public record RenderReport(
      *     all, within blocks of 32 × 32 pixels; NaN where it is not known
      * @param heavyTail whether few bright samples carry the error, so that it may be underestimated
      * @param lostSamples how many samples were infinite or no numbers, and taken for black; more than none is a fault of the program
-     * @param undersampled light transport that few samples of the method find, in noun phrases: where there is some, the error may be
-     *     underestimated. It follows from scene and method, not from samples
+     * @param undersampled why the error may be underestimated whatever the samples show, each as the end of a sentence: it follows from scene and
+     *     method; empty if no reason is known
      */
     public record Light(
             double relativeError, double kurtosis, boolean heavyTail, long lostSamples, List<String> undersampled) {

@@ -289,6 +289,37 @@ class LightCommandsTest {
         }
     }
 
+    /** Two polished balls under a small lamp: whatever the samples show, and in pictures that are merged as well. */
+    @Test
+    void theLastLineSaysThatTheErrorMayBeUnderestimatedWhereAScenesLightIsUndersampled() throws IOException {
+        Path scene = folder.resolve("polished.json");
+        String ball = "{ \"type\": \"sphere\", \"center\": [%s, 0, 0], \"radius\": 0.5,"
+                + " \"material\": { \"type\": \"glossy\", \"color\": \"#e0c0a0\", \"roughness\": 0.15 } }";
+        Files.writeString(
+                scene,
+                """
+                {
+                  "image": { "width": 8, "height": 8 },
+                  "camera": { "type": "perspective", "eye": [0, 1, -5], "lookAt": [0, 0, 0], "fieldOfView": 40 },
+                  "shading": { "model": "physical", "background": { "linear": [0.2, 0.2, 0.2] } },
+                  "lights": [ { "type": "sphere", "center": [2, 3, -2], "radius": 0.05, "color": "#ffffff", "power": 90 } ],
+                  "objects": [ %s, %s ]
+                }
+                """
+                        .formatted(ball.formatted("-0.6"), ball.formatted("0.6")));
+        Path report = folder.resolve("report.json");
+        Path part = folder.resolve("1.film");
+        CliRun whole = CliRun.of("render", scene, "-o", png, "--samples", "8", "--report", report);
+        CliRun.of("render", scene, "-o", part, "--samples", "8", "--part", "1/1");
+        for (CliRun run : List.of(whole, CliRun.of("merge", part, "-o", map))) {
+            assertEquals(0, run.code(), run.err());
+            String[] lines = run.err().strip().split("\n");
+            assertTrue(
+                    lines[lines.length - 1].contains("warning: the error may be underestimated: few paths"), run.err());
+        }
+        assertTrue(Files.readString(report).contains("\"undersampled\""));
+    }
+
     @Test
     void partsMakeThePictureOfOneMachineAndAreShownAsIsAskedFor() throws IOException {
         assertEquals(0, render(png, "--exposure", "0.5").code());

@@ -12,6 +12,7 @@ import enlightenment.scene.RenderSettings;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
@@ -36,8 +37,18 @@ class RoundsTest {
 
     private static RenderReport report(
             RenderSettings settings, double samples, double told, double high, double rounding) {
+        return report(settings, samples, told, high, rounding, Optional.empty());
+    }
+
+    private static RenderReport report(
+            RenderSettings settings,
+            double samples,
+            double told,
+            double high,
+            double rounding,
+            Optional<RenderReport.Light> light) {
         RenderReport.Sampling sampling = new RenderReport.Sampling(
-                Method.RAYTRACE, "error", samples, samples, told, told / 1.2, high, 0, 0, 0, rounding, 1);
+                Method.RAYTRACE, "error", samples, samples, told, told / 1.2, high, 0, 0, 0, rounding, 1, light);
         return new RenderReport(
                 "", settings, List.of(), Map.of(), 0, 0, sampling, Map.of(), Map.of(), 0, List.of(), 0, 0);
     }
@@ -77,6 +88,23 @@ class RoundsTest {
         assertEquals("time", late.decidedBy());
         assertEquals("error", report(both, 800, 0.009, 0).decidedBy());
         assertEquals("error", report(Budget.NONE.withError(0.01), 8, 0.05, 0).decidedBy());
+    }
+
+    /** Samples that all missed some light agree without it. */
+    @Test
+    void fewSamplesDoNotMeetAnErrorWhereLightIsUndersampled() {
+        Budget asked = Budget.NONE.withError(0.01);
+        Optional<RenderReport.Light> light =
+                Optional.of(new RenderReport.Light(0.1, 9, false, 0, List.of("few paths")));
+        RenderReport few = report(SETTINGS.withBudget(asked), 8, 0.004, 0.005, 0, light);
+        assertEquals(64, new Rounds(asked).next(few, 1, 2).orElseThrow());
+        assertTrue(new Rounds(asked).note(few, 64).startsWith("8 samples per pixel are too few to tell the error"));
+        RenderReport enough = report(SETTINGS.withBudget(asked), 64, 0.004, 0.005, 0, light);
+        assertTrue(new Rounds(asked).next(enough, 1, 2).isEmpty());
+        Budget limited = asked.withSamples(32);
+        assertEquals(32, new Rounds(limited).next(few, 1, 2).orElseThrow());
+        RenderReport told = report(SETTINGS.withBudget(asked), 8, 0.004, 0.005, 0);
+        assertTrue(new Rounds(asked).next(told, 1, 2).isEmpty());
     }
 
     /** A little more is much more where it is the least that the method can do with. */

@@ -31,7 +31,7 @@ import java.util.Map;
  * all that. Numbers with their most significant byte first.
  */
 public final class PartFile implements Closeable {
-    private static final byte[] MAGIC = "ENLPART3".getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = "ENLPART4".getBytes(StandardCharsets.US_ASCII);
     private static final int BUFFER = 1 << 16;
 
     private final Path file;

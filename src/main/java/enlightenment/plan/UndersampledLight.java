@@ -1,0 +1,49 @@
+package enlightenment.plan;
+
+import enlightenment.compiled.CompiledScene;
+import enlightenment.compiled.NarrowChains;
+import enlightenment.compiled.RefractingMedia;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.Method;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Light of a scene that a method samples so rarely that the interval of the error may be too short. It follows from scene and method alone,
+ * not from samples: where few of them find such light, those that were taken agree too well.
+ */
+final class UndersampledLight {
+    private UndersampledLight() {}
+
+    /** Such light, each as the end of a sentence; empty if none is known, as of methods from outside. */
+    static List<String> of(Method method, CompiledScene scene) {
+        List<String> found = new ArrayList<>();
+        if (scene.physical == null || !(method instanceof BuiltInMethod)) {
+            return found;
+        }
+        if (method != BuiltInMethod.LIGHT && scene.isEver(UndersampledLight::showsCaustics)) {
+            found.add("few paths find caustics that are seen in mirrors or through glass");
+        }
+        if (scene.isEver(NarrowChains::leadToSmallLights)) {
+            found.add(
+                    "few paths reach small lamps by two narrow lobes in a row, or a mirror or glass and a narrow lobe");
+        }
+        if (method == BuiltInMethod.LIGHT && scene.isEver(RefractingMedia::haveRoughBorders)) {
+            found.add("few light paths leave a medium by a rough border towards the eye");
+        }
+        if (method != BuiltInMethod.LIGHT && scene.isEver(RefractingMedia::areLitBySmallLights)) {
+            found.add("few paths find light of small lamps in media whose border refracts"
+                    + (method == BuiltInMethod.BIDIRECTIONAL
+                            ? ""
+                            : "; --method " + BuiltInMethod.BIDIRECTIONAL.word() + " finds more of it"));
+        }
+        return found;
+    }
+
+    /** Whether paths from the eye alone find some caustics, of lights that are small as seen from what makes them. */
+    private static boolean showsCaustics(CompiledScene moment) {
+        return moment.physical.hasCausticPass()
+                && moment.physical.showsMirrored
+                && moment.physical.caustics.hasSmallLights();
+    }
+}

@@ -210,7 +210,8 @@ final class RenderCommand extends Subcommand {
         RenderResult result;
         try (ArchiveList archives = new ArchiveList(terminal)) {
             keep.open(scene, settings, terminal).ifPresent(archives::add);
-            store.open(scene, settings, frame.number(), samples.wanted()).ifPresent(archives::add);
+            store.open(scene, settings, frame.number(), samples.wanted(), terminal)
+                    .ifPresent(archives::add);
             result = render(scene, settings, watch, archives.all());
         } catch (SceneException e) {
             throw SceneFailures.inFile(input, e);

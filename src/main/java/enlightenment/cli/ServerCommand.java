@@ -116,7 +116,8 @@ final class ServerCommand extends Subcommand {
 
     private ArchiveList archives(Scene scene, RenderSettings settings) throws IOException {
         ArchiveList archives = new ArchiveList(terminal);
-        store.open(scene, settings, frame.number(), StoredSamples.NONE).ifPresent(archives::add);
+        store.open(scene, settings, frame.number(), StoredSamples.NONE, terminal)
+                .ifPresent(archives::add);
         return archives;
     }
 

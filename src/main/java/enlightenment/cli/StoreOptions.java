@@ -9,6 +9,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneWriter;
 import enlightenment.store.RenderRow;
 import enlightenment.store.StoreArchive;
+import enlightenment.store.StoreException;
 import enlightenment.store.StoredSamples;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -48,11 +49,12 @@ final class StoreOptions {
     }
 
     /**
-     * Opens the store, if there is to be one.
+     * Opens the store, if there is to be one. A disk that is full already costs the store, not the picture, as one that becomes full does.
      *
      * @param frame the frame that was asked for, or null
      */
-    Optional<ResultArchive> open(Scene scene, RenderSettings settings, Integer frame, StoredSamples samples)
+    Optional<ResultArchive> open(
+            Scene scene, RenderSettings settings, Integer frame, StoredSamples samples, Terminal terminal)
             throws IOException {
         if (store == null) {
             return Optional.empty();
@@ -72,6 +74,14 @@ final class StoreOptions {
                         .getBytes(StandardCharsets.UTF_8),
                 planned -> PictureText.of(scene, SettingsLine.replayable(settings, planned, frame)),
                 samples);
-        return Optional.of(StoreArchive.open(StoreAccess.address(store), access.login(), what));
+        try {
+            return Optional.of(StoreArchive.open(StoreAccess.address(store), access.login(), what));
+        } catch (StoreException e) {
+            if (!e.isOutOfSpace()) {
+                throw e;
+            }
+            terminal.say("store " + e.getMessage() + "; it is not used, the render goes on without");
+            return Optional.empty();
+        }
     }
 }

@@ -50,7 +50,10 @@ final class ConvertCommand extends Subcommand {
         if (!StandardStreams.isNamed(input) && !Files.exists(input)) {
             throw CliException.wrongUsage(input + ": there is no such file");
         }
-        new CommandFiles().reads("IN.nff", input).writes("OUT.json", output).check();
+        new CommandFiles()
+                .reads("IN.nff", input)
+                .writes(option == null ? "OUT.json" : "-o", output)
+                .check();
         NffReader.Result result = read();
         for (String note : result.notes()) {
             terminal.note((StandardStreams.isNamed(input) ? StandardStreams.INPUT : input) + ": " + note);

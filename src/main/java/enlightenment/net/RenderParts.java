@@ -36,7 +36,7 @@ public final class RenderParts {
      * @param parts how many there are
      * @param text what the picture's file is to say of itself, by the number of samples per pixel that is planned; kept in the part
      * @return whether the part is complete: false where it was cancelled
-     * @throws IOException if the file cannot be written, or holds another part or a part of another render; the message names it
+     * @throws IOException if the file cannot be written, or holds another part; the message names it
      * @throws IllegalArgumentException if the part's number is out of range
      * @throws java.util.concurrent.CancellationException if it is cancelled before the render is planned: there is no file then
      */
@@ -59,7 +59,7 @@ public final class RenderParts {
         DividedRender render = DividedRender.prepareOnce(scene, settings, cancelled);
         render.notes().forEach(progress::note);
         ContentHash job = JobContent.of(scene, render.outline(), Build.number()).hash();
-        requireSamePart(file, job, part, parts);
+        requireSamePart(file, part, parts);
         int[] tiles = IntStream.range(0, render.units())
                 .filter(tile -> tile % parts == part - 1)
                 .toArray();
@@ -73,12 +73,10 @@ public final class RenderParts {
     }
 
     /** What another part's render has made is not lost by a number that was forgotten in a name. */
-    private static void requireSamePart(Path file, ContentHash job, int part, int parts) throws IOException {
+    private static void requireSamePart(Path file, int part, int parts) throws IOException {
         PartFile.Head there = headOf(file);
-        if (there != null && !(there.job().equals(job) && there.part() == part && there.parts() == parts)) {
-            boolean isSameRender = there.job().equals(job) && there.parts() == parts;
+        if (there != null && !(there.part() == part && there.parts() == parts)) {
             throw new IOException(file + ": holds part " + there.part() + " of " + there.parts()
-                    + (isSameRender ? "" : " of another render")
                     + ", and would be replaced by part " + part + " of " + parts
                     + ": name another file, or remove this one");
         }

@@ -26,6 +26,7 @@ enum CommandLines {
             "--tls"),
     RENDER_PART(List.of("SCENE", "texture"), "-o"),
     CONVERT(List.of("IN.nff"), "OUT.json"),
+    CONVERT_BY_OPTION(List.of("IN.nff"), "-o"),
     COMPARE(List.of("A", "B"), "--heatmap"),
     MERGE(List.of("PART"), "-o", "--report"),
     SERVER(
@@ -72,6 +73,7 @@ enum CommandLines {
         return switch (this) {
             case RENDER_PART, RENDER_KEPT -> "render";
             case ANIMATE_SERVER -> "animate";
+            case CONVERT_BY_OPTION -> "convert";
             default -> name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
         };
     }
@@ -88,7 +90,10 @@ enum CommandLines {
     /** What the name of that output must end in. */
     String extension(String output) {
         return switch (output) {
-            case "-o" -> this == RENDER_PART ? ".film" : isFilm() ? FRAME + ".png" : ".png";
+            case "-o" ->
+                this == CONVERT_BY_OPTION
+                        ? ".json"
+                        : this == RENDER_PART ? ".film" : isFilm() ? FRAME + ".png" : ".png";
             case "--aov" -> isFilm() ? FRAME + ".depth.png" : ".depth.png";
             case "--heatmap" -> ".png";
             case "--video" -> ".gif";

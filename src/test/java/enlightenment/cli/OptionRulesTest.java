@@ -62,6 +62,7 @@ class OptionRulesTest {
     private static final Set<String> FLAGS = Set.of(
             "--stats",
             "--serve",
+            "--audit-required",
             "--window",
             "--resume",
             "--store-rays",

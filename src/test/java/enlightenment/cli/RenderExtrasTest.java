@@ -133,7 +133,7 @@ class RenderExtrasTest extends SceneFixture {
         }
         assertEquals(Set.of("p.png", "scene.json"), files());
         refused("--preview must be a number in 0.01..1000000000, not \"0\"", "--preview", "0");
-        refused("--preview must be a number in 0.01..1000000000, not \"soon\"", "--preview", "soon");
+        refused("--preview must be a number in 0.01..1000000000, not \"soon\"", "--preview=soon");
     }
 
     /** The clock of this test goes on by a minute at each look, after the preview that is under way has been written. */

@@ -8,8 +8,6 @@ import enlightenment.primitive.Ray;
  * Answers questions about rays and a set of primitives. Whatever the structure, the answers are those of a loop over all
  * primitives, bit for bit. Immutable, safe for any number of threads, each with its own {@link Closest} and {@link BvhQuery};
  * a {@link PrimitiveList} that is refilled belongs to one thread.
- *
- * <p>Accelerators nest: {@link Bvh#over} makes a hierarchy whose leaves are accelerators.
  */
 public interface Accelerator extends RaySearch {
     /** What {@link #narrow} returns if one primitive blocks every segment. */

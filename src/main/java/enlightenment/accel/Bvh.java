@@ -71,12 +71,6 @@ public abstract class Bvh implements Accelerator {
         return of(builder, new PrimitiveLeaves(some, builder.order(), order));
     }
 
-    /** Builds the hierarchy of these accelerators, which keep their ids. The array is not kept. */
-    public static Bvh over(Accelerator... parts) {
-        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(parts), () -> {});
-        return of(builder, new NestedLeaves(parts, builder.order()));
-    }
-
     private static Bvh of(BvhBuilder builder, Leaves leaves) {
         return builder.fitsFloats()
                 ? new FloatBvh(builder, leaves)

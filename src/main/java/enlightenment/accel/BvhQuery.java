@@ -49,8 +49,6 @@ public final class BvhQuery {
     /** A box. */
     final double[] box = new double[PrimitiveBoxes.BOX];
 
-    private BvhQuery inner;
-
     /**
      * An empty list.
      *
@@ -60,14 +58,6 @@ public final class BvhQuery {
     public BvhQuery(int[] kinds, long[] tests) {
         this.kinds = kinds;
         this.tests = tests;
-    }
-
-    /** The scratch memory of accelerators inside an accelerator. */
-    BvhQuery inner() {
-        if (inner == null) {
-            inner = new BvhQuery(kinds, tests);
-        }
-        return inner;
     }
 
     int[] stack() {

@@ -35,8 +35,6 @@ public final class Closest {
     /** Where the ray meets the plane of the wall that {@link RoomWalls} asks: several threads ask the same walls. */
     double met;
 
-    private Closest inner;
-
     /**
      * A search to be {@link #reset} before use.
      *
@@ -53,21 +51,6 @@ public final class Closest {
         t = limit;
         id = -1;
         primitive = null;
-    }
-
-    /** The scratch memory of accelerators inside an accelerator. */
-    Closest inner() {
-        if (inner == null) {
-            inner = new Closest(kinds, tests);
-        }
-        return inner;
-    }
-
-    /** Takes over what another search has found. */
-    void continueFrom(Closest other) {
-        t = other.t;
-        id = other.id;
-        primitive = other.primitive;
     }
 
     /** Tests a primitive and keeps its crossing if it is the closest. */

@@ -37,10 +37,6 @@ final class PrimitiveBoxes {
         return new PrimitiveBoxes(primitives.length, i -> primitives[i].bounds());
     }
 
-    static PrimitiveBoxes of(Accelerator[] parts) {
-        return new PrimitiveBoxes(parts.length, i -> parts[i].bounds());
-    }
-
     private static void set(Bounds box, double[] out, int at) {
         out[at] = box.min().x();
         out[at + 1] = box.min().y();

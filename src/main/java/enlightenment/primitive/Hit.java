@@ -69,11 +69,6 @@ public final class Hit {
         return new Vec3(nx, ny, nz);
     }
 
-    /** Sets the point to where a ray starts. */
-    public void setOrigin(Ray ray) {
-        setPoint(ray.ox, ray.oy, ray.oz);
-    }
-
     void setPoint(double x, double y, double z) {
         px = x;
         py = y;

@@ -91,15 +91,6 @@ public abstract sealed class Primitive
     /** Sets the texture coordinates of a hit on this primitive. */
     public abstract void textureCoordinates(Hit hit);
 
-    /**
-     * The unit normal that shading goes by at a hit on this primitive; like the hit's own it points to {@link Ray#OUTSIDE}. It is
-     * the hit's own unless the primitive is a part of something smoother than itself: then only what a surface looks like depends
-     * on it, never which side a ray is on or where it starts.
-     */
-    public Vec3 shadingNormal(Hit hit) {
-        return hit.normal();
-    }
-
     /** A box that encloses the primitive, rounded outwards. */
     public abstract Bounds bounds();
 

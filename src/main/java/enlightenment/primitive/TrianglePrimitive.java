@@ -8,10 +8,9 @@ import enlightenment.numeric.Products;
  * A triangle, tested by edge functions whose signs are exact for the sheared vertices ({@link Watertight}): triangles
  * that share edges and vertices leave no gap.
  *
- * <p>The normal that points to {@link Ray#OUTSIDE} is (b − a) × (c − a). A triangle of something smooth overrides
- * {@link #shadingNormal}.
+ * <p>The normal that points to {@link Ray#OUTSIDE} is (b − a) × (c − a).
  */
-public non-sealed class TrianglePrimitive extends Primitive {
+public final class TrianglePrimitive extends Primitive {
     private final Vec3 a;
     private final Vec3 b;
     private final Vec3 c;

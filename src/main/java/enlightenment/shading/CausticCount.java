@@ -74,12 +74,4 @@ final class CausticCount {
         }
         counts = true;
     }
-
-    /**
-     * The radiance, in the strongest band, that a path from the eye finds where it comes to the path's light by chance; what a narrow lobe
-     * makes of a small light is that of a larger one, dimmer by the ratio of solid angles; 0 if none finds it.
-     */
-    double radianceFound() {
-        return countsWide ? pass.radiance(light, x, y, z, pdf) : pass.radiance(light);
-    }
 }

@@ -49,25 +49,6 @@ class AcceleratorTest {
     }
 
     @Test
-    void acceleratorsInsideAcceleratorsFindWhatTheLoopFinds() {
-        RandomPrimitives random = new RandomPrimitives(3);
-        Primitive[] all = random.ofAllKinds(N);
-        Accelerator[] parts = new Accelerator[12];
-        for (int k = 0; k < parts.length; k++) {
-            int first = k;
-            parts[k] = Bvh.build(
-                    all, IntStream.range(0, N).filter(i -> i % 12 == first).toArray());
-        }
-        Accelerator[] outer = {Bvh.over(parts[0], parts[1], parts[2], parts[3], parts[4], parts[5]), parts[6]};
-        Accelerator nested = Bvh.over(outer[0], outer[1], Bvh.over(parts[7], parts[8]), parts[9], parts[10], parts[11]);
-        for (int i = 0; i < 5_000; i++) {
-            compare(all, nested, nested, random.ray(60));
-        }
-        nested.overlapping(nested.bounds(), query);
-        assertEquals(N, query.size());
-    }
-
-    @Test
     void aListFindsWhatTheLoopFinds() {
         RandomPrimitives random = new RandomPrimitives(4);
         Primitive[] all = random.ofAllKinds(20);

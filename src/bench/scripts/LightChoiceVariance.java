@@ -1,8 +1,8 @@
 import enlightenment.emitter.AreaLight;
-import enlightenment.emitter.LightChoice;
-import enlightenment.emitter.LightPicker;
 import enlightenment.emitter.LightSample;
+import enlightenment.emitter.LightSampler;
 import enlightenment.emitter.ParallelogramLight;
+import enlightenment.emitter.SampledLight;
 import enlightenment.emitter.SphereLight;
 import enlightenment.math.Vec3;
 import java.util.ArrayList;
@@ -24,7 +24,7 @@ public final class LightChoiceVariance {
     private static final int RECEIVERS = 1000;
 
     private final SplittableRandom random = new SplittableRandom(1);
-    private final LightChoice choice = new LightChoice();
+    private final SampledLight choice = new SampledLight();
     private final LightSample sample = new LightSample();
 
     private LightChoiceVariance() {}
@@ -45,13 +45,13 @@ public final class LightChoiceVariance {
         for (int set = 0; set < SETS; set++) {
             AreaLight[] lights = new AreaLight[count];
             double[] strengths = new double[count];
-            LightPicker.Builder builder = new LightPicker.Builder();
+            LightSampler.Builder builder = new LightSampler.Builder();
             for (int i = 0; i < count; i++) {
                 lights[i] = kind == 0 || kind == 2 && i % 2 == 0 ? ball() : rectangle();
                 strengths[i] = 0.1 + 2 * random.nextDouble();
                 builder.add(lights[i], strengths[i]);
             }
-            LightPicker picker = builder.build();
+            LightSampler picker = builder.build();
             for (int k = 0; k < RECEIVERS; k++) {
                 double variance = variance(picker, lights, strengths, place(), direction());
                 if (variance == variance) {
@@ -64,7 +64,7 @@ public final class LightChoiceVariance {
     }
 
     /** Not a number where there is no light. */
-    private double variance(LightPicker picker, AreaLight[] lights, double[] strengths, Vec3 p, Vec3 n) {
+    private double variance(LightSampler picker, AreaLight[] lights, double[] strengths, Vec3 p, Vec3 n) {
         double sum = 0;
         double squares = 0;
         for (int i = 0; i < lights.length; i++) {

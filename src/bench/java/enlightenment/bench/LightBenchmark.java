@@ -2,10 +2,10 @@ package enlightenment.bench;
 
 import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.DiskLight;
-import enlightenment.emitter.LightChoice;
-import enlightenment.emitter.LightPicker;
 import enlightenment.emitter.LightSample;
+import enlightenment.emitter.LightSampler;
 import enlightenment.emitter.ParallelogramLight;
+import enlightenment.emitter.SampledLight;
 import enlightenment.emitter.SphereLight;
 import enlightenment.emitter.TriangleLight;
 import enlightenment.math.Vec3;
@@ -36,7 +36,7 @@ public class LightBenchmark {
 
     private final double[] receivers = new double[3 * COUNT];
     private final LightSample sample = new LightSample();
-    private final LightChoice choice = new LightChoice();
+    private final SampledLight choice = new SampledLight();
 
     @Setup
     public void setUp() {
@@ -77,11 +77,11 @@ public class LightBenchmark {
         @Param({"4", "16", "100", "10000"})
         public int lights;
 
-        LightPicker picker;
+        LightSampler picker;
 
         @Setup
         public void setUp() {
-            LightPicker.Builder builder = new LightPicker.Builder();
+            LightSampler.Builder builder = new LightSampler.Builder();
             for (int i = 0; i < lights; i++) {
                 Vec3 at = new Vec3(unit(i, 1), unit(i, 2), unit(i, 3));
                 builder.add(

@@ -243,42 +243,6 @@ public final class CausticPass {
         return light == lights.length ? NO_MEDIA : lights[light].mediaAround();
     }
 
-    /**
-     * The radiance that a narrow lobe makes of a small light, in its strongest band: as of a light that is as large as the lobe is wide.
-     *
-     * @param light of the sun, that after the last
-     * @param x where the lobe is; and so on
-     * @param pdf the density per solid angle of directions that it sends light to: the inverse of its solid angle
-     */
-    public double radiance(int light, double x, double y, double z, double pdf) {
-        if (light == lights.length) {
-            return dimmed(sun.max(), sun.solidAngle * pdf);
-        }
-        PhysicalLight l = lights[light];
-        double dx = x - l.ballX;
-        double dy = y - l.ballY;
-        double dz = z - l.ballZ;
-        double squared = dx * dx + dy * dy + dz * dz;
-        if (l.isPoint) {
-            return strongest(l) / squared * pdf;
-        }
-        return dimmed(strongest(l), Math.PI * l.ballRadius * l.ballRadius / squared * pdf);
-    }
-
-    /** @param covered the light's solid angle over the lobe's */
-    private static double dimmed(double radiance, double covered) {
-        return radiance * covered / (1 + covered);
-    }
-
-    /** The radiance of a light in its strongest band, and the sun's after the last light; 0 of a point, which no path from the eye finds. */
-    public double radiance(int light) {
-        if (light == lights.length) {
-            return sun.max();
-        }
-        PhysicalLight l = lights[light];
-        return l.isPoint ? 0 : strongest(l);
-    }
-
     /** Radiance, of a point radiant intensity, in the strongest band. */
     private static double strongest(PhysicalLight light) {
         return Math.max(light.r, Math.max(light.g, light.b));

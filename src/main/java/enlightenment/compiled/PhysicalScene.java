@@ -3,7 +3,7 @@ package enlightenment.compiled;
 import enlightenment.accel.Accelerator;
 import enlightenment.accel.PrimitiveList;
 import enlightenment.color.Rgb;
-import enlightenment.emitter.LightPicker;
+import enlightenment.emitter.LightSampler;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.material.Material;
@@ -30,7 +30,7 @@ public final class PhysicalScene {
     public final PhysicalLight[] lights;
 
     /** Chooses among them, by their indices. */
-    public final LightPicker picker;
+    public final LightSampler picker;
 
     /** The radiance that comes from everywhere that nothing hides: linear, by band. */
     public final double backgroundR;
@@ -190,8 +190,8 @@ public final class PhysicalScene {
         return hasUltraviolet ? light.luminance() + visibleOfUltraviolet * light.ultraviolet : light.luminance();
     }
 
-    private LightPicker picker(PhysicalLight[] lights, Runnable poll) {
-        LightPicker.Builder builder = new LightPicker.Builder();
+    private LightSampler picker(PhysicalLight[] lights, Runnable poll) {
+        LightSampler.Builder builder = new LightSampler.Builder();
         for (PhysicalLight light : lights) {
             if (light.isPoint) {
                 builder.addPoint(new Vec3(light.x, light.y, light.z), brightness(light));
@@ -259,7 +259,7 @@ public final class PhysicalScene {
     }
 
     /** Whether all rays that meet nothing see the same light. */
-    public boolean isEvenBeyond() {
+    public boolean hasConstantEnvironment() {
         return around == null && surroundings == null;
     }
 

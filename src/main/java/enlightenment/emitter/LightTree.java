@@ -55,7 +55,7 @@ final class LightTree {
      * Splits, beginning with the root, the node that may contribute most, until there are enough: a cut through the
      * tree that depends on the receiver alone. Returns the sum of their importances.
      */
-    private double cut(double x, double y, double z, double nx, double ny, double nz, LightChoice c) {
+    private double cut(double x, double y, double z, double nx, double ny, double nz, SampledLight c) {
         c.nodes[0] = 0;
         c.weights[0] = 1;
         c.count = 1;
@@ -80,7 +80,7 @@ final class LightTree {
     }
 
     /** The place of the most important node that can be split, or −1. */
-    private int mostImportant(LightChoice c) {
+    private int mostImportant(SampledLight c) {
         int most = -1;
         double largest = 0;
         for (int i = 0; i < c.count; i++) {
@@ -92,7 +92,7 @@ final class LightTree {
         return most;
     }
 
-    void choose(double x, double y, double z, double nx, double ny, double nz, double number, LightChoice choice) {
+    void choose(double x, double y, double z, double nx, double ny, double nz, double number, SampledLight choice) {
         double all = cut(x, y, z, nx, ny, nz, choice);
         int chosen = choice.pick(all, number);
         if (chosen < 0) {
@@ -119,7 +119,7 @@ final class LightTree {
         choice.light = -1 - second[node];
     }
 
-    double probability(int light, double x, double y, double z, double nx, double ny, double nz, LightChoice scratch) {
+    double probability(int light, double x, double y, double z, double nx, double ny, double nz, SampledLight scratch) {
         double all = cut(x, y, z, nx, ny, nz, scratch);
         double probability = 1;
         int node = leaves[light];

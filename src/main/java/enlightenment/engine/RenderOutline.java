@@ -53,12 +53,12 @@ public record RenderOutline(
         RenderOutline outline = new RenderOutline(sceneName, settings, plan, features, scene.kindNames)
                 .withDisplay(scene.display)
                 .withUndersampled(Integrators.undersampled(plan.method(), scene));
-        RayCounters nobodys = new RayCounters(scene.kindNames.size());
+        RayCounters unused = new RayCounters(scene.kindNames.size());
         WorkUnits units = WorkUnits.forMachines(settings, plan);
         if (units.batches() == 0) {
             return outline;
         }
-        SplatIntegrator integrator = Integrators.splats(plan, scene, settings, nobodys);
+        SplatIntegrator integrator = Integrators.splats(plan, scene, settings, unused);
         long pixels = (long) settings.width() * settings.height();
         return outline.withSplatScale(SplatScale.of(integrator.expectedContribution(), units.paths(), pixels));
     }

@@ -160,7 +160,7 @@ public final class Rounds {
     }
 
     /** Why nothing more is tried though the error is not kept; empty if there is no such reason. */
-    public Optional<String> resignation() {
+    public Optional<String> reasonForStopping() {
         if (outOfReach == 0) {
             return Optional.empty();
         }

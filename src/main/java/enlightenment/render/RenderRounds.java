@@ -81,7 +81,7 @@ final class RenderRounds {
                     ? null
                     : archives.planFor(settings, round + 1).orElse(null);
             if (next.isEmpty() && kept == null) {
-                rounds.resignation().ifPresent(request.progress()::note);
+                rounds.reasonForStopping().ifPresent(request.progress()::note);
                 return best;
             }
             if (request.cancelled().getAsBoolean()) {

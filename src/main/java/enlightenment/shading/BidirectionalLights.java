@@ -7,9 +7,9 @@ import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.Tracer;
-import enlightenment.emitter.LightChoice;
-import enlightenment.emitter.LightPicker;
 import enlightenment.emitter.LightSample;
+import enlightenment.emitter.LightSampler;
+import enlightenment.emitter.SampledLight;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
@@ -17,14 +17,14 @@ import enlightenment.sampling.Sampler;
 /** Of all ways to make a path those in which a path from the eye aims at a light, or runs into it: what they find, and their weights. */
 final class BidirectionalLights {
     private final PhysicalScene physical;
-    private final LightPicker picker;
+    private final LightSampler picker;
     private final LightStarts starts;
     private final RayCounters counters;
     private final EyeSubpath eye;
     private final ShadowRays shadow;
     private final LightView view = new LightView();
     private final LightSample sample = view.sample;
-    private final LightChoice choice = new LightChoice();
+    private final SampledLight choice = new SampledLight();
     private final double[] pair = new double[2];
 
     /** What was found: radiance, times what the surface makes of it. */

@@ -98,7 +98,7 @@ public final class BidirectionalTracer implements Shader {
 
     @Override
     public boolean seesNothing() {
-        return eye.path.tracer.seesNothing() && physical.isEvenBeyond();
+        return eye.path.tracer.seesNothing() && physical.hasConstantEnvironment();
     }
 
     @Override

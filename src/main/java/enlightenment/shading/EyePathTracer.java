@@ -50,7 +50,7 @@ abstract class EyePathTracer implements Shader {
 
     @Override
     public final boolean seesNothing() {
-        return path.tracer.seesNothing() && physical.isEvenBeyond();
+        return path.tracer.seesNothing() && physical.hasConstantEnvironment();
     }
 
     @Override

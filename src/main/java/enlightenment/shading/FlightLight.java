@@ -7,8 +7,8 @@ import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.Tracer;
-import enlightenment.emitter.LightChoice;
 import enlightenment.emitter.LightSample;
+import enlightenment.emitter.SampledLight;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 
@@ -24,7 +24,7 @@ final class FlightLight {
     private final RayCounters counters;
     private final LightView view = new LightView();
     private final ShadowRays shadow;
-    private final LightChoice choice = new LightChoice();
+    private final SampledLight choice = new SampledLight();
     private final Scattering s = new Scattering();
     private final double[] pair = new double[2];
 

@@ -5,7 +5,7 @@ import enlightenment.compiled.CompiledScene;
 import enlightenment.compiled.LightStarts;
 import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.RayCounters;
-import enlightenment.emitter.LightChoice;
+import enlightenment.emitter.SampledLight;
 import enlightenment.primitive.Hit;
 import enlightenment.sampling.Sampler;
 
@@ -20,7 +20,7 @@ final class LightSubpath extends Subpath {
     double startZ;
 
     private final LightView view = new LightView();
-    private final LightChoice scratch = new LightChoice();
+    private final SampledLight scratch = new SampledLight();
     private final double[] numbers = new double[PathSource.NUMBERS];
     private final double[] pair = new double[2];
     private final double[] bands = new double[Reradiation.BANDS];

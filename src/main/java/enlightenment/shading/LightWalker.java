@@ -49,7 +49,7 @@ abstract class LightWalker extends LightPathTracer {
     /** Whether a point of the flight has been connected to the eye. */
     private boolean isConnected;
 
-    private final WalkEnd end = new WalkEnd();
+    private final RussianRoulette end = new RussianRoulette();
 
     /** The medium that scatters the path. */
     private HomogeneousMedium medium;

@@ -23,8 +23,8 @@ final class PathHistory {
     /** Whether light was gathered at the last vertex, so that light that the path runs into is weighted. */
     boolean gathered;
 
-    /** Whether the path goes on to a surface in the same place, whose light only chance finds. */
-    boolean isThere;
+    /** Whether the next hit coincides with the surface that the path left: next-event estimation cannot reach it. */
+    boolean atCoincidentSurface;
 
     void begin() {
         events = 0;
@@ -33,7 +33,7 @@ final class PathHistory {
         narrowFirst = false;
         deltaFirst = false;
         gathered = false;
-        isThere = false;
+        atCoincidentSurface = false;
     }
 
     /** Notes the kind of event that the path leaves behind. */
@@ -44,7 +44,7 @@ final class PathHistory {
         }
         deltaFirst |= !scattered;
         gathered = !isDelta;
-        isThere = false;
+        atCoincidentSurface = false;
     }
 
     /** The same of a narrow lobe. */

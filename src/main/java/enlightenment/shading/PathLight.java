@@ -8,9 +8,9 @@ import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.Tracer;
-import enlightenment.emitter.LightChoice;
-import enlightenment.emitter.LightPicker;
 import enlightenment.emitter.LightSample;
+import enlightenment.emitter.LightSampler;
+import enlightenment.emitter.SampledLight;
 import enlightenment.emitter.SphereLight;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
@@ -30,7 +30,7 @@ final class PathLight {
 
     private final PhysicalScene physical;
     private final PhysicalLight[] lights;
-    private final LightPicker picker;
+    private final LightSampler picker;
     private final RayCounters counters;
     private final PathFollower path;
     private final ShadowRays shadow;
@@ -38,7 +38,7 @@ final class PathLight {
     private final LightView view = new LightView();
     private final LightCone cone = view.cone;
     private final LightSample sample = view.sample;
-    private final LightChoice choice = new LightChoice();
+    private final SampledLight choice = new SampledLight();
     private final double[] pair = new double[2];
 
     /** The last vertex that scattered light other than into single directions, and its normal on the side that the path came from. */
@@ -114,8 +114,8 @@ final class PathLight {
         shadow.begin();
     }
 
-    /** Tells the density per solid angle of the direction in which the path leaves the vertex. */
-    void left(double density) {
+    /** Sets the density, per solid angle, of the BSDF sample with which the path leaves the vertex. */
+    void setBsdfPdf(double density) {
         pdf = density;
     }
 
@@ -140,7 +140,7 @@ final class PathLight {
     }
 
     /** Whether the same light comes from everywhere beyond the scene. */
-    boolean isEvenBeyond() {
+    boolean hasConstantEnvironment() {
         return infinite == null;
     }
 

@@ -20,8 +20,8 @@ public final class PathTracer extends EyePathTracer {
     private final PathLight light;
     private final boolean hasCausticPass;
 
-    /** Whether that pass makes light that narrow lobes send to wide ones, as well. */
-    private final boolean hasNarrowPass;
+    /** Whether the caustic pass also covers near-specular lobes. */
+    private final boolean causticPassCoversGlossy;
 
     /** What finds caustics that are seen in mirrors; null if nothing does. */
     private final MirrorCaustics mirrors;
@@ -33,8 +33,8 @@ public final class PathTracer extends EyePathTracer {
     /** Follows paths through media that scatter light; null if there are none. */
     private final RandomWalk walk;
 
-    /** Whether a path ends where light has come to its first vertex straight. */
-    private final boolean endsSoon;
+    /** Whether paths stop after direct lighting at their first non-specular vertex. */
+    private final boolean directOnly;
 
     /** Where the path is cut; null for a path that is whole. */
     private PathCut cut;
@@ -57,7 +57,7 @@ public final class PathTracer extends EyePathTracer {
     private PathTracer(CompiledScene scene, RayCounters counters, PathPart part, boolean leavesOut) {
         super(scene, counters, new PathValue(BandMixing.of(scene.physical)), showsLamps(part));
         isAlbedo = part == PathPart.ALBEDO;
-        endsSoon = part == PathPart.DIRECT || part == PathPart.ALBEDO;
+        directOnly = part == PathPart.DIRECT || part == PathPart.ALBEDO;
         value.isIndirect = part == PathPart.INDIRECT;
         path.tracer.leaveVisibilityOpen();
         light = new PathLight(scene, counters, path);
@@ -66,9 +66,9 @@ public final class PathTracer extends EyePathTracer {
             value.wavelength = null;
         }
         hasCausticPass = leavesOut;
-        hasNarrowPass = leavesOut && physical.caustics.takesNarrow();
+        causticPassCoversGlossy = leavesOut && physical.caustics.takesNarrow();
         walk = RandomWalk.of(scene, counters, path, value, part);
-        mirrors = leavesOut && !endsSoon ? MirrorCaustics.of(scene, counters, path) : null;
+        mirrors = leavesOut && !directOnly ? MirrorCaustics.of(scene, counters, path) : null;
     }
 
     @Override
@@ -154,7 +154,7 @@ public final class PathTracer extends EyePathTracer {
         if (event == PathFollower.Event.NOTHING) {
             if (!isAlbedo) {
                 light.escape(ray, history.gathered, !(hasCausticPass && history.scatteredFirst));
-                value.addEscaped(light.gathered, light.isEvenBeyond(), path.key);
+                value.addEscaped(light.gathered, light.hasConstantEnvironment(), path.key);
             }
             return false;
         }
@@ -203,7 +203,7 @@ public final class PathTracer extends EyePathTracer {
         if (history.scattered) {
             value.beginIndirect();
         }
-        return !(endsSoon && history.scattered);
+        return !(directOnly && history.scattered);
     }
 
     /** Adds what the surface emits. */
@@ -219,8 +219,8 @@ public final class PathTracer extends EyePathTracer {
 
     /** By what share of it light that the surface emits is found here, not in another way. */
     private double weightOfGlow(Ray ray) {
-        if (history.gathered || history.isThere) {
-            return light.leavesGlow() ? 0 : history.isThere ? 1 : light.weight(ray);
+        if (history.gathered || history.atCoincidentSurface) {
+            return light.leavesGlow() ? 0 : history.atCoincidentSurface ? 1 : light.weight(ray);
         }
         return history.scattered ? weightOfCaustic() : images.weight();
     }
@@ -277,7 +277,7 @@ public final class PathTracer extends EyePathTracer {
         boolean seen = gatherMirrored(Lambert.INSTANCE, ray, sampler);
         sampler.pair(address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
-        light.left(s.pdf);
+        light.setBsdfPdf(s.pdf);
         if (seen) {
             mirrors.left(s);
         }
@@ -299,13 +299,13 @@ public final class PathTracer extends EyePathTracer {
     private boolean rough(Ray ray, SurfaceMaterial material, Sampler sampler) {
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
-        boolean isNarrow = hasNarrowPass && material.bsdf.isNarrow();
+        boolean isNarrow = causticPassCoversGlossy && material.bsdf.isNarrow();
         // What comes to narrow lobes from narrow lobes is not shared with wide ones: there it is the business of
         // others.
         if (!isNarrow
                 && cut != null
                 && path.surfaces < 2
-                && cut.noteRough(path, material.bsdf, s, value, physical.isEvenBeyond())) {
+                && cut.noteRough(path, material.bsdf, s, value, physical.hasConstantEnvironment())) {
             return leaveCut(ray, material.bsdf, s, sampler);
         }
         light.gather(material.bsdf, s, sampler, address, !history.scattered, isNarrow && history.leavesNarrow());
@@ -315,7 +315,7 @@ public final class PathTracer extends EyePathTracer {
         if (!material.bsdf.sample(s, pair[0], pair[1], sampler.unit(address++, Sampler.Purpose.CHOICE))) {
             return false;
         }
-        light.left(s.pdf);
+        light.setBsdfPdf(s.pdf);
         if (seen) {
             mirrors.left(s);
         }
@@ -371,9 +371,9 @@ public final class PathTracer extends EyePathTracer {
         history.leave(true);
         if (isRough) {
             images.scattered();
-            history.isThere = path.glass.hasNext();
-            history.gathered = !history.isThere;
-            light.left(path.glass.border.pdf);
+            history.atCoincidentSurface = path.glass.hasNext();
+            history.gathered = !history.atCoincidentSurface;
+            light.setBsdfPdf(path.glass.border.pdf);
         }
         boolean survives = walk == null
                 ? survives(surface[0], surface[1], surface[2], sampler)
@@ -397,7 +397,7 @@ public final class PathTracer extends EyePathTracer {
         Arrays.fill(surface, 1);
         path.filter(surface);
         path.turnTo(0);
-        boolean leaves = hasNarrowPass && bsdf.isNarrow() && history.leavesNarrow();
+        boolean leaves = causticPassCoversGlossy && bsdf.isNarrow() && history.leavesNarrow();
         light.gatherAtBorder(bsdf, border, surface, sampler, address, !history.scattered, leaves);
         value.add(light.gathered);
         return true;

@@ -47,7 +47,7 @@ final class PathValue {
     /** The index of refraction of the medium that the eye is in. */
     private double firstIndex;
 
-    /** Whether no random number has had a part in the path so far. */
+    /** True until the first random decision of the path. */
     boolean certain;
 
     /** What was gathered until then. */

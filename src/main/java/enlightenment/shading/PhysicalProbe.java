@@ -5,7 +5,7 @@ import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.PhysicalScene;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.Tracer;
-import enlightenment.emitter.LightChoice;
+import enlightenment.emitter.SampledLight;
 import enlightenment.film.SampleLog;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
@@ -22,7 +22,7 @@ final class PhysicalProbe extends RayProbe {
 
     private final PhysicalScene physical;
     private final LightView view = new LightView();
-    private final LightChoice choice = new LightChoice();
+    private final SampledLight choice = new SampledLight();
     private final ShadowRays shadow;
     private final double[] pair = new double[2];
     private int address;

@@ -34,7 +34,7 @@ final class RandomWalk {
     private double index;
 
     private final FreeFlight flight = new FreeFlight();
-    private final WalkEnd end = new WalkEnd();
+    private final RussianRoulette end = new RussianRoulette();
 
     /** The point at which the path is scattered. */
     final Scattering event = new Scattering();
@@ -155,7 +155,7 @@ final class RandomWalk {
         }
         sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
         medium.phase.sample(event, pair[0], pair[1], 0);
-        light.left(event.pdf);
+        light.setBsdfPdf(event.pdf);
         ray.set(path.hit.px, path.hit.py, path.hit.pz, event.ix, event.iy, event.iz, 0);
         history.leaveInMedium(gathers, index == 1);
         return survives(sampler, history.events);

@@ -101,7 +101,8 @@ class FloatingLiteralsTest {
             new Explained("shading/PathValue.java", "0.99", "roulette: the largest probability to survive"),
             new Explained("shading/FlightLamps.java", "6", "the mean length of flights over distances that are near"),
             new Explained("shading/FreeFlight.java", "0.1", "the least probability of a band of a flight"),
-            new Explained("shading/WalkEnd.java", "4", "units of the frame, in which every coordinate is below 2"),
+            new Explained(
+                    "shading/RussianRoulette.java", "4", "units of the frame, in which every coordinate is below 2"),
             new Explained("shading/FreeFlight.java", "0x1p100", "units of the frame: nothing comes back from there"),
             new Explained("shading/MediumVertex.java", "0x1p-8", "roulette: a share of all events"),
             new Explained(

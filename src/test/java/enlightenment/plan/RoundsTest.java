@@ -243,14 +243,14 @@ class RoundsTest {
         double n = 4;
         double all = 0;
         for (OptionalDouble next = OptionalDouble.of(n); next.isPresent(); ) {
-            assertTrue(rounds.resignation().isEmpty());
+            assertTrue(rounds.reasonForStopping().isEmpty());
             n = next.getAsDouble();
             all += n;
             next = rounds.next(report(Budget.NONE.withError(0.02), n, error.applyAsDouble(n), 0), 0, 0);
         }
         // The first round that tells something has 256, and 64 times as many are enough.
         assertTrue(n >= 64 * 64 && all < 20_000, n + " of " + all);
-        assertTrue(rounds.resignation().orElseThrow().contains("hardly fallen"));
+        assertTrue(rounds.reasonForStopping().orElseThrow().contains("hardly fallen"));
         Budget limited = Budget.NONE.withError(0.02).withSamples(100_000);
         assertEquals(100_000, render(limited, 4, error, 0).last);
     }

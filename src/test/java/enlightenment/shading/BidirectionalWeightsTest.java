@@ -12,8 +12,8 @@ import enlightenment.compiled.LightStarts;
 import enlightenment.compiled.PhysicalLight;
 import enlightenment.compiled.RayCounters;
 import enlightenment.compiled.SceneCompiler;
-import enlightenment.emitter.LightChoice;
 import enlightenment.emitter.LightSample;
+import enlightenment.emitter.SampledLight;
 import enlightenment.film.SplatBatch;
 import enlightenment.film.SplatScale;
 import enlightenment.math.Vec3;
@@ -85,7 +85,7 @@ class BidirectionalWeightsTest {
     private CompiledScene scene;
     private LightStarts starts;
     private EyeProjection eye;
-    private final LightChoice choice = new LightChoice();
+    private final SampledLight choice = new SampledLight();
     private final LightSample sample = new LightSample();
     private final ReverseDensity reverse = new ReverseDensity();
     private int paths;

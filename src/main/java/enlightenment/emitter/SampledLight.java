@@ -1,7 +1,7 @@
 package enlightenment.emitter;
 
-/** A light that a {@link LightPicker} chose. A mutable work object, one per thread. */
-public final class LightChoice {
+/** A light that a {@link LightSampler} chose. A mutable work object, one per thread. */
+public final class SampledLight {
     /** The light's index in the picker's list; −1 if no light can contribute. */
     public int light;
 
@@ -11,10 +11,10 @@ public final class LightChoice {
     /** The random number that chose, rescaled within the chosen interval so that it is again uniform in [0, 1) and can be reused. */
     public double rest;
 
-    final double[] weights = new double[LightPicker.FEW];
+    final double[] weights = new double[LightSampler.FEW];
 
     /** The nodes of a {@link LightTree} that the weights belong to, and how many there are. */
-    final int[] nodes = new int[LightPicker.FEW];
+    final int[] nodes = new int[LightSampler.FEW];
 
     int count;
 
@@ -22,7 +22,7 @@ public final class LightChoice {
     final LightSample near = new LightSample();
 
     /** A choice to be made. */
-    public LightChoice() {}
+    public SampledLight() {}
 
     /** Chooses one of the weights, of which this is the sum, and sets probability and rest; −1, and no light, if all are 0. */
     int pick(double sum, double number) {

@@ -7,7 +7,7 @@ package enlightenment.shading;
  * <p>At a point where a medium scatters a path, what the path carries is compared to what it carried before the flight that brought it
  * there; what was lost since roulette was last played counts once.
  */
-final class WalkEnd {
+final class RussianRoulette {
     /**
      * From this event on the share of paths that are still followed falls as the inverse root of the number of events. A path in a medium
      * that absorbs nothing ends only outside of it, and leaves a thick one after n events with a probability that falls as n^(−3/2): so

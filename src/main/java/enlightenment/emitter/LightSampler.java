@@ -10,7 +10,7 @@ import java.util.List;
  * more of them by a {@link LightTree}. A light that can contribute has a probability above 0; the choice does not depend on the order in
  * which lights are given. Immutable, shared by threads. See docs/light-sampling.md.
  */
-public final class LightPicker {
+public final class LightSampler {
     /** Up to this number every light is weighed for every receiver. */
     static final int FEW = 16;
 
@@ -23,7 +23,7 @@ public final class LightPicker {
     private final LightWeights weights;
     private final LightTree tree;
 
-    private LightPicker(List<Entry> entries, Runnable poll) {
+    private LightSampler(List<Entry> entries, Runnable poll) {
         count = entries.size();
         indices = canonicalOrder(entries);
         places = new int[count];
@@ -54,7 +54,7 @@ public final class LightPicker {
      * @param number evenly distributed in 0..1
      */
     public void choose(
-            double x, double y, double z, double nx, double ny, double nz, double number, LightChoice choice) {
+            double x, double y, double z, double nx, double ny, double nz, double number, SampledLight choice) {
         if (count == 0) {
             choice.none(number);
             return;
@@ -70,7 +70,7 @@ public final class LightPicker {
         choice.light = chosen < 0 ? -1 : indices[chosen];
     }
 
-    private double weigh(double x, double y, double z, double nx, double ny, double nz, LightChoice into) {
+    private double weigh(double x, double y, double z, double nx, double ny, double nz, SampledLight into) {
         double sum = 0;
         for (int i = 0; i < count; i++) {
             double w = weights.weight(i, x, y, z, nx, ny, nz, into.near);
@@ -88,7 +88,7 @@ public final class LightPicker {
      * @param scratch is overwritten
      */
     public double probability(
-            int light, double x, double y, double z, double nx, double ny, double nz, LightChoice scratch) {
+            int light, double x, double y, double z, double nx, double ny, double nz, SampledLight scratch) {
         int place = places[light];
         if (tree != null) {
             return tree.probability(place, x, y, z, nx, ny, nz, scratch);
@@ -147,7 +147,7 @@ public final class LightPicker {
         }
 
         /** The picker of these lights. */
-        public LightPicker build() {
+        public LightSampler build() {
             return build(() -> {});
         }
 
@@ -156,8 +156,8 @@ public final class LightPicker {
          *
          * @param poll called now and then; ends the building by what it throws
          */
-        public LightPicker build(Runnable poll) {
-            return new LightPicker(entries, poll);
+        public LightSampler build(Runnable poll) {
+            return new LightSampler(entries, poll);
         }
     }
 }

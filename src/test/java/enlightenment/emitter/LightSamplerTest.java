@@ -14,9 +14,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Which light: probabilities that add up, are the inverse of the choice, and forget no light that contributes. */
-class LightPickerTest {
+class LightSamplerTest {
     private final SplittableRandom random = new SplittableRandom(3);
-    private final LightChoice choice = new LightChoice();
+    private final SampledLight choice = new SampledLight();
 
     private double signed() {
         return 2 * random.nextDouble() - 1;
@@ -49,26 +49,26 @@ class LightPickerTest {
         return all;
     }
 
-    private static LightPicker picker(List<AreaLight> lights, Vec3 point) {
-        LightPicker.Builder b = new LightPicker.Builder();
+    private static LightSampler picker(List<AreaLight> lights, Vec3 point) {
+        LightSampler.Builder b = new LightSampler.Builder();
         for (int k = 0; k < lights.size(); k++) {
             b.add(lights.get(k), 0.1 + k % 7);
         }
         return (point == null ? b : b.addPoint(point, 2)).build();
     }
 
-    private double probability(LightPicker picker, int light, Vec3 p, Vec3 n) {
+    private double probability(LightSampler picker, int light, Vec3 p, Vec3 n) {
         return picker.probability(light, p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), choice);
     }
 
-    private void choose(LightPicker picker, Vec3 p, Vec3 n, double number) {
+    private void choose(LightSampler picker, Vec3 p, Vec3 n, double number) {
         picker.choose(p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), number, choice);
     }
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 15, 17, 200})
     void probabilitiesAddUpToOneUnlessNoLightIsSeen(int count) {
-        LightPicker picker = picker(lights(count), new Vec3(1, 2, 3));
+        LightSampler picker = picker(lights(count), new Vec3(1, 2, 3));
         for (int k = 0; k < 300; k++) {
             Vec3 p = new Vec3(12 * signed(), 12 * signed(), 12 * signed());
             Vec3 n = k % 5 == 0 ? Vec3.ZERO : direction();
@@ -96,7 +96,7 @@ class LightPickerTest {
     @ParameterizedTest
     @ValueSource(ints = {12, 60})
     void everyLightIsChosenAsOftenAsItsProbabilitySays(int count) {
-        LightPicker picker = picker(lights(count), new Vec3(1, 2, 3));
+        LightSampler picker = picker(lights(count), new Vec3(1, 2, 3));
         for (int k = 0; k < 20; k++) {
             Vec3 p = new Vec3(12 * signed(), 12 * signed(), 12 * signed());
             Vec3 n = k % 5 == 0 ? Vec3.ZERO : direction();
@@ -119,7 +119,7 @@ class LightPickerTest {
     @ValueSource(ints = {6, 12, 80})
     void aLightThatContributesCanBeChosen(int count) {
         List<AreaLight> lights = lights(count);
-        LightPicker picker = picker(lights, null);
+        LightSampler picker = picker(lights, null);
         LightSample s = new LightSample();
         int contributing = 0;
         for (int k = 0; k < 400; k++) {
@@ -152,14 +152,14 @@ class LightPickerTest {
             order.add(k);
         }
         Collections.shuffle(order, new Random(4));
-        LightPicker.Builder a = new LightPicker.Builder();
-        LightPicker.Builder b = new LightPicker.Builder();
+        LightSampler.Builder a = new LightSampler.Builder();
+        LightSampler.Builder b = new LightSampler.Builder();
         for (int k = 0; k < count; k++) {
             a.add(lights.get(k), 1 + k % 3);
             b.add(lights.get(order.get(k)), 1 + order.get(k) % 3);
         }
-        LightPicker first = a.build();
-        LightPicker second = b.build();
+        LightSampler first = a.build();
+        LightSampler second = b.build();
         for (int k = 0; k < 1000; k++) {
             Vec3 p = new Vec3(12 * signed(), 12 * signed(), 12 * signed());
             Vec3 n = direction();
@@ -177,7 +177,7 @@ class LightPickerTest {
 
     @Test
     void aSceneWithoutLightsChoosesNone() {
-        LightPicker none = new LightPicker.Builder().build();
+        LightSampler none = new LightSampler.Builder().build();
         choose(none, Vec3.ZERO, Vec3.Y, 0.5);
         assertEquals(-1, choice.light);
         assertEquals(0.5, choice.rest);
@@ -187,7 +187,8 @@ class LightPickerTest {
     void twoBallsAboveTheHorizonAreChosenByTheirIrradiance() {
         SphereLight near = new SphereLight(new Vec3(0, 3, 0), 1);
         SphereLight cut = new SphereLight(new Vec3(4, 0.2, 0), 0.5);
-        LightPicker picker = new LightPicker.Builder().add(near, 2).add(cut, 5).build();
+        LightSampler picker =
+                new LightSampler.Builder().add(near, 2).add(cut, 5).build();
         LightSample s = new LightSample();
         near.aim(s, 0, 0, 0);
         double a = 2 * near.irradiance(s, 0, 1, 0);

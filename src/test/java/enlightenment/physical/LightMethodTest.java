@@ -213,7 +213,7 @@ class LightMethodTest {
                 .build();
         for (Scene scene : List.of(small, large, withoutBorder)) {
             boolean isTold = Renderer.inspect(scene, RenderSettings.of(scene)).hints().stream()
-                    .anyMatch(hint -> hint.contains("found by chance inside of media"));
+                    .anyMatch(hint -> hint.contains("small lamps in media whose border refracts"));
             assertEquals(scene == small, isTold);
         }
     }

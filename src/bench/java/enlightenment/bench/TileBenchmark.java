@@ -1,8 +1,5 @@
 package enlightenment.bench;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.FilmTile;
 import enlightenment.method.TileIntegrator;
 import enlightenment.plan.Integrators;
@@ -12,6 +9,9 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
+import enlightenment.world.parts.RayCounters;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;

@@ -1,8 +1,5 @@
 package enlightenment.engine;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.SampleLog;
 import enlightenment.plan.Learned;
 import enlightenment.plan.Planner;
@@ -15,6 +12,9 @@ import enlightenment.work.Phases;
 import enlightenment.work.PictureMemory;
 import enlightenment.work.Stopwatch;
 import enlightenment.work.Workers;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
+import enlightenment.world.parts.RayCounters;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.List;

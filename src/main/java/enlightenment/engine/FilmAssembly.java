@@ -1,12 +1,12 @@
 package enlightenment.engine;
 
-import enlightenment.compiled.RayCounters;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;
 import enlightenment.report.RenderReport;
 import enlightenment.work.Phases;
 import enlightenment.work.PictureMemory;
 import enlightenment.work.Stopwatch;
+import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Objects;

@@ -1,7 +1,5 @@
 package enlightenment.engine;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
@@ -11,6 +9,8 @@ import enlightenment.scene.Scene;
 import enlightenment.work.Cancellation;
 import enlightenment.work.Phases;
 import enlightenment.work.Stopwatch;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;

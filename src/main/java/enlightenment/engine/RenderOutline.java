@@ -1,13 +1,13 @@
 package enlightenment.engine;
 
 import enlightenment.color.DisplayCurve;
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatScale;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.RenderSettings;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,12 +1,12 @@
 package enlightenment.engine;
 
 import enlightenment.color.Encoding;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.plan.RenderPlan;
 import enlightenment.report.RenderReport;
 import enlightenment.work.Phases;
 import enlightenment.work.RayCounts;
+import enlightenment.world.parts.RayCounters;
 import java.util.Optional;
 
 /** Makes the report of what was rendered, wherever that was. */

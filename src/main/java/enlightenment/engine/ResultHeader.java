@@ -1,6 +1,6 @@
 package enlightenment.engine;
 
-import enlightenment.compiled.RayCounters;
+import enlightenment.world.parts.RayCounters;
 import java.nio.ByteBuffer;
 import java.util.Optional;
 import java.util.OptionalLong;

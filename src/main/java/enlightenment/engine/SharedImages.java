@@ -1,6 +1,6 @@
 package enlightenment.engine;
 
-import enlightenment.compiled.SceneImages;
+import enlightenment.world.light.SceneImages;
 import java.nio.file.Path;
 import java.util.function.Function;
 

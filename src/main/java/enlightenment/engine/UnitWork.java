@@ -1,8 +1,6 @@
 package enlightenment.engine;
 
 import enlightenment.color.DisplayCurve;
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SplatBatch;
 import enlightenment.film.SplatSums;
@@ -12,6 +10,8 @@ import enlightenment.method.TileIntegrator;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.Learned;
 import enlightenment.scene.RenderSettings;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.function.BooleanSupplier;
 
 /** Does units of work, for one thread. */

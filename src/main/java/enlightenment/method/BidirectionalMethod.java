@@ -1,9 +1,9 @@
 package enlightenment.method;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.BidirectionalTracer;
+import enlightenment.transport.bidirectional.BidirectionalTracer;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 
 /**
  * Paths from both ends (docs/bidirectional.md). Tiles take camera samples as {@link RayTraceMethod} does, and connect each with a light

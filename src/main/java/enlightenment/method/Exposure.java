@@ -1,10 +1,10 @@
 package enlightenment.method;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sampler;
-import enlightenment.shading.Shader;
+import enlightenment.transport.ray.Shader;
+import enlightenment.world.CompiledScene;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 

@@ -1,11 +1,11 @@
 package enlightenment.method;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.SplatBatch;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.LightPathTracer;
+import enlightenment.transport.light.LightPathTracer;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.function.BooleanSupplier;
 
 /**

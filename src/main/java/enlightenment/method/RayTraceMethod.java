@@ -1,7 +1,5 @@
 package enlightenment.method;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleLog;
 import enlightenment.film.SampleSpread;
@@ -11,12 +9,14 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.ClassicShader;
-import enlightenment.shading.PathPart;
-import enlightenment.shading.PathTracer;
-import enlightenment.shading.RecordingShader;
-import enlightenment.shading.SeenLight;
-import enlightenment.shading.Shader;
+import enlightenment.transport.classic.ClassicShader;
+import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.SeenLight;
+import enlightenment.transport.probe.RecordingShader;
+import enlightenment.transport.ray.Shader;
+import enlightenment.transport.state.PathPart;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;

@@ -1,11 +1,11 @@
 package enlightenment.plan;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.film.FilmTile;
 import enlightenment.method.cluster.ClusterCost;
 import enlightenment.method.cluster.EffortCost;
 import enlightenment.method.cluster.PhysicalClusterCost;
 import enlightenment.scene.RenderSettings;
+import enlightenment.world.CompiledScene;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.BooleanSupplier;

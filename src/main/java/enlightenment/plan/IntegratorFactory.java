@@ -1,10 +1,10 @@
 package enlightenment.plan;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.method.Integrator;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.scene.RenderSettings;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 
 /** What a {@link enlightenment.scene.MethodExtension} implements, too, so that there is something that does its work. */
 public interface IntegratorFactory {

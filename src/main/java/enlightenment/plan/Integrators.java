@@ -1,8 +1,6 @@
 package enlightenment.plan;
 
 import enlightenment.check.Check;
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.math.InvalidValueException;
 import enlightenment.method.BidirectionalMethod;
@@ -22,6 +20,8 @@ import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;

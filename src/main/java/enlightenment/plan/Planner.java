@@ -1,11 +1,11 @@
 package enlightenment.plan;
 
 import enlightenment.check.Check;
-import enlightenment.compiled.CompiledScene;
 import enlightenment.film.FilmTile;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Stopwatch;
+import enlightenment.world.CompiledScene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

@@ -1,8 +1,8 @@
 package enlightenment.plan;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
+import enlightenment.world.CompiledScene;
 import java.util.function.BooleanSupplier;
 
 /** The plan for a number of samples per pixel: with which method they are taken, and at which level. */

@@ -1,8 +1,6 @@
 package enlightenment.plan;
 
 import enlightenment.color.DisplayCurve;
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SplatBatch;
 import enlightenment.film.SplatScale;
@@ -11,9 +9,11 @@ import enlightenment.method.TileIntegrator;
 import enlightenment.method.cluster.SeenBlocks;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.Shader;
+import enlightenment.transport.ray.Shader;
 import enlightenment.work.Stopwatch;
 import enlightenment.work.Workers;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.List;
 import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.BooleanSupplier;

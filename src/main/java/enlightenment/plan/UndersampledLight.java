@@ -1,10 +1,10 @@
 package enlightenment.plan;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.NarrowChains;
-import enlightenment.compiled.RefractingMedia;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.check.NarrowChains;
+import enlightenment.world.check.RefractingMedia;
 import java.util.ArrayList;
 import java.util.List;
 

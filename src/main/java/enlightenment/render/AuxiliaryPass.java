@@ -1,15 +1,15 @@
 package enlightenment.render;
 
-import enlightenment.compiled.CompiledLight;
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.Tracer;
 import enlightenment.image.Image;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Workers;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.Tracer;
+import enlightenment.world.light.CompiledLight;
+import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;

@@ -1,11 +1,11 @@
 package enlightenment.render;
 
 import enlightenment.check.Check;
-import enlightenment.compiled.SceneCompiler;
-import enlightenment.compiled.SceneImages;
 import enlightenment.scene.Animation;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.world.SceneCompiler;
+import enlightenment.world.light.SceneImages;
 import java.util.Objects;
 import java.util.function.IntFunction;
 

@@ -1,6 +1,5 @@
 package enlightenment.render;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.PictureFilm;
@@ -10,6 +9,7 @@ import enlightenment.report.RenderReport;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Phases;
 import enlightenment.work.Workers;
+import enlightenment.world.CompiledScene;
 import java.util.function.BooleanSupplier;
 
 /**

@@ -1,7 +1,5 @@
 package enlightenment.render;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.engine.PictureFilm;
 import enlightenment.engine.RenderOutline;
 import enlightenment.engine.Reports;
@@ -17,6 +15,8 @@ import enlightenment.report.RenderReport;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Phases;
 import enlightenment.work.Workers;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;

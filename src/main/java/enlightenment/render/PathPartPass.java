@@ -1,7 +1,5 @@
 package enlightenment.render;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.engine.TileGrid;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
@@ -11,6 +9,8 @@ import enlightenment.plan.RenderPlan;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Workers;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Set;

@@ -1,6 +1,5 @@
 package enlightenment.render;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;
 import enlightenment.plan.Planner;
@@ -10,6 +9,7 @@ import enlightenment.report.RenderReport;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Phases;
 import enlightenment.work.Stopwatch;
+import enlightenment.world.CompiledScene;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;

@@ -1,10 +1,5 @@
 package enlightenment.render;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.SceneCompiler;
-import enlightenment.compiled.SceneHints;
-import enlightenment.compiled.SceneImages;
-import enlightenment.compiled.SceneProblems;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.plan.Integrators;
@@ -20,6 +15,11 @@ import enlightenment.work.Cancellation;
 import enlightenment.work.Phases;
 import enlightenment.work.PictureMemory;
 import enlightenment.work.Stopwatch;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
+import enlightenment.world.check.SceneHints;
+import enlightenment.world.check.SceneProblems;
+import enlightenment.world.light.SceneImages;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;

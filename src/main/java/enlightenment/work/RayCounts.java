@@ -1,6 +1,6 @@
 package enlightenment.work;
 
-import enlightenment.compiled.RayCounters;
+import enlightenment.world.parts.RayCounters;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

@@ -79,12 +79,12 @@ class ArchitectureTest {
             .definedBy("enlightenment.nff")
             .layer("accel")
             .definedBy("enlightenment.accel")
-            .layer("compiled")
-            .definedBy("enlightenment.compiled")
+            .layer("world")
+            .definedBy("enlightenment.world..")
             .layer("film")
             .definedBy("enlightenment.film")
-            .layer("shading")
-            .definedBy("enlightenment.shading")
+            .layer("transport")
+            .definedBy("enlightenment.transport..")
             .layer("method")
             .definedBy("enlightenment.method..")
             .layer("work")
@@ -158,26 +158,26 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("job", "net", "cli")
             .whereLayer("method")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine")
-            .whereLayer("shading")
+            .whereLayer("transport")
             .mayOnlyBeAccessedByLayers("method")
             .whereLayer("film")
-            .mayOnlyBeAccessedByLayers("shading", "method", "plan", "render", "engine", "net", "store")
+            .mayOnlyBeAccessedByLayers("transport", "method", "plan", "render", "engine", "net", "store")
             .whereLayer("bsdf")
-            .mayOnlyBeAccessedByLayers("compiled", "shading")
+            .mayOnlyBeAccessedByLayers("world", "transport")
             .whereLayer("emitter")
-            .mayOnlyBeAccessedByLayers("compiled", "shading")
+            .mayOnlyBeAccessedByLayers("world", "transport")
             .whereLayer("primitive")
-            .mayOnlyBeAccessedByLayers("emitter", "accel", "compiled", "shading", "method", "render")
-            .whereLayer("compiled")
-            .mayOnlyBeAccessedByLayers("film", "shading", "method", "work", "plan", "render", "engine")
+            .mayOnlyBeAccessedByLayers("emitter", "accel", "world", "transport", "method", "render")
+            .whereLayer("world")
+            .mayOnlyBeAccessedByLayers("film", "transport", "method", "work", "plan", "render", "engine")
             .whereLayer("accel")
-            .mayOnlyBeAccessedByLayers("compiled")
+            .mayOnlyBeAccessedByLayers("world")
             .whereLayer("scene")
             .mayOnlyBeAccessedByLayers(
                     "json",
                     "nff",
-                    "compiled",
-                    "shading",
+                    "world",
+                    "transport",
                     "method",
                     "work",
                     "report",
@@ -189,15 +189,15 @@ class ArchitectureTest {
                     "measure",
                     "cli")
             .whereLayer("descriptions")
-            .mayOnlyBeAccessedByLayers("scene", "json", "nff", "compiled", "cli")
+            .mayOnlyBeAccessedByLayers("scene", "json", "nff", "world", "cli")
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers(
                     "bsdf",
                     "emitter",
                     "surroundings",
                     "scene",
-                    "compiled",
-                    "shading",
+                    "world",
+                    "transport",
                     "method",
                     "plan",
                     "render",
@@ -209,15 +209,91 @@ class ArchitectureTest {
             .whereLayer("codec")
             .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings", "video")
             .whereLayer("surroundings")
-            .mayOnlyBeAccessedByLayers("compiled", "shading")
+            .mayOnlyBeAccessedByLayers("world", "transport")
             .whereLayer("picture")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine", "measure", "cli")
             .whereLayer("texture")
-            .mayOnlyBeAccessedByLayers("compiled")
+            .mayOnlyBeAccessedByLayers("world")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers(
                     "picture", "texture", "film", "plan", "render", "engine", "job", "status", "window", "net",
                     "measure", "store", "cli", "json");
+
+    /** Passes that compile a scene, from what all of them stand on down to the compiled scene. */
+    @ArchTest
+    static final ArchRule passesOfTheWorldUseOnlyPassesBeforeThem = Architectures.layeredArchitecture()
+            .consideringOnlyDependenciesInAnyPackage("enlightenment.world..")
+            .layer("parts")
+            .definedBy("enlightenment.world.parts")
+            .layer("material")
+            .definedBy("enlightenment.world.material")
+            .layer("camera")
+            .definedBy("enlightenment.world.camera")
+            .layer("contact")
+            .definedBy("enlightenment.world.contact")
+            .layer("light")
+            .definedBy("enlightenment.world.light")
+            .layer("check")
+            .definedBy("enlightenment.world.check")
+            .layer("world")
+            .definedBy("enlightenment.world")
+            .whereLayer("check")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("world")
+            .mayOnlyBeAccessedByLayers("check")
+            .whereLayer("light")
+            .mayOnlyBeAccessedByLayers("check", "world")
+            .whereLayer("contact")
+            .mayOnlyBeAccessedByLayers("light", "check", "world")
+            .whereLayer("camera")
+            .mayOnlyBeAccessedByLayers("light", "check", "world")
+            .whereLayer("parts")
+            .mayOnlyBeAccessedByLayers("camera", "contact", "light", "check", "world");
+
+    /** Light transport, from a path's state down to whole techniques, none of which knows another of its kind. */
+    @ArchTest
+    static final ArchRule techniquesOfTransportUseOnlyWhatTheyBuildOn = Architectures.layeredArchitecture()
+            .consideringOnlyDependenciesInAnyPackage("enlightenment.transport..")
+            .layer("state")
+            .definedBy("enlightenment.transport.state")
+            .layer("ray")
+            .definedBy("enlightenment.transport.ray")
+            .layer("media")
+            .definedBy("enlightenment.transport.media")
+            .layer("direct")
+            .definedBy("enlightenment.transport.direct")
+            .layer("image")
+            .definedBy("enlightenment.transport.image")
+            .layer("emission")
+            .definedBy("enlightenment.transport.emission")
+            .layer("path")
+            .definedBy("enlightenment.transport.path")
+            .layer("bidirectional")
+            .definedBy("enlightenment.transport.bidirectional")
+            .layer("light")
+            .definedBy("enlightenment.transport.light")
+            .layer("classic")
+            .definedBy("enlightenment.transport.classic")
+            .layer("probe")
+            .definedBy("enlightenment.transport.probe")
+            .whereLayer("probe")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("classic")
+            .mayOnlyBeAccessedByLayers("probe")
+            .whereLayer("light")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("bidirectional")
+            .mayOnlyBeAccessedByLayers("light")
+            .whereLayer("path")
+            .mayOnlyBeAccessedByLayers("bidirectional", "probe")
+            .whereLayer("emission")
+            .mayOnlyBeAccessedByLayers("bidirectional", "light")
+            .whereLayer("image")
+            .mayOnlyBeAccessedByLayers("path", "bidirectional")
+            .whereLayer("direct")
+            .mayOnlyBeAccessedByLayers("image", "path", "bidirectional", "light", "classic", "probe")
+            .whereLayer("media")
+            .mayOnlyBeAccessedByLayers("direct", "image", "path", "bidirectional", "light");
 
     /** Server and workers, from what is said over the wire up to what is exported. */
     @ArchTest
@@ -382,9 +458,9 @@ class ArchitectureTest {
                     "enlightenment.bsdf",
                     "enlightenment.emitter",
                     "enlightenment.accel",
-                    "enlightenment.compiled",
+                    "enlightenment.world..",
                     "enlightenment.film",
-                    "enlightenment.shading",
+                    "enlightenment.transport..",
                     "enlightenment.method..")
             .should()
             .callMethod(Math.class, "sin", double.class)

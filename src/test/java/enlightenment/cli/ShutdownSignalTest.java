@@ -101,7 +101,7 @@ class ShutdownSignalTest {
     private static boolean isShading() {
         return Thread.getAllStackTraces().values().stream()
                 .flatMap(Arrays::stream)
-                .anyMatch(frame -> frame.getClassName().startsWith("enlightenment.shading."));
+                .anyMatch(frame -> frame.getClassName().startsWith("enlightenment.transport."));
     }
 
     @Test

@@ -3,13 +3,13 @@ package enlightenment.emitter;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.CompiledLight;
-import enlightenment.compiled.Descriptions;
 import enlightenment.light.Light;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sobol;
+import enlightenment.world.Descriptions;
+import enlightenment.world.light.CompiledLight;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;

@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.compiled.CompiledLight;
 import enlightenment.frame.LightVectors;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.sampling.Quadrature;
 import enlightenment.sampling.RunningStatistics;
+import enlightenment.world.light.CompiledLight;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Map;

@@ -1,14 +1,14 @@
 package enlightenment.emitter;
 
 import enlightenment.camera.Camera;
-import enlightenment.compiled.CompiledLight;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.frame.BallCone;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.world.SceneCompiler;
+import enlightenment.world.light.CompiledLight;
 
 /** Emitters as they are seen from a point. */
 final class Views {

@@ -2,7 +2,7 @@ package enlightenment.engine;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import enlightenment.compiled.RayCounters;
+import enlightenment.world.parts.RayCounters;
 import java.nio.ByteBuffer;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.image.Image;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
@@ -22,6 +21,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.work.Stopwatch;
+import enlightenment.world.SceneCompiler;
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;

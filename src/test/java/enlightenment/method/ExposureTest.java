@@ -3,7 +3,7 @@ package enlightenment.method;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.CompiledScene;
+import enlightenment.world.CompiledScene;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Set;

@@ -3,14 +3,14 @@ package enlightenment.method;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.FilmTile;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
+import enlightenment.world.parts.RayCounters;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;

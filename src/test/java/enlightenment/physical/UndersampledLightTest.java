@@ -3,14 +3,14 @@ package enlightenment.physical;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.plan.Integrators;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -3,8 +3,6 @@ package enlightenment.plan;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
 import enlightenment.scene.ClassicMethods;
@@ -12,6 +10,8 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.work.Stopwatch;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Tag;

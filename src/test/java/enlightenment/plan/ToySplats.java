@@ -1,14 +1,14 @@
 package enlightenment.plan;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.Tracer;
 import enlightenment.film.SplatBatch;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.Tracer;
+import enlightenment.world.parts.RayCounters;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 

@@ -5,9 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Shape;
@@ -23,7 +20,10 @@ import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
-import enlightenment.shading.ClassicShader;
+import enlightenment.transport.classic.ClassicShader;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
+import enlightenment.world.parts.RayCounters;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 

@@ -1,13 +1,13 @@
 package enlightenment.render;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.film.FilmTile;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
+import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
 /** A whole picture in doubles, before anything is rounded or clamped for output. */

@@ -3,7 +3,6 @@ package enlightenment.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.HierarchyChoice;
 import enlightenment.geometry.Sphere;
 import enlightenment.math.ExactPoint;
 import enlightenment.scene.RayTraceSettings;
@@ -11,6 +10,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.json.SceneReader;
+import enlightenment.world.HierarchyChoice;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;

@@ -1,7 +1,5 @@
 package enlightenment.render;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.engine.TilePicture;
 import enlightenment.film.Film;
 import enlightenment.plan.Planner;
@@ -12,6 +10,8 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import enlightenment.work.Phases;
 import enlightenment.work.Stopwatch;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;

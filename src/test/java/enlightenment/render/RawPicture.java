@@ -2,8 +2,6 @@ package enlightenment.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.engine.TilePicture;
 import enlightenment.film.Film;
 import enlightenment.image.Image;
@@ -13,6 +11,8 @@ import enlightenment.plan.Planner;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.work.Stopwatch;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Arrays;

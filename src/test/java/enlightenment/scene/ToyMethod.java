@@ -1,11 +1,11 @@
 package enlightenment.scene;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.method.Integrator;
 import enlightenment.plan.IntegratorFactory;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.ToySplats;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.List;
 import java.util.Set;
 

@@ -1,7 +1,5 @@
 package enlightenment.toy;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.method.Integrator;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.plan.IntegratorFactory;
@@ -12,6 +10,8 @@ import enlightenment.scene.MethodSetting;
 import enlightenment.scene.MethodSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.List;
 import java.util.Set;
 

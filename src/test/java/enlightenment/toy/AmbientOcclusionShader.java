@@ -2,13 +2,13 @@ package enlightenment.toy;
 
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.Tracer;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
-import enlightenment.shading.Shader;
+import enlightenment.transport.ray.Shader;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.Tracer;
+import enlightenment.world.parts.RayCounters;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 

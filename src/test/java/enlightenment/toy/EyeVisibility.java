@@ -1,13 +1,13 @@
 package enlightenment.toy;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.method.Integrator;
 import enlightenment.plan.IntegratorFactory;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.MethodExtension;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.List;
 import java.util.Set;
 

@@ -1,8 +1,5 @@
 package enlightenment.toy;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
-import enlightenment.compiled.Tracer;
 import enlightenment.film.SplatBatch;
 import enlightenment.math.Vec3;
 import enlightenment.method.SplatIntegrator;
@@ -12,6 +9,9 @@ import enlightenment.primitive.Ray;
 import enlightenment.primitive.SpherePrimitive;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.Tracer;
+import enlightenment.world.parts.RayCounters;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;

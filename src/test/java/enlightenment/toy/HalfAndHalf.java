@@ -1,7 +1,5 @@
 package enlightenment.toy;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.method.Integrator;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.method.SplatIntegrator;
@@ -12,8 +10,10 @@ import enlightenment.sampling.Sampler;
 import enlightenment.scene.MethodExtension;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
-import enlightenment.shading.ClassicShader;
-import enlightenment.shading.Shader;
+import enlightenment.transport.classic.ClassicShader;
+import enlightenment.transport.ray.Shader;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.List;
 import java.util.Set;
 import java.util.function.BooleanSupplier;

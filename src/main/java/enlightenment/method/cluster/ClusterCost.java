@@ -1,13 +1,13 @@
 package enlightenment.method.cluster;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.RenderSettings;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;

@@ -1,12 +1,12 @@
 package enlightenment.method.cluster;
 
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Warp;
-import enlightenment.shading.LightGuide;
-import enlightenment.shading.LightSamples;
-import enlightenment.shading.PathReport;
+import enlightenment.transport.classic.LightGuide;
+import enlightenment.transport.classic.LightSamples;
+import enlightenment.transport.classic.PathReport;
+import enlightenment.world.parts.RayCounters;
 import java.util.ArrayList;
 import java.util.List;
 

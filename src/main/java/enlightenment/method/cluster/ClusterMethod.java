@@ -1,7 +1,5 @@
 package enlightenment.method.cluster;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
 import enlightenment.film.TilePasses;
@@ -12,7 +10,9 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.ClassicShader;
+import enlightenment.transport.classic.ClassicShader;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;

@@ -2,8 +2,8 @@ package enlightenment.method.cluster;
 
 import enlightenment.method.Block;
 import enlightenment.primitive.Ray;
-import enlightenment.shading.LightSamples;
-import enlightenment.shading.PathReport;
+import enlightenment.transport.classic.LightSamples;
+import enlightenment.transport.classic.PathReport;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;

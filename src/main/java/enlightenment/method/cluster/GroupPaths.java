@@ -1,13 +1,13 @@
 package enlightenment.method.cluster;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.film.SampleSpread;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.PathConnections;
-import enlightenment.shading.PathCut;
-import enlightenment.shading.PathTracer;
+import enlightenment.transport.path.PathConnections;
+import enlightenment.transport.path.PathCut;
+import enlightenment.transport.path.PathTracer;
+import enlightenment.world.CompiledScene;
 import java.util.Arrays;
 
 /** One sample of each pixel of a group that still gets any; their paths may share what they bring. One per thread. */

@@ -1,10 +1,10 @@
 package enlightenment.method.cluster;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.sampling.Hash;
 import enlightenment.scene.RenderSettings;
+import enlightenment.world.CompiledScene;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;

@@ -1,7 +1,5 @@
 package enlightenment.method.cluster;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
 import enlightenment.film.TilePasses;
@@ -9,7 +7,9 @@ import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.method.TileIntegrator;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.PathTracer;
+import enlightenment.transport.path.PathTracer;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 

@@ -1,12 +1,12 @@
 package enlightenment.method.cluster;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.method.Block;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.PathTracer;
+import enlightenment.transport.path.PathTracer;
+import enlightenment.world.CompiledScene;
 
 /**
  * What is certain of the paths through the corners of a block's pixels: the light that no random number has a part in, and what

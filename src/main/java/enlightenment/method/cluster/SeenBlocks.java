@@ -1,13 +1,13 @@
 package enlightenment.method.cluster;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.ClassicShader;
-import enlightenment.shading.PathTracer;
-import enlightenment.shading.Shader;
+import enlightenment.transport.classic.ClassicShader;
+import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.ray.Shader;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.ArrayList;
 import java.util.List;
 

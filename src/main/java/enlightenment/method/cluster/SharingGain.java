@@ -1,7 +1,7 @@
 package enlightenment.method.cluster;
 
-import enlightenment.shading.PathConnections;
-import enlightenment.shading.PathCut;
+import enlightenment.transport.path.PathConnections;
+import enlightenment.transport.path.PathCut;
 import java.util.Arrays;
 
 /**

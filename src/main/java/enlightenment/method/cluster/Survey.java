@@ -1,14 +1,14 @@
 package enlightenment.method.cluster;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.film.FilmTile;
 import enlightenment.method.Block;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.ClassicShader;
-import enlightenment.shading.PathReport;
+import enlightenment.transport.classic.ClassicShader;
+import enlightenment.transport.classic.PathReport;
+import enlightenment.world.CompiledScene;
 
 /**
  * The paper's evenly spaced rays: one through each corner of the block's pixels. They are no samples of the pixels; they show

@@ -1,10 +1,10 @@
 package enlightenment.method.metropolis;
 
-import enlightenment.compiled.RayCounters;
 import enlightenment.method.Block;
 import enlightenment.sampling.ChainSampler;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sobol;
+import enlightenment.world.parts.RayCounters;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

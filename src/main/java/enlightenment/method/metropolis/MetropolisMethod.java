@@ -1,7 +1,5 @@
 package enlightenment.method.metropolis;
 
-import enlightenment.compiled.CompiledScene;
-import enlightenment.compiled.RayCounters;
 import enlightenment.film.FilmTile;
 import enlightenment.film.TilePasses;
 import enlightenment.method.Block;
@@ -9,10 +7,12 @@ import enlightenment.method.RayTraceMethod;
 import enlightenment.method.TileIntegrator;
 import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.ClassicShader;
-import enlightenment.shading.PathPart;
-import enlightenment.shading.PathTracer;
-import enlightenment.shading.Shader;
+import enlightenment.transport.classic.ClassicShader;
+import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.ray.Shader;
+import enlightenment.transport.state.PathPart;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;

@@ -1,11 +1,11 @@
 package enlightenment.method.metropolis;
 
-import enlightenment.compiled.CompiledScene;
 import enlightenment.method.Block;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.scene.RenderSettings;
-import enlightenment.shading.Shader;
+import enlightenment.transport.ray.Shader;
+import enlightenment.world.CompiledScene;
 import java.util.Arrays;
 
 /** Follows paths from anywhere in a block, and tells what they are worth. One per thread. */

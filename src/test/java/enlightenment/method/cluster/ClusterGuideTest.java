@@ -3,8 +3,8 @@ package enlightenment.method.cluster;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.RayCounters;
 import enlightenment.sampling.Distribution;
+import enlightenment.world.parts.RayCounters;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 

@@ -3,11 +3,11 @@ package enlightenment.method.cluster;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.compiled.SceneCompiler;
 import enlightenment.method.Block;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
+import enlightenment.world.SceneCompiler;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -1,0 +1,395 @@
+package enlightenment.transport.bidirectional;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Scattering;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import enlightenment.transport.direct.InfiniteLight;
+import enlightenment.transport.image.EyeImages;
+import enlightenment.transport.ray.Optics;
+import enlightenment.transport.ray.SegmentRays;
+import enlightenment.transport.ray.Shader;
+import enlightenment.transport.state.PathWavelength;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.LightStarts;
+import enlightenment.world.PhysicalScene;
+import enlightenment.world.parts.RayCounters;
+import java.util.function.BooleanSupplier;
+
+/**
+ * The radiance seen along one camera ray, by paths from both ends: one from the eye and one from a light are followed, and each vertex of
+ * the one is connected to each of the other (E. Lafortune and Y. Willems, "Bi-directional path tracing", 1993; E. Veach and L. Guibas,
+ * "Bidirectional estimators for light transport", 1994). So a path is found in several ways, and their weights by the power heuristic
+ * add up to 1. What light paths bring to the eye straight is a part of these weights, but found elsewhere:
+ * {@code BidirectionalLightTracer}. See docs/bidirectional.md.
+ */
+public final class BidirectionalTracer implements Shader {
+    /** How many light paths that are connected to the eye straight there are for each path from the eye. */
+    public static final double LIGHT_PATHS_PER_SAMPLE = 1;
+
+    /**
+     * Two long parts of a path make many paths of each length, as many as it has edges, which are alike and weighted alike: so many of them
+     * are connected in the mean, at most. Otherwise the work would be quadratic where paths are long: in bright rooms, and in media.
+     */
+    static final int PATHS_OF_A_LENGTH = 4;
+
+    private final PhysicalScene physical;
+    private final EyeSubpath eye;
+
+    /** Of both parts of a path; null if no glass of the scene disperses. */
+    private final PathWavelength wavelength;
+
+    private final LightSubpath light;
+    private final BidirectionalLights lights;
+    private final SegmentRays segments;
+    private final EyeImages images;
+
+    /** Light from a picture or a sky around the scene; null if there is none. */
+    private final InfiniteLight infinite;
+
+    /** The density per solid angle with which the path from the eye left its last vertex. */
+    private double pdf;
+
+    private final Scattering there = new Scattering();
+    private final ReverseDensity reverse = new ReverseDensity();
+
+    /** Null but in tests. */
+    private Strategies strategies;
+
+    /** The inverse of the probability with which the vertex of the light that is looked at was drawn. */
+    private double share;
+
+    private double red;
+    private double green;
+    private double blue;
+
+    /** For one thread, and a scene of physical shading. */
+    public BidirectionalTracer(CompiledScene scene, RayCounters counters) {
+        physical = scene.physical;
+        LightStarts starts = scene.lightStarts(false);
+        eye = new EyeSubpath(scene, counters, LIGHT_PATHS_PER_SAMPLE);
+        wavelength = eye.path.glass.wavelength;
+        light = new LightSubpath(scene, starts, counters);
+        lights = new BidirectionalLights(scene, starts, counters, eye);
+        infinite = InfiniteLight.of(scene, counters, eye.path);
+        segments = new SegmentRays(scene, counters, eye.path);
+        images = new EyeImages(scene, counters, eye.path, true);
+    }
+
+    /** Lets somebody look at what is found. */
+    void watch(Strategies by) {
+        strategies = by;
+    }
+
+    /** The path from the light that was followed last. */
+    LightSubpath light() {
+        return light;
+    }
+
+    /** The path from the eye that was followed last. */
+    EyeSubpath eye() {
+        return eye;
+    }
+
+    /** What was found by aiming at a light, or running into one. */
+    BidirectionalLights lights() {
+        return lights;
+    }
+
+    @Override
+    public void beginTile(double x0, double y0, double x1, double y1) {
+        eye.path.tracer.beginTile(x0, y0, x1, y1);
+        images.beginTile(x0, y0, x1, y1);
+    }
+
+    @Override
+    public boolean seesNothing() {
+        return eye.path.tracer.seesNothing() && physical.hasConstantEnvironment();
+    }
+
+    @Override
+    public void stopWhen(BooleanSupplier condition) {
+        eye.path.poll.stopWhen(condition);
+        light.path.poll.stopWhen(condition);
+    }
+
+    @Override
+    public void shade(Ray ray, Sampler sampler, double[] out) {
+        red = 0;
+        green = 0;
+        blue = 0;
+        followLight(sampler);
+        eye.begin(ray, sampler);
+        images.begin(ray);
+        if (images.gather(sampler)) {
+            add(watched(0, images.vertices(), 1), images.red, images.green, images.blue, 0);
+        }
+        while (step(sampler)) {}
+        out[0] = red;
+        out[1] = green;
+        out[2] = blue;
+    }
+
+    /**
+     * What connections alone bring to a camera ray's path, without what is aimed at lights or runs into them.
+     *
+     * @param ofLight draws the path from the light
+     */
+    void connect(Ray ray, Sampler sampler, Sampler ofLight, double[] out) {
+        red = 0;
+        green = 0;
+        blue = 0;
+        followLight(ofLight);
+        eye.begin(ray, sampler);
+        while (stepToConnect(sampler)) {}
+        out[0] = red;
+        out[1] = green;
+        out[2] = blue;
+    }
+
+    private boolean stepToConnect(Sampler sampler) {
+        switch (eye.next(sampler)) {
+            case NOTHING, ENDED:
+                return false;
+            case PASSED:
+                return true;
+            case SURFACE:
+                eye.passDye();
+                break;
+            default:
+                break;
+        }
+        if (!eye.mayScatter()) {
+            return false;
+        }
+        if (!eye.bsdf.isDelta()) {
+            connect(sampler, eye.vertices.size() + 1);
+        }
+        return eye.leave(sampler);
+    }
+
+    private void followLight(Sampler sampler) {
+        boolean goes = light.begin(sampler);
+        while (goes) {
+            goes = switch (light.next(sampler)) {
+                case SURFACE, BORDER, MEDIUM -> light.mayScatter() && light.leave(sampler);
+                case PASSED -> true;
+                case NOTHING, ENDED -> false;
+            };
+        }
+    }
+
+    private boolean step(Sampler sampler) {
+        switch (eye.next(sampler)) {
+            case NOTHING:
+                if (infinite == null) {
+                    add(colors(false), 1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+                } else {
+                    infinite.arrive(eye.ray, eye.lastConnects ? pdf : 0, true);
+                    addInfinite();
+                }
+                return false;
+            case PASSED:
+                if (eye.path.glass.passedStraight()) {
+                    images.hasPassed();
+                } else if (eye.path.glass.border.transmitted) {
+                    images.refracted();
+                } else {
+                    images.wasReflected();
+                }
+                return true;
+            case SURFACE:
+                glow();
+                eye.passDye();
+                break;
+            case BORDER, MEDIUM:
+                images.scattered();
+                break;
+            default:
+                return false;
+        }
+        if (!eye.mayScatter()) {
+            return false;
+        }
+        if (eye.bsdf.isDelta()) {
+            images.reflected();
+        } else {
+            gather(sampler);
+        }
+        return infinite == null ? eye.leave(sampler) : gatherInfinite(sampler);
+    }
+
+    /**
+     * Light from a picture or a sky is found by the eye's path alone: aimed at, or run into ({@link InfiniteLight}). Leaves the surface,
+     * too.
+     */
+    private boolean gatherInfinite(Sampler sampler) {
+        if (!eye.bsdf.isDelta() && eye.seesLamps()) {
+            double[] tint = eye.isBorder ? eye.color : null;
+            infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.address, eye.isFirst, false);
+            addInfinite();
+        }
+        boolean goes = eye.leave(sampler);
+        pdf = eye.isBorder ? eye.path.glass.border.pdf : eye.s.pdf;
+        return goes;
+    }
+
+    private void addInfinite() {
+        add(colors(false), 1, infinite.red, infinite.green, infinite.blue, 0);
+    }
+
+    /** Adds light that may have the colour of the path's wavelength. */
+    private void add(boolean isColored, double factor, double r, double g, double b, double ultraviolet) {
+        if (isColored) {
+            add(factor, r * wavelength.red, g * wavelength.green, b * wavelength.blue, 0);
+        } else {
+            add(factor, r, g, b, ultraviolet);
+        }
+    }
+
+    /** Whether light that comes to the path's last vertex has it, before or after that scatters it. */
+    private boolean colors(boolean isScattered) {
+        return wavelength != null && wavelength.colors(isScattered && eye.isBorder);
+    }
+
+    /** Adds light that comes to the last vertex of the path from the eye. */
+    private void add(double factor, double r, double g, double b, double ultraviolet) {
+        double scale = factor * eye.compression;
+        if (eye.mixes) {
+            double x = scale * eye.red * r;
+            double y = scale * eye.green * g;
+            double z = scale * eye.blue * b;
+            double u = scale * eye.ultraviolet * ultraviolet;
+            red += eye.mixing.of(0, x, y, z, u);
+            green += eye.mixing.of(1, x, y, z, u);
+            blue += eye.mixing.of(2, x, y, z, u);
+            return;
+        }
+        red = Math.fma(scale * eye.red, r, red);
+        green = Math.fma(scale * eye.green, g, green);
+        blue = Math.fma(scale * eye.blue, b, blue);
+    }
+
+    private double watched(int s, int t, double weight) {
+        return strategies == null ? weight : strategies.weight(s, t, weight);
+    }
+
+    /** The eye's path has come to a light. */
+    private void glow() {
+        if (eye.glowing != null && eye.glowing.glowsTo(eye.path.hit.side)) {
+            // Light that is seen straight is found in this way alone.
+            double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
+            weight *= images.weight();
+            add(
+                    colors(false),
+                    weight,
+                    eye.glowing.glowR,
+                    eye.glowing.glowG,
+                    eye.glowing.glowB,
+                    eye.glowing.glowUltraviolet);
+        }
+    }
+
+    private void gather(Sampler sampler) {
+        int t = eye.vertices.size() + 1;
+        if (eye.seesLamps() && lights.aim(sampler)) {
+            double weight = watched(1, t, lights.weight);
+            add(colors(true), weight, lights.red, lights.green, lights.blue, lights.ultraviolet);
+        }
+        connect(sampler, t);
+    }
+
+    /**
+     * Connects vertices of the path from the light to the one that the path from the eye is at: all of them while the paths made so are
+     * short, of longer ones a share. They are drawn as by a comb, whose teeth all are moved by one random number: so each is among them
+     * with just its probability, and how many there are is nearly the same each time.
+     */
+    private void connect(Sampler sampler, int t) {
+        int size = light.vertices.size();
+        double drawn = size + t > PATHS_OF_A_LENGTH ? sampler.unit(eye.address, Sampler.Purpose.CONNECTION) : 0;
+        for (int k = 0; k < size; k++) {
+            double probability = (double) PATHS_OF_A_LENGTH / (k + 1 + t);
+            share = 1;
+            if (probability < 1) {
+                drawn += probability;
+                if (drawn < 1) {
+                    continue;
+                }
+                drawn--;
+                share = 1 / probability;
+            }
+            mayConnect(k, t);
+        }
+    }
+
+    private void mayConnect(int k, int t) {
+        if (light.vertices.bsdf(k) != null
+                && light.vertices.bounces(k) + eye.path.bounces() + 2 <= physical.maxBounces) {
+            connect(k, t);
+        }
+    }
+
+    private void connect(int k, int t) {
+        PathVertices v = light.vertices;
+        Scattering s = eye.s;
+        double x = v.x(k) - eye.path.hit.px;
+        double y = v.y(k) - eye.path.hit.py;
+        double z = v.z(k) - eye.path.hit.pz;
+        double d2 = x * x + y * y + z * z;
+        double d = Math.sqrt(d2);
+        s.ix = x / d;
+        s.iy = y / d;
+        s.iz = z / d;
+        double here = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz;
+        if (!(d > 0) || !(eye.isBorder || eye.isMedium || here > 0)) {
+            return;
+        }
+        Bsdf bsdf = v.bsdf(k);
+        v.get(k, there);
+        there.ix = -s.ix;
+        there.iy = -s.iy;
+        there.iz = -s.iz;
+        double beyond = there.ix * there.nx + there.iy * there.ny + there.iz * there.nz;
+        if (!(bsdf.transmits() || beyond > 0)) {
+            return;
+        }
+        eye.bsdf.evaluate(s);
+        if (eye.isBorder) {
+            Optics.turn(s, eye.color);
+        }
+        bsdf.evaluate(there);
+        if (beyond < 0) {
+            // The colours of a border are those of what passes it.
+            there.valueR *= there.red;
+            there.valueG *= there.green;
+            there.valueB *= there.blue;
+        }
+        double r = s.valueR * there.valueR * v.red(k) / d2;
+        double g = s.valueG * there.valueG * v.green(k) / d2;
+        double b = s.valueB * there.valueB * v.blue(k) / d2;
+        double u = s.valueB * there.valueB * v.ultraviolet(k) / d2;
+        if (!(r > 0 || g > 0 || b > 0 || u > 0)) {
+            return;
+        }
+        segments.begin(eye.isBorder, here < 0);
+        if (segments.reaches(s.ix, s.iy, s.iz, d, v.id(k), v.face(k))) {
+            double weight = share * watched(k + 2, t, weight(k, here, beyond, d2));
+            boolean isColored = wavelength != null && (colors(true) || v.isColored(k));
+            double[] left = segments.rgb;
+            add(isColored, weight, r * left[0], g * left[1], b * left[2], u * left[2]);
+        }
+    }
+
+    /** The weight of a connection of the two vertices that were evaluated. */
+    private double weight(int k, double here, double beyond, double d2) {
+        PathVertices v = light.vertices;
+        double q = v.survival(k);
+        double area = d2 / physical.areaUnit;
+        double toLight = eye.survival * eye.s.pdf * v.projected(k, beyond) / area;
+        double toEye = q * there.pdf * eye.projected(here) / area;
+        double ofLight = SubpathDensities.square(toLight) * v.behind(k, q * reverse.of(v.bsdf(k), there));
+        double ofEye =
+                SubpathDensities.square(toEye) * eye.densities.behind(eye.survival * reverse.of(eye.bsdf, eye.s));
+        return SubpathDensities.weight(ofLight, ofEye);
+    }
+}

@@ -1,0 +1,95 @@
+package enlightenment.transport.bidirectional;
+
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import enlightenment.transport.media.FreeFlight;
+import enlightenment.transport.ray.PathFollower;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.PhysicalScene;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.RayCounters;
+import java.util.Arrays;
+
+/** What a {@link Subpath} carries from event to event, and what media on its way leave of it. One per thread. */
+abstract class CarriedLight {
+    public final PathFollower path;
+    final PhysicalScene physical;
+    final Ray ray = new Ray();
+
+    /** What is left of the path's light: the product of all weights. */
+    public double red;
+
+    public double green;
+    public double blue;
+
+    /** The same of ultraviolet, which surfaces reflect as blue. */
+    double ultraviolet;
+
+    /** Flights through media that scatter light; null if there are none. */
+    final MediumVertex inMedium;
+
+    /** Whether the path is at a point of such a medium. */
+    boolean isMedium;
+
+    private final boolean absorbs;
+    private final double[] left = new double[3];
+
+    /** @param flying what the numbers of flights are for */
+    CarriedLight(CompiledScene scene, RayCounters counters, Sampler.Purpose flying) {
+        physical = scene.physical;
+        path = new PathFollower(scene, counters, physical.maxBounces);
+        absorbs = physical.hasAbsorption;
+        inMedium = physical.hasScattering ? new MediumVertex(path, flying) : null;
+    }
+
+    final void carry(double r, double g, double b, double u) {
+        red = r;
+        green = g;
+        blue = b;
+        ultraviolet = u;
+        if (inMedium != null) {
+            inMedium.begin();
+        }
+    }
+
+    final void filter(double r, double g, double b) {
+        red *= r;
+        green *= g;
+        blue *= b;
+        ultraviolet *= b;
+    }
+
+    /** Follows the ray to what it meets next, or to where a medium scatters it: then this is null, and {@link #isMedium}. */
+    final PathFollower.Event meet(Sampler sampler) {
+        isMedium = false;
+        SurfaceMaterial medium = absorbs ? path.medium() : null;
+        if (medium != null && medium.medium != null) {
+            return fly(medium, sampler);
+        }
+        PathFollower.Event event = path.next(ray);
+        if (event != PathFollower.Event.NOTHING && medium != null && medium.absorbs) {
+            Arrays.fill(left, 1);
+            medium.absorb(path.distance(ray), left);
+            filter(left[0], left[1], left[2]);
+        }
+        return event;
+    }
+
+    private PathFollower.Event fly(SurfaceMaterial medium, Sampler sampler) {
+        PathFollower.Event event = inMedium.fly(ray, medium, red, green, blue, sampler);
+        FreeFlight flight = inMedium.flight;
+        filter(flight.weightR, flight.weightG, flight.weightB);
+        isMedium = event == null;
+        return event;
+    }
+
+    /** What turns a density of directions into one of the vertex that the path is at: the cosine there, or what a medium has for it. */
+    public final double projected(double cosine) {
+        return isMedium ? inMedium.density() : Math.abs(cosine);
+    }
+
+    /** Whether light may come straight from lamps to the vertex that the path is at. */
+    final boolean seesLamps() {
+        return !isMedium || inMedium.index() == 1 || physical.lightsLieInGlass;
+    }
+}

@@ -1,0 +1,210 @@
+package enlightenment.transport.bidirectional;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Scattering;
+import enlightenment.primitive.Hit;
+import java.util.Arrays;
+
+/**
+ * The vertices of a part of a path, without those that are surfaces passed straight: flat arrays that grow and are used again. Vertices of
+ * delta events are among them, since they count, but there is nothing at them that could be connected.
+ */
+public final class PathVertices {
+    private static final int X = 0;
+    private static final int NORMAL = 3;
+    private static final int FROM = 6;
+    private static final int COLOR = 9;
+    private static final int POWER = 12;
+    private static final int ETA = 15;
+    private static final int EDGE = 16;
+    private static final int BEYOND = 17;
+    private static final int SURVIVAL = 18;
+    private static final int ULTRAVIOLET = 19;
+    private static final int MEDIUM = 20;
+    private static final int NUMBERS = 21;
+
+    private static final int ID = 0;
+    private static final int FACE = 1;
+    private static final int BOUNCES = 2;
+    private static final int COLORED = 3;
+    private static final int INTS = 4;
+
+    private int size;
+    private double[] numbers = new double[16 * NUMBERS];
+    private int[] ints = new int[16 * INTS];
+    private Bsdf[] bsdfs = new Bsdf[16];
+
+    void clear() {
+        size = 0;
+    }
+
+    public int size() {
+        return size;
+    }
+
+    /**
+     * Adds a vertex at which only delta events happen.
+     *
+     * @param expansion see {@link SubpathDensities#pass}
+     */
+    void addDelta(Hit hit, double expansion) {
+        grow();
+        bsdfs[size] = null;
+        int k = size * NUMBERS;
+        set(k + X, hit.px, hit.py, hit.pz);
+        numbers[k + ETA] = expansion;
+        size++;
+    }
+
+    /**
+     * Adds a vertex that may be connected.
+     *
+     * @param s its normal, the direction that the path came from and, of a border, the colours of what passes it
+     * @param bounces how many events the path has had before
+     * @param survival the probability with which the path goes on from here
+     */
+    void add(
+            Hit hit,
+            int id,
+            Bsdf bsdf,
+            Scattering s,
+            double[] color,
+            int bounces,
+            SubpathDensities densities,
+            double survival) {
+        grow();
+        bsdfs[size] = bsdf;
+        int k = size * NUMBERS;
+        set(k + X, hit.px, hit.py, hit.pz);
+        set(k + NORMAL, s.nx, s.ny, s.nz);
+        set(k + FROM, s.ox, s.oy, s.oz);
+        set(k + COLOR, color[0], color[1], color[2]);
+        numbers[k + ETA] = s.eta;
+        numbers[k + EDGE] = densities.edge;
+        numbers[k + BEYOND] = densities.beyond;
+        numbers[k + SURVIVAL] = survival;
+        int i = size * INTS;
+        ints[i + ID] = id;
+        ints[i + FACE] = hit.face;
+        ints[i + BOUNCES] = bounces;
+        size++;
+    }
+
+    /** Sets the power that the path brought to the vertex that was added last. */
+    void power(double r, double g, double b, double ultraviolet) {
+        int k = (size - 1) * NUMBERS;
+        set(k + POWER, r, g, b);
+        numbers[k + ULTRAVIOLET] = ultraviolet;
+    }
+
+    /** Sets {@link MediumVertex#density} of the vertex that was added last; 0 if it is on a surface. */
+    void medium(double density) {
+        numbers[(size - 1) * NUMBERS + MEDIUM] = density;
+    }
+
+    /** {@link Subpath#projected} of a vertex that may be connected. */
+    double projected(int k, double cosine) {
+        double density = numbers[k * NUMBERS + MEDIUM];
+        return density > 0 ? density : Math.abs(cosine);
+    }
+
+    /** Tells whether light of the vertex that was added last has the colour of the path's wavelength. */
+    void colored(boolean isColored) {
+        ints[(size - 1) * INTS + COLORED] = isColored ? 1 : 0;
+    }
+
+    /** What {@link #colored} was told; of paths with a wavelength. */
+    boolean isColored(int k) {
+        return ints[k * INTS + COLORED] != 0;
+    }
+
+    private void set(int k, double a, double b, double c) {
+        numbers[k] = a;
+        numbers[k + 1] = b;
+        numbers[k + 2] = c;
+    }
+
+    private void grow() {
+        if (size == bsdfs.length) {
+            numbers = Arrays.copyOf(numbers, 2 * numbers.length);
+            ints = Arrays.copyOf(ints, 2 * ints.length);
+            bsdfs = Arrays.copyOf(bsdfs, 2 * size);
+        }
+    }
+
+    /** How the vertex scatters; null if it cannot be connected. */
+    Bsdf bsdf(int k) {
+        return bsdfs[k];
+    }
+
+    /** Sets all of a Scattering but the direction i. */
+    void get(int k, Scattering s) {
+        int n = k * NUMBERS;
+        s.nx = numbers[n + NORMAL];
+        s.ny = numbers[n + NORMAL + 1];
+        s.nz = numbers[n + NORMAL + 2];
+        s.ox = numbers[n + FROM];
+        s.oy = numbers[n + FROM + 1];
+        s.oz = numbers[n + FROM + 2];
+        s.red = numbers[n + COLOR];
+        s.green = numbers[n + COLOR + 1];
+        s.blue = numbers[n + COLOR + 2];
+        s.eta = numbers[n + ETA];
+    }
+
+    /** Of a vertex of a delta event its expansion, of a border of media the relative index of refraction. */
+    double eta(int k) {
+        return numbers[k * NUMBERS + ETA];
+    }
+
+    double x(int k) {
+        return numbers[k * NUMBERS + X];
+    }
+
+    double y(int k) {
+        return numbers[k * NUMBERS + X + 1];
+    }
+
+    double z(int k) {
+        return numbers[k * NUMBERS + X + 2];
+    }
+
+    double red(int k) {
+        return numbers[k * NUMBERS + POWER];
+    }
+
+    double green(int k) {
+        return numbers[k * NUMBERS + POWER + 1];
+    }
+
+    double blue(int k) {
+        return numbers[k * NUMBERS + POWER + 2];
+    }
+
+    double ultraviolet(int k) {
+        return numbers[k * NUMBERS + ULTRAVIOLET];
+    }
+
+    double survival(int k) {
+        return numbers[k * NUMBERS + SURVIVAL];
+    }
+
+    /** {@link SubpathDensities#behind} of the path that came here. */
+    double behind(int k, double reverse) {
+        int n = k * NUMBERS;
+        return Math.fma(numbers[n + BEYOND], SubpathDensities.square(reverse), numbers[n + EDGE]);
+    }
+
+    int id(int k) {
+        return ints[k * INTS + ID];
+    }
+
+    int face(int k) {
+        return ints[k * INTS + FACE];
+    }
+
+    /** How many events the path had before. */
+    int bounces(int k) {
+        return ints[k * INTS + BOUNCES];
+    }
+}

@@ -1,0 +1,371 @@
+package enlightenment.transport.bidirectional;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.GlossyReflection;
+import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Reradiation;
+import enlightenment.bsdf.Scattering;
+import enlightenment.primitive.Hit;
+import enlightenment.sampling.Sampler;
+import enlightenment.transport.ray.PathFollower;
+import enlightenment.transport.state.PathValue;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.RayCounters;
+import java.util.Arrays;
+
+/**
+ * A part of a path, from the eye or from a light, that is followed from vertex to vertex, with what the weights of all ways to make the
+ * path must know of it. Roulette goes by the surface alone, from the first vertex on: so it is known, too, how likely somebody who
+ * comes the other way survives. One per thread.
+ */
+abstract class Subpath extends CarriedLight {
+    /** What a part of a path comes to. */
+    public enum Event {
+        /** It leaves the scene. */
+        NOTHING,
+        /** An opaque surface. */
+        SURFACE,
+        /** A rough border of two media. */
+        BORDER,
+        /** A point of a medium that scatters light. */
+        MEDIUM,
+        /** It has passed glass, or was reflected by it, and goes on. */
+        PASSED,
+        /** It ends. */
+        ENDED
+    }
+
+    public final SubpathDensities densities = new SubpathDensities();
+
+    /** The vertices so far. */
+    public final PathVertices vertices = new PathVertices();
+
+    /** The surface that the path is at, with its colour. */
+    public Scattering s;
+
+    public Bsdf bsdf;
+
+    /** Whether it is a rough border of two media. */
+    public boolean isBorder;
+
+    /** The colours of what passes a border. */
+    public final double[] color = new double[3];
+
+    /** What it emits; null if nothing. */
+    SurfaceMaterial glowing;
+
+    /** The probability of going on from here. */
+    public double survival;
+
+    /** Which numbers of the sampler the path has used. */
+    int address;
+
+    /** The last vertex but the one that the path is at, and the normal of where light comes from there: 0 at a border. */
+    int lastId;
+
+    double lastX;
+
+    double lastY;
+    double lastZ;
+    double lastNx;
+    double lastNy;
+    double lastNz;
+
+    /** Whether a connection could end there. */
+    boolean lastConnects;
+
+    /** Whether the path has had no vertex before the one that it is at. */
+    boolean isFirst;
+
+    final ReverseDensity reverse = new ReverseDensity();
+    private final RayCounters counters;
+    private final Scattering border = new Scattering();
+    private final double[] pair = new double[2];
+    private final double[] weight = new double[3];
+    private final Sampler.Purpose choosing;
+    private final Sampler.Purpose directing;
+    private final Sampler.Purpose surviving;
+    private double choice;
+
+    /** Of the densities what passes a delta event: {@link SubpathDensities#beyond} before the path arrived. */
+    private double beyondDelta;
+
+    Subpath(
+            CompiledScene scene,
+            RayCounters counters,
+            Sampler.Purpose choosing,
+            Sampler.Purpose directing,
+            Sampler.Purpose surviving,
+            Sampler.Purpose flying) {
+        super(scene, counters, flying);
+        this.counters = counters;
+        this.choosing = choosing;
+        this.directing = directing;
+        this.surviving = surviving;
+    }
+
+    void begin(double r, double g, double b, double u) {
+        carry(r, g, b, u);
+        address = 0;
+        isFirst = true;
+        lastConnects = false;
+        vertices.clear();
+    }
+
+    /**
+     * Sets the densities at the path's first vertex: what {@link #s} says, at {@link PathFollower#hit}.
+     *
+     * @param cosine between the normal and the direction that the path came from; in a medium {@link MediumVertex#density}
+     */
+    abstract void beginDensities(double cosine);
+
+    /** Sets the densities of a path whose first vertex is a delta event. */
+    abstract void beginDensitiesOfDelta();
+
+    /** A fluorescent surface of this {@link #color} scatters the path, which goes on as from a white one. */
+    abstract void reradiate(Reradiation by);
+
+    /** The path has come into the medium with this index of refraction. */
+    abstract void enter(double index);
+
+    /** Goes to the next event. */
+    public Event next(Sampler sampler) {
+        PathFollower.Event event = meet(sampler);
+        if (event == null) {
+            return scattered();
+        }
+        if (event == PathFollower.Event.NOTHING) {
+            return Event.NOTHING;
+        }
+        return event == PathFollower.Event.SURFACE ? surface() : glass(sampler);
+    }
+
+    /** Where a medium scatters the path. */
+    private Event scattered() {
+        isBorder = false;
+        glowing = null;
+        Arrays.fill(color, 1);
+        s = inMedium.event;
+        bsdf = inMedium.phase();
+        survival = inMedium.survival();
+        arrive();
+        return Event.MEDIUM;
+    }
+
+    private Event surface() {
+        if (inMedium != null) {
+            inMedium.flight.begin();
+        }
+        SurfaceMaterial material = path.material();
+        glowing = material.glows ? material : null;
+        opaque(material, material.bsdf);
+        return Event.SURFACE;
+    }
+
+    private void opaque(SurfaceMaterial material, Bsdf scatters) {
+        path.color(material, color);
+        double most = Math.max(color[0], Math.max(color[1], color[2]));
+        if (material.reradiation != null) {
+            most = material.reradiation.most(color, physical.hasUltraviolet);
+            reradiate(material.reradiation);
+            Arrays.fill(color, 1);
+        }
+        s = path.arrive(ray, color);
+        bsdf = scatters;
+        isBorder = false;
+        survival = survival(most);
+        if (bsdf instanceof GlossyReflection metal) {
+            // Along the surface it reflects more.
+            metal.reflectAtNormal(s);
+            survival = survival(0.5 + 0.5 * Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
+        }
+        if (material.isBlack) {
+            survival = 0;
+        } else if (bsdf.isDelta()) {
+            survival = 1;
+        }
+        arrive();
+    }
+
+    /** The root makes longer paths than the colour itself, which pays: docs/bidirectional.md. */
+    private static double survival(double most) {
+        return Math.min(Math.sqrt(most), PathValue.LARGEST_SURVIVAL);
+    }
+
+    /** Whether the path may be scattered where it is. */
+    public boolean mayScatter() {
+        return survival > 0 && path.mayScatter();
+    }
+
+    private void arrive() {
+        Hit at = path.hit;
+        double cosine = SubpathDensities.cosine(projected(s.ox * s.nx + s.oy * s.ny + s.oz * s.nz));
+        boolean isDelta = bsdf.isDelta();
+        if (isFirst && isDelta) {
+            beginDensitiesOfDelta();
+        } else if (isFirst) {
+            beginDensities(cosine);
+        }
+        beyondDelta = densities.beyond;
+        if (!isFirst) {
+            double x = at.px - lastX;
+            double y = at.py - lastY;
+            double z = at.pz - lastZ;
+            densities.arrive((x * x + y * y + z * z) / physical.areaUnit, cosine);
+        }
+        if (isDelta) {
+            vertices.addDelta(at, 1);
+        } else {
+            vertices.add(at, path.id, bsdf, s, color, path.bounces(), densities, survival);
+            vertices.power(red, green, blue, ultraviolet);
+            vertices.medium(isMedium ? inMedium.density() : 0);
+            if (path.glass.wavelength != null) {
+                vertices.colored(path.glass.wavelength.colors(isBorder));
+            }
+        }
+    }
+
+    private void passDelta(double expansion) {
+        if (isFirst) {
+            beginDensitiesOfDelta();
+        }
+        densities.pass(expansion);
+        vertices.addDelta(path.hit, expansion);
+    }
+
+    private Event glass(Sampler sampler) {
+        sampler.pair(address, choosing, pair);
+        choice = pair[0];
+        glowing = null;
+        if (physical.hasPartialGlass) {
+            int k = path.glass.opaque(pair[1]);
+            if (k >= 0) {
+                path.turnTo(k);
+                opaque(path.material(), Lambert.INSTANCE);
+                return Event.SURFACE;
+            }
+        }
+        // An opaque surface at such a border has no distance from it: the path goes on as through smooth glass.
+        boolean isApart = !path.glass.comesToOpaque(true) && !path.glass.comesToOpaque(false);
+        boolean mayConnect = physical.hasRoughGlass && isApart && path.mayScatter();
+        Bsdf rough = mayConnect ? path.roughBorder(ray, border) : null;
+        if (rough == null) {
+            return pass(sampler);
+        }
+        bsdf = rough;
+        s = border;
+        isBorder = true;
+        survival = PathValue.LARGEST_SURVIVAL;
+        Arrays.fill(color, 1);
+        path.filter(color);
+        path.turnTo(0);
+        arrive();
+        return Event.BORDER;
+    }
+
+    /** At smooth glass. */
+    private Event pass(Sampler sampler) {
+        if (physical.hasRoughGlass) {
+            sampler.pair(address, directing, pair);
+        }
+        path.glass.choose(choice, pair);
+        cross();
+        if (path.glass.passedStraight()) {
+            address++;
+            filter(weight[0], weight[1], weight[2]);
+            return path.goesOn() ? Event.PASSED : Event.ENDED;
+        }
+        Scattering b = path.glass.border;
+        passDelta(b.transmitted ? b.eta * b.eta : 1);
+        remember(b, false);
+        boolean goes = survives(sampler, survival(Math.max(weight[0], Math.max(weight[1], weight[2]))));
+        address++;
+        return goes && path.goesOn() ? Event.PASSED : Event.ENDED;
+    }
+
+    /** Crosses the glass that the path is at, or is reflected. */
+    private void cross() {
+        boolean through = path.cross(ray);
+        Arrays.fill(weight, path.glass.weight());
+        if (through) {
+            path.filter(weight);
+        }
+        enter(path.glass.indexOfRefraction());
+    }
+
+    private void remember(Scattering at, boolean connects) {
+        isFirst = false;
+        lastConnects = connects;
+        lastId = path.id;
+        lastX = path.hit.px;
+        lastY = path.hit.py;
+        lastZ = path.hit.pz;
+        boolean takesFromAllSides = isBorder && connects;
+        lastNx = takesFromAllSides ? 0 : at.nx;
+        lastNy = takesFromAllSides ? 0 : at.ny;
+        lastNz = takesFromAllSides ? 0 : at.nz;
+    }
+
+    /** Leaves the surface or the border that the path is at; returns whether it goes on. */
+    public boolean leave(Sampler sampler) {
+        sampler.pair(address, directing, pair);
+        boolean goes = isMedium ? leaveMedium(sampler) : isBorder ? leaveBorder(sampler) : leaveSurface(sampler);
+        address++;
+        return goes && path.goesOn();
+    }
+
+    private boolean leaveSurface(Sampler sampler) {
+        if (!bsdf.sample(s, pair[0], pair[1], sampler.unit(address, choosing))) {
+            return false;
+        }
+        remember(s, !s.delta);
+        weight[0] = s.valueR;
+        weight[1] = s.valueG;
+        weight[2] = s.valueB;
+        if (s.delta) {
+            counters.mirrorRays++;
+            survival = survival(Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
+            densities.beyond = beyondDelta;
+            densities.pass(1);
+        } else {
+            leave(s);
+        }
+        path.leave(ray, s);
+        return survives(sampler, survival);
+    }
+
+    private boolean leaveMedium(Sampler sampler) {
+        bsdf.sample(s, pair[0], pair[1], 0);
+        remember(s, true);
+        Arrays.fill(weight, 1);
+        leave(s);
+        ray.set(path.hit.px, path.hit.py, path.hit.pz, s.ix, s.iy, s.iz, 0);
+        return survives(sampler, survival);
+    }
+
+    private boolean leaveBorder(Sampler sampler) {
+        path.glass.choose(choice, pair);
+        cross();
+        if (!(path.glass.weight() > 0)) {
+            return false;
+        }
+        remember(path.glass.border, true);
+        leave(path.glass.border);
+        return survives(sampler, survival);
+    }
+
+    private void leave(Scattering at) {
+        double cosine = projected(at.ix * at.nx + at.iy * at.ny + at.iz * at.nz);
+        densities.leave(cosine, survival * at.pdf, survival * reverse.of(bsdf, at));
+    }
+
+    private boolean survives(Sampler sampler, double probability) {
+        if (!(probability > 0) || !(sampler.unit(address, surviving) < probability)) {
+            return false;
+        }
+        double scale = 1 / probability;
+        filter(scale * weight[0], scale * weight[1], scale * weight[2]);
+        return red > 0 || green > 0 || blue > 0 || ultraviolet > 0;
+    }
+}

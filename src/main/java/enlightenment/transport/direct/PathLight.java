@@ -1,0 +1,433 @@
+package enlightenment.transport.direct;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Scattering;
+import enlightenment.emitter.LightSample;
+import enlightenment.emitter.LightSampler;
+import enlightenment.emitter.SampledLight;
+import enlightenment.emitter.SphereLight;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import enlightenment.transport.ray.Optics;
+import enlightenment.transport.ray.PathFollower;
+import enlightenment.transport.state.GatheredLight;
+import enlightenment.transport.state.IncidentLight;
+import enlightenment.transport.state.PowerHeuristic;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.PhysicalScene;
+import enlightenment.world.Tracer;
+import enlightenment.world.light.LightCone;
+import enlightenment.world.light.PhysicalLight;
+import enlightenment.world.parts.RayCounters;
+
+/**
+ * The light that reaches a vertex of a path straight from the lights, and the weight of light that the path runs into after it: what
+ * both find is counted once.
+ *
+ * <p>At a matte vertex irradiance has closed forms. That of a ball is used everywhere, times a sampled visibility; that of a polygon only
+ * where nothing can occlude it, which is a function of light and vertex alone ({@link #isClosed}), so that both sides agree on it. All
+ * else is sampled, with the power heuristic (E. Veach and L. Guibas, "Optimally combining sampling techniques", 1995).
+ */
+public final class PathLight {
+    /** At the first vertex up to this many lights are taken all. */
+    private static final int ALL_AT_FIRST = 4;
+
+    private final PhysicalScene physical;
+    private final PhysicalLight[] lights;
+    private final LightSampler picker;
+    private final RayCounters counters;
+    private final PathFollower path;
+    private final ShadowRays shadow;
+    private final Hit hit;
+    private final LightView view = new LightView();
+    private final LightCone cone = view.cone;
+    private final LightSample sample = view.sample;
+    private final SampledLight choice = new SampledLight();
+    private final double[] pair = new double[2];
+
+    /** The last vertex that scattered light other than into single directions, and its normal on the side that the path came from. */
+    private double x;
+
+    private double y;
+    private double z;
+    private double nx;
+    private double ny;
+    private double nz;
+
+    /** The id of its primitive; -1 in a medium. */
+    private int vertexId;
+
+    /** Whether it is Lambertian. */
+    private boolean isMatte;
+
+    /** Whether it took light from all lights, rather than from one that was chosen. */
+    private boolean tookAll;
+
+    /** The density per solid angle with which the path left it. */
+    private double pdf;
+
+    /** What may have found light of a point in a medium as well, along the flight that ended there; null at surfaces. */
+    private FlightLight along;
+
+    /** The tint of what passes, at a rough border; null elsewhere. */
+    private double[] through;
+
+    /** Whether light of small lights is left out there, as paths from these find it. */
+    private boolean leavesSmall;
+
+    /** Towards where the path came from; of a Lambertian surface, that of a white one. */
+    public final GatheredLight gathered;
+
+    /** Whether a random number has a part in what the last light gave. */
+    private boolean isByChance;
+
+    /** Light from a picture or a sky around the scene; null if there is none. */
+    private final InfiniteLight infinite;
+
+    public PathLight(CompiledScene scene, RayCounters counters, PathFollower path) {
+        infinite = InfiniteLight.of(scene, counters, path);
+        physical = scene.physical;
+        gathered = new GatheredLight(physical.hasUltraviolet);
+        lights = physical.lights;
+        picker = physical.picker;
+        this.counters = counters;
+        this.path = path;
+        hit = path.hit;
+        shadow = new ShadowRays(scene, counters, path, cone);
+    }
+
+    /** Whether light is taken from all of so many lights, rather than from one that is chosen, at a vertex that is the first or not. */
+    static boolean takesAll(int lights, boolean isFirst) {
+        return lights <= 1 || isFirst && lights <= ALL_AT_FIRST;
+    }
+
+    private void begin(boolean matte, boolean isFirst) {
+        isMatte = matte;
+        leavesSmall = false;
+        tookAll = takesAll(lights.length, isFirst);
+        along = null;
+        double facing = hit.side;
+        vertexId = path.id;
+        x = hit.px;
+        y = hit.py;
+        z = hit.pz;
+        nx = hit.nx * facing;
+        ny = hit.ny * facing;
+        nz = hit.nz * facing;
+        gathered.clear();
+        shadow.begin();
+    }
+
+    /** Sets the density, per solid angle, of the BSDF sample with which the path leaves the vertex. */
+    public void setBsdfPdf(double density) {
+        pdf = density;
+    }
+
+    /**
+     * Gathers the light at the Lambertian surface that the path is at.
+     *
+     * @param isFirst whether the path came here from the eye by delta events only
+     */
+    public void gatherMatte(Sampler sampler, int address, boolean isFirst) {
+        begin(true, isFirst);
+        if (tookAll) {
+            for (int i = 0; i < lights.length; i++) {
+                addMatte(i, 1, sampler, address);
+            }
+        } else if (choose(sampler, address)) {
+            addMatte(choice.light, choice.probability, sampler, address);
+        }
+        if (infinite != null) {
+            infinite.gatherMatte(sampler, address, isFirst);
+            gathered.add(infinite.red, infinite.green, infinite.blue);
+        }
+    }
+
+    /** Whether the same light comes from everywhere beyond the scene. */
+    public boolean hasConstantEnvironment() {
+        return infinite == null;
+    }
+
+    /**
+     * Sets the light to what comes from where the path leads to, beyond everything.
+     *
+     * @param hasGathered whether light was gathered at the last vertex
+     * @param countsSun whether the sun's disk counts if it was not
+     */
+    public void escape(Ray ray, boolean hasGathered, boolean countsSun) {
+        if (infinite == null) {
+            gathered.set(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+        } else {
+            infinite.arrive(ray, hasGathered ? pdf : 0, countsSun);
+            gathered.set(infinite.red, infinite.green, infinite.blue);
+        }
+    }
+
+    private void addMatte(int index, double probability, Sampler sampler, int address) {
+        PhysicalLight l = lights[index];
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
+            return;
+        }
+        shadow.isFiltered = false;
+        counters.lightSamples++;
+        isByChance = !tookAll;
+        double e = l.isPoint ? ofPoint(l) : irradiance(l, tookAll ? index : -1, probability, sampler, address);
+        // What is dimmed on its way is no matter of chance, but not the same at the next corner either.
+        isByChance |= shadow.isFiltered;
+        if (e > 0) {
+            double f = e / (Math.PI * probability);
+            shadow.add(l, f, f, f, gathered);
+            if (!isByChance) {
+                gathered.addCertain(l, f);
+            }
+        }
+        gathered.note(isByChance, e > 0);
+    }
+
+    private boolean choose(Sampler sampler, int address) {
+        sampler.pair(address, Sampler.Purpose.CHOICE, pair);
+        picker.choose(x, y, z, nx, ny, nz, pair[0], choice);
+        return choice.light >= 0;
+    }
+
+    private double ofPoint(PhysicalLight l) {
+        view.aimAtPoint(l, x, y, z);
+        double cosine = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        return cosine > 0 && isVisible(l) ? cosine / (cone.distance * cone.distance) : 0;
+    }
+
+    /** The irradiance, estimated, of a light of radiance 1. */
+    private double irradiance(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
+        if (l.isBall) {
+            return ofBall(l, index, probability, sampler, address);
+        }
+        view.aim(l, x, y, z);
+        // Where a closed form is of no use it is not computed.
+        if (!view.reaches(l.form, nx, ny, nz)) {
+            counters.lightSamplesWithoutRay++;
+            return 0;
+        }
+        Tracer.Visibility known = shadow.visibility(l);
+        if (known == Tracer.Visibility.NONE) {
+            counters.lightSamplesWithoutRay++;
+            return 0;
+        }
+        if (known == Tracer.Visibility.ALL && l.form.hasClosedForm()) {
+            counters.lightSamplesWithoutRay++;
+            return view.irradiance(l.form, nx, ny, nz);
+        }
+        return sampled(l, index, probability, sampler, address, known);
+    }
+
+    /**
+     * The same of a ball: if a part of it may be hidden, by the visibility of a point of it that is chosen by the cosine, or where it is
+     * cut by the horizon, evenly. It is too long to be compiled again into its callers, which costs nothing (docs/benchmarks.md).
+     */
+    private double ofBall(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
+        SphereLight ball = (SphereLight) l.form;
+        ball.aim(sample, x, y, z);
+        cone.around(l);
+        if (cone.inside) {
+            Tracer.Visibility known = shadow.visibility(l);
+            return known == Tracer.Visibility.NONE ? 0 : sampled(l, index, probability, sampler, address, known);
+        }
+        double height = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        boolean isWhole = height >= cone.sine;
+        double e = isWhole ? Math.PI * height * cone.sine * cone.sine : ball.irradiance(sample, nx, ny, nz);
+        Tracer.Visibility known = e == 0 ? Tracer.Visibility.NONE : shadow.visibility(l);
+        if (known != Tracer.Visibility.UNKNOWN) {
+            counters.lightSamplesWithoutRay++;
+            return known == Tracer.Visibility.ALL ? e : 0;
+        }
+        isByChance = true;
+        view.draw(index, sampler, address);
+        if (isWhole) {
+            view.directByCosine(ball, nx, ny, nz);
+            return shadow.isBlocked(l, sample) ? 0 : e;
+        }
+        view.sample(ball);
+        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        return cosine > 0 && sample.pdf > 0 && !shadow.isBlocked(l, sample) ? cosine / sample.pdf : 0;
+    }
+
+    /** The same by a point of the light, weighted against directions by the cosine. */
+    private double sampled(
+            PhysicalLight l, int index, double probability, Sampler sampler, int address, Tracer.Visibility known) {
+        isByChance = true;
+        view.draw(index, sampler, address);
+        view.sample(l.form);
+        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        if (!(sample.pdf > 0) || !(cosine > 0)) {
+            counters.lightSamplesWithoutRay++;
+            return 0;
+        }
+        double weighed = cosine / sample.pdf * PowerHeuristic.weight(cosine / Math.PI, probability * sample.pdf);
+        return known == Tracer.Visibility.ALL || !shadow.isBlocked(l, sample) ? weighed : 0;
+    }
+
+    /**
+     * Gathers the light at the surface that the path is at, whatever its lobes.
+     *
+     * @param leaves whether that of {@linkplain enlightenment.world.light.CausticPass#takesNarrow small lights} is left to the pass of caustics
+     */
+    public void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst, boolean leaves) {
+        begin(false, isFirst);
+        leavesSmall = leaves;
+        gatherAll(bsdf, s, sampler, address, isFirst);
+    }
+
+    /** The same at a point of a medium, where the flight ended that light was looked for along. */
+    public void gatherInMedium(
+            Bsdf phase, Scattering s, FlightLight flight, Sampler sampler, int address, boolean isFirst) {
+        begin(false, isFirst);
+        along = flight;
+        gatherAll(phase, s, sampler, address, isFirst);
+    }
+
+    /**
+     * Gathers the light on both sides of the rough border of two media that the path is at.
+     *
+     * @param tint of what passes, by band
+     * @param leaves whether that of small lights is left to the pass of caustics
+     */
+    public void gatherAtBorder(
+            Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst, boolean leaves) {
+        begin(false, isFirst);
+        leavesSmall = leaves;
+        nx = 0;
+        ny = 0;
+        nz = 0;
+        through = tint;
+        gatherAll(bsdf, s, sampler, address, isFirst);
+        through = null;
+    }
+
+    private void gatherAll(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
+        if (tookAll) {
+            for (int i = 0; i < lights.length; i++) {
+                add(bsdf, s, i, 1, sampler, address);
+            }
+        } else if (choose(sampler, address)) {
+            add(bsdf, s, choice.light, choice.probability, sampler, address);
+        }
+        if (infinite != null) {
+            infinite.gather(bsdf, s, through, sampler, address, isFirst, leaves(lights.length));
+            gathered.add(infinite.red, infinite.green, infinite.blue);
+        }
+    }
+
+    private void add(Bsdf bsdf, Scattering s, int index, double probability, Sampler sampler, int address) {
+        PhysicalLight l = lights[index];
+        double density = leaves(index) ? 0 : sample(l, index, sampler, address);
+        if (!(density > 0)) {
+            return;
+        }
+        s.ix = sample.dx;
+        s.iy = sample.dy;
+        s.iz = sample.dz;
+        bsdf.evaluate(s);
+        if (through != null) {
+            shadow.beginAtBorder(Optics.turn(s, through));
+        }
+        if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
+            double own = probability * density;
+            double onTheWay = along == null ? 0 : along.ratio(index) * density;
+            double f = PowerHeuristic.weight(l.isPoint ? 0 : s.pdf, onTheWay, own) / own;
+            if (through != null && path.glass.wavelength != null) {
+                path.glass.wavelength.color(s);
+            }
+            shadow.add(l, f * s.valueR, f * s.valueG, f * s.valueB, gathered);
+        }
+    }
+
+    /** Samples a point of a light; returns its density, of a point light the squared distance, and 0 if there is none. */
+    private double sample(PhysicalLight l, int index, Sampler sampler, int address) {
+        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
+            return 0;
+        }
+        shadow.isFiltered = false;
+        counters.lightSamples++;
+        if (!l.isPoint) {
+            view.draw(tookAll ? index : -1, sampler, address);
+        }
+        return view.look(l, x, y, z);
+    }
+
+    /**
+     * Samples one of the lights at the surface that the path is at, not its first, whatever becomes of it there.
+     *
+     * @param out receives what arrives from it
+     */
+    public void sample(Sampler sampler, int address, IncidentLight out) {
+        begin(false, false);
+        out.clear();
+        if (tookAll ? lights.length == 0 : !choose(sampler, address)) {
+            return;
+        }
+        PhysicalLight l = lights[tookAll ? 0 : choice.light];
+        double density = sample(l, 0, sampler, address);
+        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        if (density > 0 && cosine > 0 && isVisible(l)) {
+            shadow.add(l, 1, 1, 1, gathered);
+            out.set(sample, tookAll ? density : choice.probability * density, !l.isPoint, gathered);
+        }
+    }
+
+    /** Whether a light is left out; the sun is after the last one. */
+    private boolean leaves(int light) {
+        return leavesSmall && physical.caustics.takesNarrow(light);
+    }
+
+    /** Whether what the surface that the path is at emits was left out at the vertex: it ran into it after it left that. */
+    public boolean leavesGlow() {
+        int light = leavesSmall ? physical.lightOf(path.id, hit.face) : -1;
+        return light >= 0 && physical.caustics.takesNarrow(light);
+    }
+
+    /** The weight of what the surface that the path is at emits: it ran into it after it left the vertex. */
+    public double weight(Ray ray) {
+        return PowerHeuristic.weight(density(ray), pdf);
+    }
+
+    /**
+     * The density per solid angle with which the vertex would have sampled the place that the path ran into: 0 if that is no light which it
+     * samples, infinite if it has all of its light from a closed form.
+     */
+    public double density(Ray ray) {
+        int index = physical.lightOf(path.id, hit.face);
+        if (index < 0 || lights[index].isBallOf(vertexId)) {
+            return 0;
+        }
+        PhysicalLight l = lights[index];
+        view.aim(l, x, y, z);
+        if (isMatte && isClosed(l)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double density = view.density(l.form, ray, hit, x, y, z);
+        if (!(density > 0)) {
+            return 0;
+        }
+        double probability = tookAll ? 1 : picker.probability(index, x, y, z, nx, ny, nz, choice);
+        return (along == null ? probability : PowerHeuristic.both(probability, along.ratio(index))) * density;
+    }
+
+    /** Whether the vertex, a matte one, has all of the light from its closed form. */
+    private boolean isClosed(PhysicalLight l) {
+        if (l.isBall) {
+            return l.form.irradiance(sample, nx, ny, nz) > 0;
+        }
+        return l.form.hasClosedForm()
+                && view.reaches(l.form, nx, ny, nz)
+                && shadow.visibility(l) != Tracer.Visibility.UNKNOWN;
+    }
+
+    private boolean isVisible(PhysicalLight l) {
+        Tracer.Visibility visibility = shadow.visibility(l);
+        if (visibility != Tracer.Visibility.UNKNOWN) {
+            counters.lightSamplesWithoutRay++;
+            return visibility == Tracer.Visibility.ALL;
+        }
+        return !shadow.isBlocked(l, sample);
+    }
+}

@@ -1,0 +1,190 @@
+package enlightenment.transport.direct;
+
+import enlightenment.emitter.LightSample;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
+import enlightenment.transport.ray.Departure;
+import enlightenment.transport.ray.GlassTracer;
+import enlightenment.transport.ray.PathFollower;
+import enlightenment.transport.ray.ShadowWalk;
+import enlightenment.transport.state.GatheredLight;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.Tracer;
+import enlightenment.world.light.LightCone;
+import enlightenment.world.light.PhysicalLight;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.RayCounters;
+import java.util.Arrays;
+
+/**
+ * Whether lights are visible from a vertex of a path, and what of them the medium on the way, and glass that does not turn rays, let pass.
+ */
+public final class ShadowRays {
+    private final PathFollower path;
+    private final Hit hit;
+    private final GlassTracer glass;
+    private final Tracer tracer;
+    private final LightCone cone;
+    private final Ray ray = new Ray();
+    private final boolean absorbs;
+
+    /** Follows shadow rays through glass that does not turn them; null if there is none. */
+    private final ShadowWalk walk;
+
+    /** Primitives that the vertex lies on; if there are more, the others are tested needlessly. The last is the light's own. */
+    private final int[] starts = new int[9];
+
+    private int startCount;
+
+    private double x;
+    private double y;
+    private double z;
+
+    /** The medium that the vertex lies in, if that absorbs; else null. */
+    private SurfaceMaterial medium;
+
+    /** Whether the vertex is on a rough border, and whether shadow rays leave it on the side that the path did not come from. */
+    private boolean isBorder;
+
+    private boolean isBeyond;
+
+    /** Whether the vertex is a point on the way of the path, which has come to something else. */
+    private boolean isOnTheWay;
+
+    /** The side that they leave it on. */
+    private int side;
+
+    /** Whether one primitive is in the way of all of the light. */
+    private boolean isHidden;
+
+    /** Whether less than all of the light came through to the last shadow ray that was not blocked: {@link #rgb} says how much. */
+    public boolean isFiltered;
+
+    /** What came through, by band. */
+    public final double[] rgb = new double[3];
+
+    /** @param cone around the light that is asked for, with its apex at the vertex */
+    public ShadowRays(CompiledScene scene, RayCounters counters, PathFollower path, LightCone cone) {
+        this.path = path;
+        this.cone = cone;
+        hit = path.hit;
+        glass = path.glass;
+        tracer = path.tracer;
+        absorbs = scene.physical.hasAbsorption;
+        walk = scene.physical.hasStraightGlass ? new ShadowWalk(scene, counters) : null;
+    }
+
+    /** Begins at the surface that the path is at. */
+    public void begin() {
+        isBorder = false;
+        turn(false);
+    }
+
+    /** Begins on one side of the rough border that the path is at. */
+    public void beginAtBorder(boolean through) {
+        isBorder = true;
+        turn(through);
+    }
+
+    /** Begins at a point of the medium that the path is flying through, whatever it has come to. */
+    void beginOnTheWay(double px, double py, double pz) {
+        isBorder = false;
+        isOnTheWay = true;
+        startCount = 0;
+        place(px, py, pz, false);
+    }
+
+    private void turn(boolean through) {
+        isOnTheWay = false;
+        side = through ? -hit.side : hit.side;
+        place(hit.px, hit.py, hit.pz, through);
+        findStarts();
+    }
+
+    private void place(double px, double py, double pz, boolean through) {
+        x = px;
+        y = py;
+        z = pz;
+        isBeyond = through;
+        medium = absorbs ? path.medium(through) : null;
+        if (medium != null && !medium.absorbs) {
+            medium = null;
+        }
+    }
+
+    private void findStarts() {
+        int count = 0;
+        if (neverReturnsTo(hit, side)) {
+            starts[count++] = path.id;
+        }
+        for (int k = 0; k < glass.surfaces() && count < starts.length - 1; k++) {
+            Hit h = glass.hitOf(k);
+            if (glass.surface(k) != path.id && neverReturnsTo(h, isBeyond ? -h.side : h.side)) {
+                starts[count++] = glass.surface(k);
+            }
+        }
+        startCount = count;
+    }
+
+    /** Whether a ray that leaves the surface on a side cannot meet it again; there may be none. */
+    private static boolean neverReturnsTo(Hit place, int side) {
+        Primitive p = place.primitive;
+        return p != null && (p.isFlat() || p.isConvex() && side == Ray.OUTSIDE);
+    }
+
+    /** What is known without a ray, of all of the light. Comes before {@link #isBlocked}. */
+    public Tracer.Visibility visibility(PhysicalLight l) {
+        if (!isOnTheWay && Departure.isStopped(path, isBorder, isBeyond)) {
+            isHidden = true;
+            return walk == null ? Tracer.Visibility.NONE : Tracer.Visibility.UNKNOWN;
+        }
+        int count = startCount;
+        if (l.hidesNothingOfItself) {
+            starts[count++] = l.id;
+        }
+        Tracer.Visibility known = tracer.prepareShadows(cone, starts, count, 1);
+        // What is absorbed depends on the way, so that there are no closed forms; and what is in the way may let light
+        // pass. Where another light covers this one is found by each ray.
+        isHidden = known == Tracer.Visibility.NONE;
+        boolean isOpen =
+                known == Tracer.Visibility.ALL ? medium != null || l.lyingOn().hasCovers() : walk != null;
+        return isOpen ? Tracer.Visibility.UNKNOWN : known;
+    }
+
+    /** Whether a point of the light is hidden. */
+    public boolean isBlocked(PhysicalLight l, LightSample to) {
+        path.poll.tick();
+        if (!start(to) && !isHidden && !tracer.occluded(ray, to.length, l)) {
+            if (medium != null) {
+                isFiltered = true;
+                Arrays.fill(rgb, 1);
+                medium.absorb(to.length, rgb);
+            }
+            return false;
+        }
+        if (walk == null) {
+            return true;
+        }
+        start(to);
+        isFiltered = true;
+        return isOnTheWay
+                ? !walk.reachesFromTheWay(l, ray, to.length, path, rgb)
+                : !walk.reaches(l, ray, to.length, path, isBeyond, rgb);
+    }
+
+    /** Adds what arrives of a light's radiance or intensity, if nothing absorbs, times these. */
+    void add(PhysicalLight l, double r, double g, double b, GatheredLight to) {
+        if (isFiltered) {
+            to.add(l, r * rgb[0], g * rgb[1], b * rgb[2]);
+        } else {
+            to.add(l, r, g, b);
+        }
+    }
+
+    /** Returns whether something is in its way at once. */
+    private boolean start(LightSample to) {
+        ray.set(x, y, z, to.dx, to.dy, to.dz, 0);
+        return !isOnTheWay && Departure.from(path, ray, isBorder, isBeyond);
+    }
+}

@@ -1,0 +1,217 @@
+package enlightenment.transport.emission;
+
+import enlightenment.emitter.AreaLight;
+import enlightenment.frame.BallCone;
+import enlightenment.primitive.EndFaces;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Warp;
+import enlightenment.surroundings.Sun;
+import enlightenment.transport.ray.PathSource;
+import enlightenment.world.light.CausticPass;
+import enlightenment.world.light.PhysicalLight;
+
+/**
+ * Starts light paths that are aimed at mirrors and smooth glass. Of a pair of a light and a thing that is chosen, the direction is even
+ * over the cone in which the thing's ball is seen; where the ball covers much of the view, as light emits, by the cosine. Cones may
+ * overlap: what counts is the density of the direction by all pairs of this light.
+ *
+ * <p>A ball apart from all things is seen as a beam: a direction in the cone around its centre that holds all lines from it to the
+ * thing's ball, and a point of the disk across it. Then nothing is lost by the cosine at the light.
+ */
+public final class CausticSource extends PathSource {
+    /** Beyond this solid angle of a ball directions are chosen as light emits. */
+    private static final double WIDE = 1;
+
+    private final CausticPass pass;
+    private final BallCone cone = new BallCone();
+    private final double[] direction = new double[3];
+
+    public CausticSource(CausticPass pass) {
+        this.pass = pass;
+    }
+
+    @Override
+    protected int[] media() {
+        return pass.mediaAround(light);
+    }
+
+    @Override
+    protected EndFaces faces() {
+        return light == pass.lights.length ? null : pass.lights[light].lyingOn();
+    }
+
+    /** Takes one number for the pair, two for the point on the light, two for the direction, one for the side. */
+    @Override
+    public boolean emit(double[] numbers, Ray ray) {
+        int pair = pass.choose(numbers[0]);
+        light = pair / pass.things;
+        int thing = pair % pass.things;
+        if (light == pass.lights.length) {
+            return fromSun(thing, numbers, ray);
+        }
+        PhysicalLight l = pass.lights[light];
+        double weight;
+        if (l.isPoint) {
+            weight = fromPoint(l, thing, numbers, ray);
+        } else if (pass.isBeam(light)) {
+            weight = asBeam(l, thing, numbers, ray);
+        } else {
+            weight = fromSurface(l, thing, numbers, ray);
+        }
+        red = weight * l.r;
+        green = weight * l.g;
+        blue = weight * l.b;
+        ultraviolet = weight * l.ultraviolet;
+        return weight > 0 && weight < Double.POSITIVE_INFINITY;
+    }
+
+    /** A direction to the sun's disk, and a point of the disk across it that the thing's ball fills. */
+    private boolean fromSun(int thing, double[] numbers, Ray ray) {
+        Sun sun = pass.sun;
+        sun.sample(numbers[3], numbers[4], direction);
+        dx = -direction[0];
+        dy = -direction[1];
+        dz = -direction[2];
+        Warp.toDisk(numbers[1], numbers[2], disk);
+        basis.around(dx, dy, dz);
+        double a = pass.ballRadius[thing] * disk[0];
+        double b = pass.ballRadius[thing] * disk[1];
+        double x = Math.fma(a, basis.ax, Math.fma(b, basis.bx, pass.ballX[thing]));
+        double y = Math.fma(a, basis.ay, Math.fma(b, basis.by, pass.ballY[thing]));
+        double z = Math.fma(a, basis.az, Math.fma(b, basis.bz, pass.ballZ[thing]));
+        double density = 0;
+        for (int s = 0; s < pass.things; s++) {
+            if (s == thing || probability(s) > 0 && passes(s, x, y, z)) {
+                density += probability(s) / (Math.PI * pass.ballRadius[s] * pass.ballRadius[s]);
+            }
+        }
+        // From before all surfaces on.
+        double ahead =
+                pass.radius + (x - pass.center.x()) * dx + (y - pass.center.y()) * dy + (z - pass.center.z()) * dz;
+        ray.set(x - ahead * dx, y - ahead * dy, z - ahead * dz, dx, dy, dz, 0);
+        double weight = sun.solidAngle / density;
+        red = weight * sun.r;
+        green = weight * sun.g;
+        blue = weight * sun.b;
+        ultraviolet = 0;
+        return weight > 0 && weight < Double.POSITIVE_INFINITY;
+    }
+
+    /** Whether a ray through a point meets the ball of a thing. */
+    private boolean passes(int s, double x, double y, double z) {
+        double ex = x - pass.ballX[s];
+        double ey = y - pass.ballY[s];
+        double ez = z - pass.ballZ[s];
+        double along = ex * dx + ey * dy + ez * dz;
+        double r = pass.ballRadius[s];
+        return ex * ex + ey * ey + ez * ez - along * along <= r * r;
+    }
+
+    private double fromPoint(PhysicalLight l, int thing, double[] numbers, Ray ray) {
+        aim(thing, 0, l.x, l.y, l.z);
+        toCone(numbers);
+        double density = 0;
+        for (int s = 0; s < pass.things; s++) {
+            density += probability(s) * coneDensity(s, thing, 0, l.x, l.y, l.z);
+        }
+        ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE, 0, 0, 0, probe);
+        return 1 / density;
+    }
+
+    private double asBeam(PhysicalLight l, int thing, double[] numbers, Ray ray) {
+        aim(thing, l.radius, l.x, l.y, l.z);
+        toCone(numbers);
+        double density = 0;
+        for (int s = 0; s < pass.things; s++) {
+            density += probability(s) * coneDensity(s, thing, l.radius, l.x, l.y, l.z);
+        }
+        Warp.toDisk(numbers[1], numbers[2], disk);
+        basis.around(dx, dy, dz);
+        double a = l.radius * disk[0];
+        double b = l.radius * disk[1];
+        double c = l.radius * Math.sqrt(Math.max(1 - disk[2], 0));
+        ray.set(
+                l.x + a * basis.ax + b * basis.bx + c * dx,
+                l.y + a * basis.ay + b * basis.by + c * dy,
+                l.z + a * basis.az + b * basis.bz + c * dz,
+                dx,
+                dy,
+                dz,
+                0);
+        ray.from(l.surface, Ray.OUTSIDE);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE, 0, 0, 0, probe);
+        return Math.PI * l.radius * l.radius / density;
+    }
+
+    private double fromSurface(PhysicalLight l, int thing, double[] numbers, Ray ray) {
+        AreaLight area = l.form;
+        area.samplePoint(numbers[1], numbers[2], point);
+        boolean both = pass.shinesBothWays(light);
+        aim(thing, 0, point.x, point.y, point.z);
+        if (isWide()) {
+            byCosine(numbers, both);
+        } else {
+            toCone(numbers);
+        }
+        double cosine = dx * point.nx + dy * point.ny + dz * point.nz;
+        if (both ? cosine == 0 : !(cosine > 0)) {
+            return 0;
+        }
+        double emission = both ? Math.abs(cosine) / (2 * Math.PI) : cosine / Math.PI;
+        double density = 0;
+        for (int s = 0; s < pass.things; s++) {
+            if (probability(s) > 0) {
+                aim(s, 0, point.x, point.y, point.z);
+                density += probability(s) * (isWide() ? emission : densityInCone(s == thing));
+            }
+        }
+        int side = cosine > 0 ? Ray.OUTSIDE : Ray.INSIDE;
+        return leave(l, side, ray) ? area.area() * Math.abs(cosine) / density : 0;
+    }
+
+    private double probability(int thing) {
+        return pass.probability[light * pass.things + thing];
+    }
+
+    /** Sets the cone from a point around the ball of a thing, widened. */
+    private void aim(int s, double wider, double x, double y, double z) {
+        cone.set(pass.ballX[s], pass.ballY[s], pass.ballZ[s], pass.ballRadius[s] + wider, x, y, z);
+    }
+
+    private boolean isWide() {
+        return cone.inside || 2 * Math.PI * cone.oneMinusCosine() > WIDE;
+    }
+
+    /** A direction in the cone, or any at all from inside the ball. */
+    private void toCone(double[] numbers) {
+        Warp.toDisk(numbers[3], numbers[4], disk);
+        double height = cone.inside ? 2 : cone.oneMinusCosine();
+        double spread = Math.sqrt(height * (2 - disk[2] * height));
+        if (cone.inside) {
+            direct(0, 0, 1, disk[0] * spread, disk[1] * spread, 1 - disk[2] * height);
+        } else {
+            direct(cone.wx, cone.wy, cone.wz, disk[0] * spread, disk[1] * spread, 1 - disk[2] * height);
+        }
+    }
+
+    private void byCosine(double[] numbers, boolean both) {
+        Warp.toDisk(numbers[3], numbers[4], disk);
+        double up = Math.sqrt(Math.max(1 - disk[2], 0));
+        direct(point.nx, point.ny, point.nz, disk[0], disk[1], both && numbers[5] < 0.5 ? -up : up);
+    }
+
+    private double coneDensity(int s, int chosen, double wider, double x, double y, double z) {
+        aim(s, wider, x, y, z);
+        return densityInCone(s == chosen);
+    }
+
+    /** The density of the direction by a cone; rounding must not put it outside of the one that it was chosen in. */
+    private double densityInCone(boolean isIn) {
+        if (cone.inside) {
+            return 1 / (4 * Math.PI);
+        }
+        boolean in = isIn || dx * cone.wx + dy * cone.wy + dz * cone.wz >= cone.cosine;
+        return in ? 1 / (2 * Math.PI * cone.oneMinusCosine()) : 0;
+    }
+}

@@ -1,0 +1,175 @@
+package enlightenment.transport.emission;
+
+import enlightenment.primitive.EndFaces;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Warp;
+import enlightenment.surroundings.Sun;
+import enlightenment.surroundings.Surroundings;
+import enlightenment.transport.ray.PathSource;
+import enlightenment.world.LightStarts;
+import enlightenment.world.PhysicalScene;
+import enlightenment.world.light.PhysicalLight;
+
+/**
+ * Starts light paths as light is emitted: a light by its power, a point of it by area, a direction by the cosine; from the surroundings,
+ * a direction, evenly or by what comes from there, and a point of the disk across it that the ball around the scene fills. So all paths
+ * bring about the same power. The densities of what was chosen are told, for whoever weighs paths against others.
+ */
+public final class LightSource extends PathSource {
+    private final LightStarts starts;
+    private final PhysicalScene physical;
+
+    /** The probability that this light was chosen. */
+    public double probability;
+
+    /** The density of the point, per area of the light; of the surroundings, per area across the ray; 1 for a point light. */
+    public double pointDensity;
+
+    /** The density of the direction, per solid angle. */
+    public double directionDensity;
+
+    /** The cosine at the light, on the side that the path leaves it to; 1 where it has no surface. */
+    public double cosine;
+
+    private final double[] direction = new double[3];
+    private final double[] radiance = new double[3];
+    private boolean isInside;
+
+    /** @param starts of the same scene */
+    public LightSource(LightStarts starts, PhysicalScene physical) {
+        this.starts = starts;
+        this.physical = physical;
+    }
+
+    /** The same on the outside of a surface: negative if the path leaves it to the inside. */
+    public double cosineOutside() {
+        return isInside ? -cosine : cosine;
+    }
+
+    /** Whether the light is a point: only paths from it find it. */
+    public boolean isPoint() {
+        return !isBackground() && starts.lights[light].isPoint;
+    }
+
+    /** Whether it is the surroundings. */
+    boolean isBackground() {
+        return light == starts.background;
+    }
+
+    @Override
+    protected int[] media() {
+        return starts.mediaAround(light);
+    }
+
+    @Override
+    protected EndFaces faces() {
+        return isBackground() ? null : starts.lights[light].lyingOn();
+    }
+
+    @Override
+    public boolean emit(double[] numbers, Ray ray) {
+        light = starts.choose(numbers[0]);
+        if (light < 0) {
+            return false;
+        }
+        probability = starts.probability(light);
+        pointDensity = starts.pointDensity(light);
+        cosine = 1;
+        boolean goes = true;
+        if (isBackground()) {
+            if (physical.surroundings == null) {
+                toSphere(numbers);
+                across(numbers, ray);
+                weigh(physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
+            } else {
+                fromSurroundings(physical.surroundings, numbers);
+                across(numbers, ray);
+            }
+        } else {
+            PhysicalLight l = starts.lights[light];
+            if (l.isPoint) {
+                fromPoint(l, numbers, ray);
+            } else {
+                goes = fromSurface(l, numbers, ray);
+            }
+            weigh(l.r, l.g, l.b, l.ultraviolet);
+        }
+        return goes && directionDensity > 0 && (red > 0 || green > 0 || blue > 0 || ultraviolet > 0);
+    }
+
+    private void weigh(double r, double g, double b, double u) {
+        directionDensity = starts.directionDensity(light, cosine);
+        weighEvenly(r, g, b, u);
+    }
+
+    private void weighEvenly(double r, double g, double b, double u) {
+        double weight = cosine / (probability * pointDensity * directionDensity);
+        red = weight * r;
+        green = weight * g;
+        blue = weight * b;
+        ultraviolet = weight * u;
+    }
+
+    private void fromPoint(PhysicalLight l, double[] numbers, Ray ray) {
+        toSphere(numbers);
+        ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
+        l.lyingOn().startOn(ray, Ray.OUTSIDE, 0, 0, 0, probe);
+    }
+
+    /** Any direction at all. */
+    private void toSphere(double[] numbers) {
+        Warp.toDisk(numbers[4], numbers[5], disk);
+        double spread = 2 * Math.sqrt(Math.max(1 - disk[2], 0));
+        direct(0, 0, 1, disk[0] * spread, disk[1] * spread, 1 - 2 * disk[2]);
+    }
+
+    /** From the sun or from the rest, by the power of each; and what it weighs. */
+    private void fromSurroundings(Surroundings around, double[] numbers) {
+        double ofSun = around.sunShare();
+        if (numbers[1] < ofSun) {
+            Sun sun = around.sun;
+            sun.sample(numbers[4], numbers[5], direction);
+            directionDensity = ofSun * sun.density();
+            weighEvenly(sun.r, sun.g, sun.b, 0);
+        } else {
+            directionDensity = (1 - ofSun) * around.sample(numbers[4], numbers[5], direction);
+            around.radiance(direction[0], direction[1], direction[2], radiance);
+            weighEvenly(radiance[0], radiance[1], radiance[2], 0);
+        }
+        dx = -direction[0];
+        dy = -direction[1];
+        dz = -direction[2];
+    }
+
+    /** Through the disk across the direction that the ball around the scene fills. */
+    private void across(double[] numbers, Ray ray) {
+        Warp.toDisk(numbers[2], numbers[3], disk);
+        basis.around(dx, dy, dz);
+        double r = starts.radius;
+        ray.set(
+                starts.center.x() + r * Math.fma(disk[0], basis.ax, Math.fma(disk[1], basis.bx, -dx)),
+                starts.center.y() + r * Math.fma(disk[0], basis.ay, Math.fma(disk[1], basis.by, -dy)),
+                starts.center.z() + r * Math.fma(disk[0], basis.az, Math.fma(disk[1], basis.bz, -dz)),
+                dx,
+                dy,
+                dz,
+                0);
+    }
+
+    /** Returns false where the light is covered. */
+    private boolean fromSurface(PhysicalLight l, double[] numbers, Ray ray) {
+        l.form.samplePoint(numbers[2], numbers[3], point);
+        Warp.toDisk(numbers[4], numbers[5], disk);
+        int side = starts.shinesBothWays(light) && numbers[1] < 0.5 ? Ray.INSIDE : Ray.OUTSIDE;
+        direct(
+                side * point.nx,
+                side * point.ny,
+                side * point.nz,
+                disk[0],
+                disk[1],
+                Math.sqrt(Math.max(1 - disk[2], 0)));
+        cosine = side * (dx * point.nx + dy * point.ny + dz * point.nz);
+        isInside = side == Ray.INSIDE;
+        return leave(l, side, ray);
+    }
+}

@@ -1,0 +1,99 @@
+package enlightenment.transport.image;
+
+import java.util.Arrays;
+
+/**
+ * A convex polygon of which parts are cut off: I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974. A mutable work object, one
+ * per thread.
+ */
+final class ClippedPolygon {
+    /** Each side of a box adds a corner at most. */
+    private static final int SIDES = 4;
+
+    private double[] x = new double[0];
+    private double[] y = new double[0];
+    private double[] oldX = new double[0];
+    private double[] oldY = new double[0];
+    private int size;
+
+    /** Begins with what of a polygon is in a box: x and y of its corners, in order. */
+    void set(double[] xs, double[] ys, double left, double top, double right, double bottom) {
+        if (x.length < xs.length + SIDES) {
+            x = new double[xs.length + SIDES];
+            y = new double[xs.length + SIDES];
+            oldX = new double[xs.length + SIDES];
+            oldY = new double[xs.length + SIDES];
+        }
+        size = xs.length;
+        System.arraycopy(xs, 0, x, 0, size);
+        System.arraycopy(ys, 0, y, 0, size);
+        cutX(left, 1);
+        cutX(right, -1);
+        cutY(top, 1);
+        cutY(bottom, -1);
+    }
+
+    /** Cuts off what lies to one side: smaller numbers for the side 1, greater ones for −1. */
+    private void cutX(double limit, int side) {
+        double[] u = oldX;
+        double[] v = oldY;
+        oldX = x;
+        oldY = y;
+        x = u;
+        y = v;
+        size = cut(oldX, oldY, size, u, v, limit, side);
+    }
+
+    private void cutY(double limit, int side) {
+        double[] u = oldY;
+        double[] v = oldX;
+        oldX = x;
+        oldY = y;
+        x = v;
+        y = u;
+        size = cut(oldY, oldX, size, u, v, limit, side);
+    }
+
+    /** Cuts at a limit of the first coordinate, from one pair of arrays to another; returns how many corners are left. */
+    private static int cut(double[] fromU, double[] fromV, int n, double[] u, double[] v, double limit, int side) {
+        int left = 0;
+        for (int k = 0; k < n; k++) {
+            int next = k + 1 == n ? 0 : k + 1;
+            double here = side * (fromU[k] - limit);
+            double there = side * (fromU[next] - limit);
+            if (here >= 0) {
+                u[left] = fromU[k];
+                v[left++] = fromV[k];
+            }
+            if (here > 0 && there < 0 || here < 0 && there > 0) {
+                u[left] = limit;
+                v[left++] = fromV[k] + here / (here - there) * (fromV[next] - fromV[k]);
+            }
+        }
+        return left;
+    }
+
+    /** The area of what is left; 0 if nothing is. */
+    double area() {
+        return area(x, y, size);
+    }
+
+    /** The area of a convex polygon: x and y of its corners, in order, the first of arrays. */
+    static double area(double[] x, double[] y, int size) {
+        double twice = 0;
+        for (int k = 2; k < size; k++) {
+            twice += (x[k - 1] - x[0]) * (y[k] - y[0]) - (x[k] - x[0]) * (y[k - 1] - y[0]);
+        }
+        return Math.abs(twice) / 2;
+    }
+
+    /** The corners' x. */
+    double[] copyOfX() {
+        return Arrays.copyOf(x, size);
+    }
+
+    /** The corners' y. */
+    double[] copyOfY() {
+        return Arrays.copyOf(y, size);
+    }
+}

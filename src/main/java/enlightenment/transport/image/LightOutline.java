@@ -1,0 +1,237 @@
+package enlightenment.transport.image;
+
+import enlightenment.frame.Basis;
+import enlightenment.math.Vec3;
+import enlightenment.primitive.AxialPrimitive;
+import enlightenment.primitive.DiskPrimitive;
+import enlightenment.primitive.Ray;
+import enlightenment.primitive.SupportSurface;
+import enlightenment.world.camera.CompiledCamera;
+import enlightenment.world.camera.EyeProjection;
+import enlightenment.world.light.PhysicalLight;
+import java.util.Arrays;
+import java.util.Comparator;
+
+/**
+ * The outlines of lights in the picture, straight and in flat mirrors: convex polygons that touch what bounds the light from outside.
+ * Circles get so many corners that none is a thousandth of a pixel beside the circle. A mutable work object, one per thread.
+ */
+final class LightOutline {
+    /** So many corners circles have at least and at most, and powers of two between. */
+    private static final int LEAST_CORNERS = 16;
+
+    private static final int MOST_CORNERS = 512;
+
+    /** Twice what a corner may lie beside a circle, in pixels. */
+    private static final double SAGITTA = 0x1p-9;
+
+    /** Beyond so many pixels a number's last bits are no small share of a pixel any more. */
+    private static final double FAR = 0x1p30;
+
+    private final CompiledCamera camera;
+    private final EyeProjection eye;
+    private final Vec3 eyePoint;
+    private final Vec3 forward;
+    private final Basis basis = new Basis();
+    private double[][] points = new double[0][];
+    private int size;
+    private boolean isBefore;
+
+    /** The mirror; null for none. */
+    private SupportSurface.Plane mirror;
+
+    /** The polygon. */
+    double[] x;
+
+    double[] y;
+
+    LightOutline(CompiledCamera camera) {
+        this.camera = camera;
+        eye = new EyeProjection(camera);
+        Ray middle = new Ray();
+        camera.ray(0.5, 0.5, middle);
+        eyePoint = new Vec3(middle.ox, middle.oy, middle.oz);
+        forward = new Vec3(middle.dx, middle.dy, middle.dz);
+    }
+
+    /**
+     * Finds the polygon around a light.
+     *
+     * @param in the mirror; null if the light is seen straight
+     * @return whether there is one: all of the light lies before the eye, and its shining side may be seen
+     */
+    boolean find(PhysicalLight l, SupportSurface.Plane in) {
+        mirror = in;
+        SupportSurface s = l.surface.support(l.face);
+        if (s instanceof SupportSurface.Plane p && !isLit(p, l) || !trace(l, s, LEAST_CORNERS)) {
+            return false;
+        }
+        double across = 0;
+        for (int k = 0; k < size; k++) {
+            across = Math.max(
+                    across, Math.max(Math.abs(points[k][0] - points[0][0]), Math.abs(points[k][1] - points[0][1])));
+        }
+        // A corner of n around a circle of radius r lies r (1/cos(π/n) − 1) ≈ r π²/(2 n²) beside it.
+        double wanted = Math.PI * Math.sqrt(across / SAGITTA);
+        int corners = LEAST_CORNERS;
+        while (corners < MOST_CORNERS && corners < wanted) {
+            corners *= 2;
+        }
+        return (corners == LEAST_CORNERS || trace(l, s, corners)) && wrap();
+    }
+
+    /** Whether the eye is on a side of a plane that shines: not behind a face of an opaque solid, whose other faces hide it. */
+    private boolean isLit(SupportSurface.Plane p, PhysicalLight l) {
+        Vec3 normal = p.unitNormal();
+        double above = eye.isParallel()
+                ? normal.dot(mirrored(eyePoint).minus(mirrored(eyePoint.plus(forward))))
+                : normal.dot(mirrored(eyePoint).minus(p.corners()[0]));
+        return above > 0 || l.shinesInside;
+    }
+
+    private Vec3 mirrored(Vec3 p) {
+        if (mirror == null) {
+            return p;
+        }
+        Vec3 normal = mirror.unitNormal();
+        return p.minus(normal.times(2 * p.minus(mirror.corners()[0]).dot(normal)));
+    }
+
+    /** Sets the points that the outline is around; returns whether all of them are before the eye. */
+    private boolean trace(PhysicalLight l, SupportSurface s, int corners) {
+        if (points.length < 2 * corners) {
+            points = new double[2 * corners][2];
+        }
+        size = 0;
+        isBefore = true;
+        if (s instanceof SupportSurface.Plane p) {
+            plane(l, p, corners);
+        } else if (s instanceof SupportSurface.Lateral t) {
+            Vec3 axis = t.axis().normalized();
+            basis.around(axis.x(), axis.y(), axis.z());
+            round(t.base(), t.baseRadius(), corners);
+            round(t.top(), t.topRadius(), corners);
+        } else {
+            ball(new Vec3(l.ballX, l.ballY, l.ballZ), l.ballRadius, corners);
+        }
+        return isBefore;
+    }
+
+    private void plane(PhysicalLight l, SupportSurface.Plane p, int corners) {
+        Vec3[] c = p.corners();
+        if (l.surface instanceof DiskPrimitive || l.surface instanceof AxialPrimitive) {
+            Vec3 center = c[0].plus(c[2]).times(0.5);
+            circle(center, c[0].minus(c[1]).times(0.5), c[1].minus(c[2]).times(0.5), corners);
+            return;
+        }
+        for (Vec3 corner : c) {
+            add(corner);
+        }
+    }
+
+    /** A circle around the last basis' axis. */
+    private void round(Vec3 center, double radius, int corners) {
+        Vec3 a = new Vec3(radius * basis.ax, radius * basis.ay, radius * basis.az);
+        Vec3 b = new Vec3(radius * basis.bx, radius * basis.by, radius * basis.bz);
+        circle(center, a, b, corners);
+    }
+
+    /** A ball looks like a disk through its centre, which is as much larger as the eye's cone is at an angle to its axis. */
+    private void ball(Vec3 center, double radius, int corners) {
+        Vec3 from = mirrored(eyePoint);
+        Vec3 axis = mirrored(eyePoint.plus(forward)).minus(from);
+        double size = radius;
+        if (!eye.isParallel()) {
+            axis = center.minus(from);
+            double d = axis.length();
+            if (!(d > radius)) {
+                isBefore = false;
+                return;
+            }
+            size /= Math.sqrt((1 - radius / d) * (1 + radius / d));
+        }
+        axis = axis.normalized();
+        basis.around(axis.x(), axis.y(), axis.z());
+        round(center, size, corners);
+    }
+
+    private void circle(Vec3 center, Vec3 a, Vec3 b, int corners) {
+        double outer = 1 / StrictMath.cos(Math.PI / corners);
+        int step = MOST_CORNERS / corners;
+        for (int k = 0; k < MOST_CORNERS; k += step) {
+            add(center.plus(a.times(outer * Circle.COSINES[k])).plus(b.times(outer * Circle.SINES[k])));
+        }
+    }
+
+    private void add(Vec3 point) {
+        Vec3 p = mirrored(point);
+        isBefore &= eye.place(p.x(), p.y(), p.z());
+        points[size][0] = eye.x * camera.columns;
+        points[size][1] = eye.y * camera.rows;
+        isBefore &= Math.abs(points[size][0]) < FAR && Math.abs(points[size][1]) < FAR;
+        size++;
+    }
+
+    /** The same of corners that are known, of directions that need not be of length 1 from the eye. */
+    boolean around(double[][] directions) {
+        if (points.length < directions.length) {
+            points = new double[directions.length][2];
+        }
+        mirror = null;
+        size = 0;
+        isBefore = true;
+        for (double[] d : directions) {
+            add(eyePoint.plus(new Vec3(d[0], d[1], d[2])));
+        }
+        return isBefore && wrap();
+    }
+
+    /** Sets the convex polygon around the points: A. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979. */
+    private boolean wrap() {
+        double[][] sorted = Arrays.copyOf(points, size);
+        Arrays.sort(sorted, Comparator.<double[]>comparingDouble(p -> p[0]).thenComparingDouble(p -> p[1]));
+        double[][] hull = new double[2 * size][];
+        int n = 0;
+        for (int k = 0; k < size; k++) {
+            n = push(hull, n, 2, sorted[k]);
+        }
+        int lower = n + 1;
+        for (int k = size - 2; k >= 0; k--) {
+            n = push(hull, n, lower, sorted[k]);
+        }
+        x = new double[n - 1];
+        y = new double[n - 1];
+        for (int k = 0; k < n - 1; k++) {
+            x[k] = hull[k][0];
+            y[k] = hull[k][1];
+        }
+        return n > 3;
+    }
+
+    private static int push(double[][] hull, int from, int least, double[] p) {
+        int n = from;
+        while (n >= least && !isLeftTurn(hull[n - 2], hull[n - 1], p)) {
+            n--;
+        }
+        hull[n] = p;
+        return n + 1;
+    }
+
+    private static boolean isLeftTurn(double[] a, double[] b, double[] c) {
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0;
+    }
+
+    /** The corners of a polygon of the most corners in a circle around the origin: once needed, needed often. */
+    private static final class Circle {
+        static final double[] COSINES = new double[MOST_CORNERS];
+        static final double[] SINES = new double[MOST_CORNERS];
+
+        static {
+            for (int k = 0; k < MOST_CORNERS; k++) {
+                double angle = 2 * Math.PI * k / MOST_CORNERS;
+                COSINES[k] = StrictMath.cos(angle);
+                SINES[k] = StrictMath.sin(angle);
+            }
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package enlightenment.transport.light;
+
+import enlightenment.bsdf.Scattering;
+import enlightenment.transport.bidirectional.BidirectionalTracer;
+import enlightenment.transport.bidirectional.LightSubpath;
+import enlightenment.transport.bidirectional.PathSampler;
+import enlightenment.transport.bidirectional.ReverseDensity;
+import enlightenment.transport.bidirectional.Strategies;
+import enlightenment.transport.bidirectional.SubpathDensities;
+import enlightenment.transport.state.PathWavelength;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
+
+/**
+ * What paths from lights bring to the eye straight: of all strategies of {@link BidirectionalTracer} the one whose light may fall
+ * anywhere. The paths are others than those that tiles follow, with the same densities.
+ */
+public final class BidirectionalLightTracer extends LightPathTracer {
+    private final LightSubpath light;
+    private final ReverseDensity reverse = new ReverseDensity();
+    private final PathSampler sampler;
+
+    /** See {@link SubpathDensities}. */
+    private final double areaUnit;
+
+    /** Null but in tests. */
+    private Strategies strategies;
+
+    /**
+     * For one thread.
+     *
+     * @param scene whose shading is physical
+     * @param seed of all random numbers
+     * @param width of the whole picture in pixels
+     * @param height of the whole picture in pixels
+     */
+    public BidirectionalLightTracer(CompiledScene scene, long seed, int width, int height, RayCounters counters) {
+        this(scene, new LightSubpath(scene, scene.lightStarts(false), counters), seed, width, height, counters);
+    }
+
+    private BidirectionalLightTracer(
+            CompiledScene scene, LightSubpath light, long seed, int width, int height, RayCounters counters) {
+        super(scene, light.path, width, height, counters);
+        this.light = light;
+        sampler = new PathSampler(seed);
+        areaUnit = scene.physical.areaUnit;
+    }
+
+    /** Lets somebody look at what is found. */
+    public void watch(Strategies by) {
+        strategies = by;
+    }
+
+    /** The path that was followed last. */
+    public LightSubpath light() {
+        return light;
+    }
+
+    @Override
+    double power() {
+        return light.power();
+    }
+
+    @Override
+    boolean follow(long number) {
+        sampler.path(number);
+        boolean begins = light.begin(sampler);
+        boolean goes = begins;
+        while (goes) {
+            goes = switch (light.next(sampler)) {
+                case SURFACE, BORDER, MEDIUM -> light.mayScatter() && scatter();
+                case PASSED -> true;
+                case NOTHING, ENDED -> false;
+            };
+        }
+        return begins;
+    }
+
+    private boolean scatter() {
+        if (!light.bsdf.isDelta()) {
+            connect();
+        }
+        return light.leave(sampler);
+    }
+
+    /** Adds what the eye sees of the path's light at the surface that it is at. */
+    private void connect() {
+        Scattering s = light.s;
+        if (!isSeen(light.bsdf, s, light.isBorder ? light.color : null)) {
+            return;
+        }
+        double weight = weight(light.projected(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz));
+        int vertices = light.vertices.size() + 1;
+        double f = eye.importance() * (strategies == null ? weight : strategies.weight(vertices, 1, weight));
+        PathWavelength wavelength = light.path.glass.wavelength;
+        if (wavelength != null && wavelength.colors(light.isBorder)) {
+            s.valueR *= wavelength.red;
+            s.valueG *= wavelength.green;
+            s.valueB *= wavelength.blue;
+        }
+        add(
+                f * eye.through[0] * s.valueR * light.red,
+                f * eye.through[1] * s.valueG * light.green,
+                f * eye.through[2] * s.valueB * light.blue);
+    }
+
+    private double weight(double cosine) {
+        double seen = eye.importance() * areaUnit * cosine / BidirectionalTracer.LIGHT_PATHS_PER_SAMPLE;
+        double back = light.survival * reverse.of(light.bsdf, light.s);
+        return SubpathDensities.weight(SubpathDensities.square(seen) * light.densities.behind(back), 0);
+    }
+}

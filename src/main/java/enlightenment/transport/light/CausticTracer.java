@@ -1,0 +1,30 @@
+package enlightenment.transport.light;
+
+import enlightenment.sampling.Hash;
+import enlightenment.transport.emission.CausticSource;
+import enlightenment.transport.path.PathTracer;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
+
+/**
+ * Follows paths of light from its source over mirrors and smooth glass to the surfaces on which it makes caustics, and on from there; at
+ * each of these surfaces it is connected to the eye. A path from the eye finds such light by chance only, and leaves it out
+ * ({@link PathTracer}).
+ */
+public final class CausticTracer extends LightWalker {
+    /** Keeps the numbers of these paths apart from all others. */
+    private static final long PURPOSE = 0x6361757374696373L;
+
+    /**
+     * For one thread.
+     *
+     * @param scene whose shading is physical, with a pass of caustics
+     * @param seed of all random numbers
+     * @param width of the whole picture in pixels
+     * @param height of the whole picture in pixels
+     * @param counters what this thread counts
+     */
+    public CausticTracer(CompiledScene scene, long seed, int width, int height, RayCounters counters) {
+        super(scene, new CausticSource(scene.physical.caustics), true, Hash.of(seed, PURPOSE), width, height, counters);
+    }
+}

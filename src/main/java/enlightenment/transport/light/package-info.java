@@ -1,0 +1,2 @@
+/** Paths from lights whose vertices are connected to the eye. */
+package enlightenment.transport.light;

@@ -1,0 +1,246 @@
+package enlightenment.transport.path;
+
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
+import enlightenment.world.Tracer;
+import enlightenment.world.light.SegmentEnds;
+import java.util.Arrays;
+
+/**
+ * Path reuse: connects the first vertices of a group of paths to the second vertices of the others, with the balance heuristic
+ * (P. Bekaert, M. Sbert and J. Halton, "Accelerating path tracing by re-using paths", 2002; docs/cluster-sampler.md). One per thread.
+ *
+ * <p>First vertices are grouped by surface, so that occluder candidates are found once per surface and second vertex. Their coordinates
+ * are kept in a structure of arrays, for loops that the compiler vectorizes.
+ */
+public final class PathConnections {
+    /** First vertices on more surfaces than this count as on one, which is none. */
+    private static final int MOST_SURFACES = 6;
+
+    private final Tracer tracer;
+    private final Ray ray = new Ray();
+
+    /** By surface: its id, how many first vertices lie on it and where they end in the arrays, and those as ends of segments. */
+    private final int[] surfaces = new int[MOST_SURFACES];
+
+    private final int[] sizes = new int[MOST_SURFACES];
+    private final int[] ends = new int[MOST_SURFACES];
+    private final SegmentEnds[] segments = new SegmentEnds[MOST_SURFACES];
+    private int surfaceCount;
+
+    /** By path: the index of the surface that its first vertex lies on. */
+    private int[] surfaceOf = {};
+
+    /** By first vertex, in the order of surfaces: its path, place, normal towards the side it is seen from, and albedo. */
+    private int[] pathOf = {};
+
+    private double[] x;
+    private double[] y;
+    private double[] z;
+    private double[] nx;
+    private double[] ny;
+    private double[] nz;
+    private double[] red;
+    private double[] green;
+    private double[] blue;
+    private int count;
+
+    /** By first vertex: its share of what is given, and the radiance that it has gained. */
+    private double[] shares;
+
+    private double[] gainedR;
+    private double[] gainedG;
+    private double[] gainedB;
+
+    private final LobeShares lobes = new LobeShares();
+
+    PathConnections(Tracer tracer) {
+        this.tracer = tracer;
+        Arrays.setAll(segments, k -> new SegmentEnds());
+    }
+
+    /**
+     * Distributes the radiance that leaves the second vertices of paths among all first vertices that see them, weighted proportionally to
+     * the density, per area, with which a path from each first vertex would have generated that second vertex. Unbiased.
+     *
+     * @param paths the first of an array, as by {@link PathTracer}; not all need give or receive
+     * @param size how many of them
+     * @param out by path: red, green, blue; the radiance that the path receives is added
+     */
+    public void share(PathCut[] paths, int size, double[][] out) {
+        findSurfaces(paths, size);
+        if (surfaceCount == 0) {
+            return;
+        }
+        order(paths, size);
+        for (int q = 0; q < size; q++) {
+            if (paths[q].gives) {
+                give(paths[q], q, paths);
+            }
+        }
+        lobes.finish(pathOf, out);
+        for (int k = 0; k < count; k++) {
+            double[] rgb = out[pathOf[k]];
+            rgb[0] += red[k] * gainedR[k];
+            rgb[1] += green[k] * gainedG[k];
+            rgb[2] += blue[k] * gainedB[k];
+        }
+    }
+
+    /** How often a rough surface was asked what it makes of light between two directions when paths shared last. */
+    public int evaluations() {
+        return lobes.evaluations();
+    }
+
+    /** How often light was divided then by what rough surfaces make of it. */
+    public int divisions() {
+        return lobes.divisions();
+    }
+
+    /** The sum over these of the squares of the shares: 1 each where all went to one path, less where many took a part. */
+    public double squares() {
+        return lobes.squares();
+    }
+
+    private void findSurfaces(PathCut[] paths, int size) {
+        if (surfaceOf.length < size) {
+            makeRoom(size);
+        }
+        surfaceCount = 0;
+        for (int p = 0; p < size; p++) {
+            if (paths[p].takes) {
+                int k = surface(paths[p].firstId);
+                Hit at = paths[p].first;
+                segments[k].add(at.px, at.py, at.pz);
+                sizes[k]++;
+                surfaceOf[p] = k;
+            }
+        }
+        int end = 0;
+        for (int k = 0; k < surfaceCount; k++) {
+            segments[k].finish();
+            ends[k] = end;
+            end += sizes[k];
+        }
+        count = end;
+        lobes.begin(count);
+    }
+
+    /** The index of a surface. */
+    private int surface(int id) {
+        for (int k = 0; k < surfaceCount; k++) {
+            if (surfaces[k] == id) {
+                return k;
+            }
+        }
+        if (surfaceCount == MOST_SURFACES) {
+            segments[MOST_SURFACES - 1].mix();
+            return MOST_SURFACES - 1;
+        }
+        surfaces[surfaceCount] = id;
+        sizes[surfaceCount] = 0;
+        segments[surfaceCount].clear(id);
+        return surfaceCount++;
+    }
+
+    private void makeRoom(int size) {
+        surfaceOf = new int[size];
+        pathOf = new int[size];
+        x = new double[size];
+        y = new double[size];
+        z = new double[size];
+        nx = new double[size];
+        ny = new double[size];
+        nz = new double[size];
+        red = new double[size];
+        green = new double[size];
+        blue = new double[size];
+        shares = new double[size];
+        lobes.makeRoom(size);
+        gainedR = new double[size];
+        gainedG = new double[size];
+        gainedB = new double[size];
+    }
+
+    /** Puts first vertices in the order of their surfaces, of which each has its end moved behind them. */
+    private void order(PathCut[] paths, int size) {
+        for (int p = 0; p < size; p++) {
+            if (paths[p].takes) {
+                int k = ends[surfaceOf[p]]++;
+                Hit at = paths[p].first;
+                pathOf[k] = p;
+                x[k] = at.px;
+                y[k] = at.py;
+                z[k] = at.pz;
+                nx[k] = at.nx * at.side;
+                ny[k] = at.ny * at.side;
+                nz[k] = at.nz * at.side;
+                red[k] = paths[p].albedo[0];
+                green[k] = paths[p].albedo[1];
+                blue[k] = paths[p].albedo[2];
+                lobes.set(k, paths[p]);
+                gainedR[k] = 0;
+                gainedG[k] = 0;
+                gainedB[k] = 0;
+            }
+        }
+    }
+
+    private void give(PathCut giver, int number, PathCut[] paths) {
+        Hit at = giver.second;
+        findShares(at.px, at.py, at.pz, at.nx * at.side, at.ny * at.side, at.nz * at.side);
+        if (lobes.hasRough()) {
+            lobes.find(at, x, y, z, shares);
+        }
+        double sum = 0;
+        int from = 0;
+        for (int k = 0; k < surfaceCount; k++) {
+            boolean mayBeHidden = tracer.prepareSegments(at.px, at.py, at.pz, giver.secondId, segments[k], sizes[k]);
+            for (int n = from; n < ends[k]; n++) {
+                if (!(shares[n] > 0)
+                        || mayBeHidden && pathOf[n] != number && isOccluded(n, paths[pathOf[n]].first, at)) {
+                    shares[n] = 0;
+                }
+                sum += shares[n];
+            }
+            from = ends[k];
+        }
+        if (!(sum > 0)) {
+            return;
+        }
+        if (giver.secondLobes != null) {
+            lobes.giveRough(giver, x, y, z, shares);
+        } else if (lobes.hasRough()) {
+            lobes.giveMatte(shares, sum, giver.given[0] / sum, giver.given[1] / sum, giver.given[2] / sum);
+        } else {
+            gain(giver.given[0] / sum, giver.given[1] / sum, giver.given[2] / sum);
+        }
+    }
+
+    /** The density per area, but for a factor, with which paths from the first vertices would find a second one, if they see it. */
+    private void findShares(double bx, double by, double bz, double mx, double my, double mz) {
+        for (int k = 0; k < count; k++) {
+            double dx = x[k] - bx;
+            double dy = y[k] - by;
+            double dz = z[k] - bz;
+            double dd = dx * dx + dy * dy + dz * dz;
+            double leaving = Math.max(-(nx[k] * dx + ny[k] * dy + nz[k] * dz), 0);
+            double arriving = Math.max(mx * dx + my * dy + mz * dz, 0);
+            shares[k] = leaving / dd * (arriving / dd);
+        }
+    }
+
+    private void gain(double r, double g, double b) {
+        for (int k = 0; k < count; k++) {
+            gainedR[k] += shares[k] * r;
+            gainedG[k] += shares[k] * g;
+            gainedB[k] += shares[k] * b;
+        }
+    }
+
+    private boolean isOccluded(int n, Hit a, Hit b) {
+        ray.set(b.px, b.py, b.pz, x[n] - b.px, y[n] - b.py, z[n] - b.pz, 0).from(b.primitive, b.side);
+        ray.alsoFrom(a.primitive, a.side);
+        return tracer.occludedSegment(ray);
+    }
+}

@@ -1,0 +1,186 @@
+package enlightenment.transport.path;
+
+import enlightenment.bsdf.Scattering;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import enlightenment.transport.direct.FlightLight;
+import enlightenment.transport.direct.PathLight;
+import enlightenment.transport.media.FreeFlight;
+import enlightenment.transport.ray.PathFollower;
+import enlightenment.transport.state.GatheredLight;
+import enlightenment.transport.state.PathHistory;
+import enlightenment.transport.state.PathPart;
+import enlightenment.transport.state.PathValue;
+import enlightenment.transport.state.RussianRoulette;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.PhysicalScene;
+import enlightenment.world.material.HomogeneousMedium;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.RayCounters;
+
+/**
+ * A path from the eye in media that scatter light: how far it flies freely, and when it ends.
+ *
+ * <p>One per thread, and only for scenes with such media.
+ */
+final class RandomWalk {
+    private final PhysicalScene physical;
+    private final PathFollower path;
+    private final PathValue value;
+    private final FlightLight along;
+    private final double[] pair = new double[2];
+
+    /** How many flights the path has begun: the address of the next one's numbers. */
+    private int flights;
+
+    /** How often media have scattered the path since it left the last surface, or the eye. */
+    private int scatterings;
+
+    /** The medium that the path is in. */
+    private HomogeneousMedium medium;
+
+    /** Its index of refraction. */
+    private double index;
+
+    private final FreeFlight flight = new FreeFlight();
+    private final RussianRoulette end = new RussianRoulette();
+
+    /** The point at which the path is scattered. */
+    final Scattering event = new Scattering();
+
+    private final double[] white = {1, 1, 1};
+
+    /** What is wanted of paths. */
+    private final PathPart part;
+
+    private RandomWalk(CompiledScene scene, RayCounters counters, PathFollower path, PathValue value, PathPart part) {
+        physical = scene.physical;
+        this.path = path;
+        this.value = value;
+        this.part = part;
+        along = new FlightLight(scene, counters, path);
+    }
+
+    /** What follows a thread's paths through the media of a scene; null if it has none that scatter light. */
+    static RandomWalk of(CompiledScene scene, RayCounters counters, PathFollower path, PathValue value, PathPart part) {
+        return scene.physical.hasScattering ? new RandomWalk(scene, counters, path, value, part) : null;
+    }
+
+    /**
+     * Follows the ray to what it meets next, or to where the medium that it is in scatters it.
+     *
+     * @param in the material of that medium, or null in empty space
+     * @return what {@link PathFollower#next} says; null if the medium scatters it first: then the path is there
+     */
+    PathFollower.Event next(Ray ray, SurfaceMaterial in, PathHistory history, Sampler sampler) {
+        if (path.surfaces == 0) {
+            flights = 0;
+            scatterings = 0;
+            end.begin();
+            flight.begin();
+        }
+        medium = in == null ? null : in.medium;
+        if (medium == null) {
+            PathFollower.Event found = path.next(ray);
+            if (found == PathFollower.Event.SURFACE) {
+                arriveAtSurface();
+            }
+            if (found == PathFollower.Event.NOTHING && in != null && in == physical.around) {
+                value.absorb(in, Double.MAX_VALUE);
+            }
+            return found;
+        }
+        value.leaveToChance(path.key);
+        index = in.indexOfRefraction;
+        end.depart(value.throughput());
+        sampler.pair(flights++, Sampler.Purpose.FLIGHT, pair);
+        flight.draw(medium, value.throughputR, value.throughputG, value.throughputB, pair[0], pair[1]);
+        boolean looks = gathersOn(history) && along.isWanted(ray, medium, scatterings);
+        PathFollower.Event found = looks ? path.next(ray) : path.next(ray, flight.length);
+        double way = found == PathFollower.Event.NOTHING ? Double.POSITIVE_INFINITY : path.distance(ray);
+        if (looks) {
+            gather(ray, way, history, sampler);
+        }
+        if (flight.length < way && !flight.isEndless()) {
+            flight.scatter();
+            path.stopAt(ray, flight.length, event);
+            found = null;
+            scatterings++;
+        } else {
+            flight.pass(way);
+        }
+        value.filter(flight.weightR, flight.weightG, flight.weightB);
+        if (found == PathFollower.Event.SURFACE) {
+            arriveAtSurface();
+        }
+        return found;
+    }
+
+    private void arriveAtSurface() {
+        flight.begin();
+        scatterings = 0;
+    }
+
+    /** Whether light is gathered where the medium scatters the path. */
+    private boolean gathers() {
+        return index == 1 || physical.lightsLieInGlass;
+    }
+
+    /** Whether light that is scattered once on the flight is wanted. */
+    private boolean gathersOn(PathHistory history) {
+        return gathers()
+                && path.mayScatter()
+                && part != PathPart.ALBEDO
+                && !(part == PathPart.DIRECT && history.scattered);
+    }
+
+    private void gather(Ray ray, double way, PathHistory history, Sampler sampler) {
+        if (along.gather(ray, way, medium, flight, !history.scattered, sampler, flights - 1)) {
+            GatheredLight light = along.gathered;
+            if (history.scattered) {
+                value.addIndirect(light.red, light.green, light.blue, light.ultraviolet);
+            } else {
+                value.add(light);
+            }
+        }
+    }
+
+    /**
+     * Gathers light where the medium scatters the path, and lets it go on from there.
+     *
+     * @param address of its random numbers
+     * @return whether the path goes on
+     */
+    boolean scatter(Ray ray, PathLight light, PathHistory history, Sampler sampler, int address) {
+        if (part == PathPart.ALBEDO) {
+            // The flight has multiplied the throughput by it.
+            return value.endsWith(white);
+        }
+        boolean gathers = gathers();
+        if (gathers) {
+            along.end();
+            light.gatherInMedium(medium.phase, event, along, sampler, address, !history.scattered);
+            value.add(light.gathered);
+        }
+        sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
+        medium.phase.sample(event, pair[0], pair[1], 0);
+        light.setBsdfPdf(event.pdf);
+        ray.set(path.hit.px, path.hit.py, path.hit.pz, event.ix, event.iy, event.iz, 0);
+        history.leaveInMedium(gathers, index == 1);
+        return survives(sampler, history.events);
+    }
+
+    /** Plays roulette where the medium scattered the path: by its throughput now, against what that was before. */
+    private boolean survives(Sampler sampler, int event) {
+        double survival =
+                end.survival(value.throughput(), path.hit.px, path.hit.py, path.hit.pz, value.isSafe(event + 1));
+        return survival == 1 || value.survives(survival, sampler, event);
+    }
+
+    /** Multiplies by the weight of an event at a border of media, and plays roulette. */
+    boolean survives(double[] weight, Sampler sampler, int event) {
+        value.filter(weight[0], weight[1], weight[2]);
+        double survival = end.survivalAtBorder(weight[0], weight[1], weight[2]);
+        return value.isSafe(event + 1) || value.survives(survival, sampler, event);
+    }
+}

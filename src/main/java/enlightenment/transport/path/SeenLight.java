@@ -1,0 +1,101 @@
+package enlightenment.transport.path;
+
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import enlightenment.transport.ray.PathFollower;
+import enlightenment.transport.state.PathValue;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.RayCounters;
+
+/**
+ * What the eye sees of things that glow and of the surroundings, straight or by way of mirrors and smooth glass: light that no path from
+ * its source can be connected to the eye with ({@code LightTracer}). Paths end at the first surface that scatters light otherwise.
+ */
+public final class SeenLight extends EyePathTracer {
+    private int events;
+
+    /**
+     * For one thread.
+     *
+     * @param scene whose shading is physical
+     * @param counters what this thread counts
+     */
+    public SeenLight(CompiledScene scene, RayCounters counters) {
+        super(scene, counters, new PathValue(), true);
+    }
+
+    @Override
+    public void shade(Ray ray, Sampler sampler, double[] out) {
+        events = 0;
+        beginPath(ray, sampler);
+        images.gather(sampler, value);
+        while (step(ray, sampler)) {
+            events++;
+        }
+        value.get(out);
+    }
+
+    /** Follows the ray to the next event; returns whether the path goes on. */
+    private boolean step(Ray ray, Sampler sampler) {
+        value.disperse();
+        SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
+        PathFollower.Event event = path.next(ray);
+        if (event == PathFollower.Event.NOTHING) {
+            if (physical.surroundings == null) {
+                value.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+            } else {
+                double scale = 1 / Math.sqrt(ray.dd);
+                physical.surroundings.all(scale * ray.dx, scale * ray.dy, scale * ray.dz, surface);
+                value.add(surface[0], surface[1], surface[2]);
+            }
+            return false;
+        }
+        if (medium != null && medium.absorbs) {
+            value.absorb(medium, path.distance(ray));
+        }
+        return event == PathFollower.Event.SURFACE ? surface(ray, sampler) : glass(ray, sampler);
+    }
+
+    private boolean surface(Ray ray, Sampler sampler) {
+        SurfaceMaterial material = path.material();
+        if (material.glows && material.glowsTo(path.hit.side)) {
+            double weight = images.weight();
+            value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
+        }
+        if (material.isBlack || !material.isDelta || !path.mayScatter()) {
+            return false;
+        }
+        path.color(material, surface);
+        images.reflected();
+        path.scatter(ray, material, surface, 0, 0, 0);
+        return survives(sampler) && path.goesOn();
+    }
+
+    private boolean glass(Ray ray, Sampler sampler) {
+        sampler.pair(address++, Sampler.Purpose.CHOICE, pair);
+        double choice = pair[0];
+        if (physical.hasPartialGlass && path.glass.opaque(pair[1]) >= 0) {
+            return false;
+        }
+        if (physical.hasRoughGlass && path.roughBorder(ray, border) != null) {
+            return false;
+        }
+        cross(ray, choice);
+        if (path.glass.passedStraight()) {
+            events--;
+            value.filter(surface[0], surface[1], surface[2]);
+            return path.goesOn();
+        }
+        return survives(sampler) && path.goesOn();
+    }
+
+    /** Multiplies by the weight of an event, and plays roulette where it is due. */
+    private boolean survives(Sampler sampler) {
+        double r = surface[0];
+        double g = surface[1];
+        double b = surface[2];
+        value.filter(r, g, b);
+        return value.isSafe(events + 1) || value.survives(r, g, b, sampler, events);
+    }
+}

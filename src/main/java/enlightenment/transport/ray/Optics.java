@@ -1,0 +1,49 @@
+package enlightenment.transport.ray;
+
+import enlightenment.bsdf.Scattering;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
+
+/** From rays to the directions that a Bsdf scatters, and back. The outgoing ray starts at the hit, on the side that it leaves to. */
+public final class Optics {
+    private Optics() {}
+
+    /** Sets direction and normal of the place where the ray arrives. */
+    public static void arrive(Scattering s, Ray ray, Hit hit) {
+        double scale = 1 / Math.sqrt(ray.dd);
+        s.ox = -ray.dx * scale;
+        s.oy = -ray.dy * scale;
+        s.oz = -ray.dz * scale;
+        s.nx = hit.nx * hit.side;
+        s.ny = hit.ny * hit.side;
+        s.nz = hit.nz * hit.side;
+    }
+
+    /**
+     * Turns what a rough border of two media does to light into what it does to radiance, if the direction to the light passes the border.
+     *
+     * @param s the border; its value is changed
+     * @param tint of what passes, by band
+     * @return whether the direction passes the border
+     */
+    public static boolean turn(Scattering s, double[] tint) {
+        boolean passes = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0;
+        if (passes) {
+            double compression = s.eta * s.eta;
+            s.valueR *= compression * tint[0];
+            s.valueG *= compression * tint[1];
+            s.valueB *= compression * tint[2];
+        }
+        return passes;
+    }
+
+    /** Lets the ray leave in the direction that was sampled. */
+    public static void leave(Ray ray, Hit hit, Scattering s) {
+        ray.set(hit.px, hit.py, hit.pz, s.ix, s.iy, s.iz, 0).from(hit.primitive, s.transmitted ? -hit.side : hit.side);
+    }
+
+    /** Lets the ray pass straight through, to the other side. */
+    public static void pass(Ray ray, Hit hit) {
+        ray.set(hit.px, hit.py, hit.pz, ray.dx, ray.dy, ray.dz, 0).from(hit.primitive, -hit.side);
+    }
+}

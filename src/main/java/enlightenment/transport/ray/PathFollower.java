@@ -1,0 +1,406 @@
+package enlightenment.transport.ray;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.GlossyReflection;
+import enlightenment.bsdf.Scattering;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
+import enlightenment.primitive.SpherePrimitive;
+import enlightenment.sampling.Hash;
+import enlightenment.sampling.Sampler;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.Tracer;
+import enlightenment.world.light.CompiledLight;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.RayCounters;
+
+/**
+ * Follows a path from event to event, through surfaces and media: says what comes next, and lets whoever shades decide what that is
+ * worth and where the path goes on. One per thread.
+ */
+public final class PathFollower {
+    /** A line meets a primitive at most this often: a torus is of the fourth degree. */
+    public static final int MAX_CROSSINGS = 4;
+
+    /** The id of no primitive. */
+    private static final int NOWHERE = -1;
+
+    /** What a path comes to. */
+    public enum Event {
+        /** It leaves the scene. */
+        NOTHING,
+        /** {@link #light}. */
+        LIGHT,
+        /** An opaque surface: {@link #id} at {@link #hit}. */
+        SURFACE,
+        /** Surfaces of glass, to be {@link #cross crossed}. */
+        GLASS
+    }
+
+    public final Tracer tracer;
+    public final GlassTracer glass;
+    public final Poll poll;
+
+    /** The surface that the path is at. */
+    public final Hit hit = new Hit();
+
+    /** The id of its primitive. */
+    public int id;
+
+    /** The light that the path came to. */
+    public CompiledLight light;
+
+    /** A hash of what the path came to, in order. */
+    public long key;
+
+    /** How many surfaces the path has left behind. */
+    public int surfaces;
+
+    private final CompiledScene scene;
+
+    /** The material of what fills the whole scene outside of solids, or null. */
+    private final SurfaceMaterial around;
+
+    private final RayCounters counters;
+    private final Scattering scattering = new Scattering();
+    private final double[] tint = new double[3];
+    private final int maxBounces;
+
+    /** No line meets more surfaces: a path that passes more of them straight is caught in a loop by rounding, and ends. */
+    private final int maxStraight;
+
+    /** Whether the surface that the path is at coincides with the one before. */
+    private boolean tookNext;
+
+    private int bounces;
+    private int straight;
+
+    /** Whether the last event was glass that did not turn the ray. */
+    private boolean passedStraight;
+
+    public PathFollower(CompiledScene scene, RayCounters counters, int maxBounces) {
+        this.scene = scene;
+        around = scene.physical == null ? null : scene.physical.around;
+        this.counters = counters;
+        this.maxBounces = maxBounces;
+        maxStraight = MAX_CROSSINGS * scene.primitives.length;
+        tracer = new Tracer(scene, counters);
+        glass = new GlassTracer(scene, counters);
+        poll = new Poll();
+    }
+
+    /** Draws the wavelength of a path that begins next, where it matters. */
+    public void drawWavelength(Sampler sampler) {
+        if (glass.wavelength != null) {
+            glass.wavelength.begin(sampler);
+        }
+    }
+
+    /** Starts a path of physical shading with a camera ray. */
+    public void begin(Ray ray, Sampler sampler) {
+        drawWavelength(sampler);
+        begin(ray);
+    }
+
+    /** Starts a path with a camera ray. */
+    public void begin(Ray ray) {
+        counters.cameraRays++;
+        beginAgain(ray);
+    }
+
+    /** The same with one that is not counted, as it begins no sample. */
+    public void beginAgain(Ray ray) {
+        glass.begin(ray, scene.cameraSolids, null);
+        begin(0);
+    }
+
+    /**
+     * Starts a path with a ray that leaves a light.
+     *
+     * @param source it has just been emitted there
+     */
+    public void beginAtLight(Ray ray, PathSource source) {
+        glass.begin(ray, source.media(), source.faces());
+        begin(1);
+    }
+
+    /**
+     * Starts a shadow ray in the medium that a path is in, or behind the rough border that it is at.
+     *
+     * @param ray it has departed from the vertex that the path is at
+     */
+    void beginShadow(PathFollower from, Ray ray, boolean isBeyond) {
+        glass.begin(from.glass, isBeyond);
+        begin(1);
+        if (!isBeyond && from.glass.entersAtOnce()) {
+            glass.settle(ray, from.id);
+        }
+    }
+
+    /** Starts a shadow ray in the medium that a path is flying through, whatever that has come to. */
+    void beginShadowOnTheWay(PathFollower from) {
+        glass.beginOnTheWay(from.glass);
+        begin(1);
+    }
+
+    private void begin(int left) {
+        key = 0;
+        surfaces = left;
+        bounces = 0;
+        straight = 0;
+        passedStraight = false;
+        poll.tick();
+    }
+
+    /** Follows the ray to what it meets next. */
+    public Event next(Ray ray) {
+        id = glass.takeNext(hit);
+        tookNext = id >= 0;
+        if (id < 0) {
+            if (!(surfaces == 0 ? tracer.traceCamera(ray, hit) : tracer.trace(ray, hit))) {
+                return Event.NOTHING;
+            }
+            light = tracer.light;
+            if (light != null) {
+                key = Hash.mix(key + 1);
+                return Event.LIGHT;
+            }
+            id = tracer.id;
+        }
+        key = Hash.mix(key - 1 - id - ((long) hit.face << 32));
+        if (glass.arrive(ray, id, hit)) {
+            return Event.GLASS;
+        }
+        id = glass.id;
+        return Event.SURFACE;
+    }
+
+    /** The material of the surface that the path is at. */
+    public SurfaceMaterial material() {
+        return scene.material(id, hit.face);
+    }
+
+    /** Writes the colour of that surface. */
+    public void color(SurfaceMaterial material, double[] rgb) {
+        if (!material.isTextured()) {
+            material.color(rgb);
+            return;
+        }
+        if (material.hasImage()) {
+            counters.textureLookups++;
+        }
+        hit.primitive.textureCoordinates(hit);
+        material.color(hit.u, hit.v, hit.primitive instanceof SpherePrimitive, rgb);
+    }
+
+    /**
+     * Turns the colour of the surface that the path is at into its reflectance.
+     *
+     * @param rgb the colour; receives what share of light that comes along the normal is reflected, by band; of a fluorescent surface, how
+     *     much leaves of light that has the same in all bands that there are
+     */
+    public void reflectance(Ray ray, SurfaceMaterial material, double[] rgb) {
+        if (material.reradiation != null) {
+            double[] light = {1, 1, 1, scene.physical.hasUltraviolet ? 1 : 0};
+            material.reradiation.scatter(rgb, light);
+            System.arraycopy(light, 0, rgb, 0, rgb.length);
+        }
+        if (material.bsdf instanceof GlossyReflection metal) {
+            metal.reflectAtNormal(arrive(ray, rgb));
+            rgb[0] = scattering.valueR;
+            rgb[1] = scattering.valueG;
+            rgb[2] = scattering.valueB;
+        }
+    }
+
+    /**
+     * Lets the ray leave an opaque surface in a direction that its material samples, from a point (u, v) of the unit square and a number
+     * that chooses the lobe.
+     *
+     * @param color the surface's colour; receives the weight of the direction, by which the path's throughput changes
+     * @return false if the path ends here
+     */
+    public boolean scatter(Ray ray, SurfaceMaterial material, double[] color, double u, double v, double choice) {
+        arrive(ray, color);
+        if (!material.bsdf.sample(scattering, u, v, choice)) {
+            return false;
+        }
+        color[0] = scattering.valueR;
+        color[1] = scattering.valueG;
+        color[2] = scattering.valueB;
+        counters.mirrorRays += scattering.delta ? 1 : 0;
+        leave(ray, scattering);
+        return true;
+    }
+
+    /** The opaque surface that the path is at, as a Bsdf wants it: with its colour, and without a direction to go on. */
+    public Scattering arrive(Ray ray, double[] color) {
+        Optics.arrive(scattering, ray, hit);
+        scattering.red = color[0];
+        scattering.green = color[1];
+        scattering.blue = color[2];
+        return scattering;
+    }
+
+    /** Lets the ray leave that surface in the direction that was sampled. */
+    public void leave(Ray ray, Scattering s) {
+        Optics.leave(ray, hit, s);
+        glass.startOnAll(ray);
+        glass.settle(ray, id);
+    }
+
+    /**
+     * As {@link #scatter} at a Lambertian surface, whose colour is the weight. If the density is 0 the path ends.
+     *
+     * @return the direction, and its density
+     */
+    public Scattering scatterMatte(Ray ray, double u, double v) {
+        scattering.nx = hit.nx * hit.side;
+        scattering.ny = hit.ny * hit.side;
+        scattering.nz = hit.nz * hit.side;
+        scattering.sampleMatte(u, v);
+        leave(ray, scattering);
+        return scattering;
+    }
+
+    /** How far the ray went to what {@link #next} found: nowhere if that coincides with the glass that it left. */
+    public double distance(Ray ray) {
+        return tookNext ? 0 : (hit.t - ray.tMin) * Math.sqrt(ray.dd);
+    }
+
+    /**
+     * The same for a ray that goes no further than this, in lengths of the frame: {@link Event#NOTHING} if it meets nothing on that way.
+     */
+    public Event next(Ray ray, double length) {
+        tracer.limit = Math.min(ray.tMin + length / Math.sqrt(ray.dd), Double.MAX_VALUE);
+        Event event = next(ray);
+        tracer.limit = Double.MAX_VALUE;
+        return event;
+    }
+
+    /**
+     * Stops on the way, after a length, in the medium that the ray is in: the path is at no surface then.
+     *
+     * @param s receives the direction that the path came from
+     */
+    public void stopAt(Ray ray, double length, Scattering s) {
+        double scale = 1 / Math.sqrt(ray.dd);
+        s.ox = -ray.dx * scale;
+        s.oy = -ray.dy * scale;
+        s.oz = -ray.dz * scale;
+        hit.px = Math.fma(-length, s.ox, Math.fma(ray.tMin, ray.dx, ray.ox));
+        hit.py = Math.fma(-length, s.oy, Math.fma(ray.tMin, ray.dy, ray.oy));
+        hit.pz = Math.fma(-length, s.oz, Math.fma(ray.tMin, ray.dz, ray.oz));
+        hit.nx = 0;
+        hit.ny = 0;
+        hit.nz = 0;
+        hit.side = Ray.OUTSIDE;
+        hit.primitive = null;
+        id = NOWHERE;
+        glass.leaveSurfaces();
+    }
+
+    /** The material of the medium that the ray is in, or null in empty space. */
+    public SurfaceMaterial medium() {
+        return medium(false);
+    }
+
+    /** The same, or that behind the rough border that the path is at. */
+    public SurfaceMaterial medium(boolean isBeyond) {
+        int solid = glass.medium(isBeyond);
+        return solid < 0 ? around : scene.inside(solid);
+    }
+
+    /** How glass scatters where the path is at a rough border of two media, and where; null elsewhere. */
+    public Bsdf roughBorder(Ray ray, Scattering s) {
+        return glass.roughBorder(ray, hit, s);
+    }
+
+    /** How many scattering events it has had. */
+    public int bounces() {
+        return bounces;
+    }
+
+    /** Whether the path may have one more scattering event. */
+    public boolean mayScatter() {
+        return bounces < maxBounces;
+    }
+
+    /** Whether it may have two more. */
+    public boolean mayScatterTwice() {
+        return bounces < maxBounces - 1;
+    }
+
+    /**
+     * Lets the ray pass, be refracted or be reflected at the surfaces of glass that it came to.
+     *
+     * @return whether it was transmitted
+     */
+    public boolean cross(Ray ray) {
+        boolean through = glass.cross(ray, hit);
+        passedStraight = glass.passedStraight();
+        key += through ? 1 : 0;
+        return through;
+    }
+
+    /**
+     * Lets a shadow ray pass the surfaces of glass that it came to, if they do not turn it.
+     *
+     * @param rgb is multiplied by the share that passes
+     * @return whether it did
+     */
+    boolean passStraight(Ray ray, double[] rgb) {
+        double share = glass.passStraight(ray, hit);
+        if (!(share > 0)) {
+            return false;
+        }
+        share = glass.clear(share);
+        for (int c = 0; c < rgb.length; c++) {
+            rgb[c] *= share;
+        }
+        filter(rgb);
+        passedStraight = true;
+        return goesOn();
+    }
+
+    /** Multiplies by the colours of the glass that the ray was just transmitted by. */
+    public void filter(double[] rgb) {
+        for (int k = 0; k < glass.surfaces(); k++) {
+            if (glass.filters(k, true)) {
+                turnTo(k);
+                color(material(), tint);
+                rgb[0] *= tint[0];
+                rgb[1] *= tint[1];
+                rgb[2] *= tint[2];
+            }
+        }
+    }
+
+    /** Turns to one of the surfaces that coincide here. */
+    public void turnTo(int k) {
+        id = glass.surface(k);
+        hit.set(glass.hitOf(k));
+    }
+
+    /**
+     * Counts the event that the path leaves behind. Surfaces that do not turn the ray are no bounces, so cutting a scene into more
+     * pieces changes nothing.
+     *
+     * @return whether the path may go on
+     */
+    public boolean goesOn() {
+        surfaces++;
+        if (!passedStraight) {
+            bounces++;
+            straight = 0;
+        } else if (++straight > maxStraight) {
+            return false;
+        }
+        passedStraight = false;
+        if (bounces > maxBounces) {
+            return false;
+        }
+        poll.tick();
+        return true;
+    }
+}

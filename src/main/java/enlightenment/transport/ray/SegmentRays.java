@@ -1,0 +1,107 @@
+package enlightenment.transport.ray;
+
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.RayCounters;
+import java.util.Arrays;
+
+/**
+ * Whether a vertex of a path sees a place on another surface, and what of light the medium on the way and glass that
+ * does not turn rays let pass. Paths pass the same surfaces by the same rules.
+ */
+public final class SegmentRays {
+    private final PathFollower path;
+    private final Hit hit;
+    private final Ray ray = new Ray();
+    private final boolean absorbs;
+
+    /** Follows rays through glass that does not turn them; null if there is none. */
+    private final PathFollower walk;
+
+    private boolean isBorder;
+    private boolean isBeyond;
+    private double dx;
+    private double dy;
+    private double dz;
+    private double length;
+    private int endId;
+    private int endFace;
+
+    /** What comes through, by band. */
+    public final double[] rgb = new double[3];
+
+    /** From the vertex that a path is at. */
+    public SegmentRays(CompiledScene scene, RayCounters counters, PathFollower path) {
+        this.path = path;
+        hit = path.hit;
+        absorbs = scene.physical.hasAbsorption;
+        walk = scene.physical.hasStraightGlass ? new PathFollower(scene, counters, Integer.MAX_VALUE) : null;
+    }
+
+    /**
+     * Begins at the vertex that the path is at.
+     *
+     * @param atBorder whether that is a rough border of two media
+     * @param through whether the rays leave it on the side that the path did not come from
+     */
+    public void begin(boolean atBorder, boolean through) {
+        isBorder = atBorder;
+        isBeyond = through;
+    }
+
+    /** Whether it sees the place at this distance along a unit vector, on a face of a primitive, or on none if its id is negative. */
+    public boolean reaches(double x, double y, double z, double distance, int id, int face) {
+        dx = x;
+        dy = y;
+        dz = z;
+        length = distance;
+        endId = id;
+        endFace = face;
+        path.poll.tick();
+        Arrays.fill(rgb, 1);
+        if (!start() && path.tracer.joins(ray, length, id, face)) {
+            absorb(absorbs ? path.medium(isBeyond) : null, length);
+            return true;
+        }
+        return walk != null && walks();
+    }
+
+    /** Returns whether something is in the ray's way at once. */
+    private boolean start() {
+        ray.set(hit.px, hit.py, hit.pz, dx, dy, dz, 0);
+        return Departure.from(path, ray, isBorder, isBeyond);
+    }
+
+    private boolean walks() {
+        start();
+        walk.beginShadow(path, ray, isBeyond);
+        double left = length;
+        while (true) {
+            SurfaceMaterial medium = absorbs ? walk.medium() : null;
+            PathFollower.Event event = walk.next(ray);
+            boolean isPast = event == PathFollower.Event.NOTHING || walk.distance(ray) >= left;
+            boolean isEnd = event != PathFollower.Event.NOTHING && isEnd(left - walk.distance(ray));
+            if (isPast || isEnd) {
+                absorb(medium, left);
+                return true;
+            }
+            absorb(medium, walk.distance(ray));
+            left -= walk.distance(ray);
+            if (event == PathFollower.Event.SURFACE || !walk.passStraight(ray, rgb)) {
+                return false;
+            }
+        }
+    }
+
+    private boolean isEnd(double left) {
+        return endId >= 0 && path.tracer.isEnd(ray, left, walk.id, walk.hit, endId, endFace);
+    }
+
+    private void absorb(SurfaceMaterial medium, double distance) {
+        if (medium != null && medium.absorbs) {
+            medium.absorb(distance, rgb);
+        }
+    }
+}

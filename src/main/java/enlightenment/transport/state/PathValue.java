@@ -1,0 +1,374 @@
+package enlightenment.transport.state;
+
+import enlightenment.bsdf.Reradiation;
+import enlightenment.sampling.Hash;
+import enlightenment.sampling.Sampler;
+import enlightenment.world.material.SurfaceMaterial;
+import java.util.Arrays;
+
+/**
+ * What a path from the eye has gathered, and how much of what is still to come counts: its throughput. Of both, the part that is not left
+ * to chance is told apart. Mutable, one per thread.
+ */
+public final class PathValue {
+    /** From this scattering event on roulette may end a path. */
+    public static final int ROULETTE_FROM = 5;
+
+    /** Sooner, if less than this is left of a path's throughput. */
+    public static final double FAINT = 0.05;
+
+    /** Paths of a closed white room must end, too. */
+    public static final double LARGEST_SURVIVAL = 0.99;
+
+    /** The wavelength of the path; null if none matters. */
+    public PathWavelength wavelength;
+
+    /** What was gathered. */
+    double red;
+
+    double green;
+    double blue;
+
+    /** Whether only the indirect part of that is wanted ({@link PathPart#INDIRECT}). */
+    public boolean isIndirect;
+
+    /** Whether all that is added now is part of it; and what was before. */
+    private boolean onlyIndirect;
+
+    private double indirectR;
+    private double indirectG;
+    private double indirectB;
+
+    /** Radiance at the eye per radiance here, where the index of refraction is another one. */
+    private double compression;
+
+    private final double[] transmittance = new double[3];
+
+    /** The index of refraction of the medium that the eye is in. */
+    private double firstIndex;
+
+    /** True until the first random decision of the path. */
+    public boolean certain;
+
+    /** What was gathered until then. */
+    private double certainRed;
+
+    private double certainGreen;
+    private double certainBlue;
+
+    /** What the path came to until then. */
+    private long certainKey;
+
+    public double throughputR;
+    public double throughputG;
+    public double throughputB;
+
+    /** What fluorescent surfaces do with light; null if there are none. */
+    private final BandMixing mixing;
+
+    /** Whether the path has been scattered by one. */
+    private boolean mixes;
+
+    private final double[] mixed = new double[3];
+
+    /** Of a path that meets no fluorescent surfaces. */
+    public PathValue() {
+        this(null);
+    }
+
+    /** @param mixing of this path alone; null if there are no fluorescent surfaces */
+    public PathValue(BandMixing mixing) {
+        this.mixing = mixing;
+    }
+
+    /** @param index of refraction of the medium that the eye is in */
+    public void begin(double index) {
+        beginPart();
+        onlyIndirect = false;
+        indirectR = 0;
+        indirectG = 0;
+        indirectB = 0;
+        compression = 1;
+        firstIndex = index;
+        certain = true;
+        certainRed = 0;
+        certainGreen = 0;
+        certainBlue = 0;
+    }
+
+    /** Forgets what was gathered, for what comes from here on to be worth what it is here. */
+    public void beginPart() {
+        mixes = false;
+        red = 0;
+        green = 0;
+        blue = 0;
+        throughputR = 1;
+        throughputG = 1;
+        throughputB = 1;
+    }
+
+    /** Adds visible radiance that leaves what the path is at towards where it came from. */
+    public void add(double r, double g, double b) {
+        add(r, g, b, 0);
+    }
+
+    /** Adds radiance, that of ultraviolet as well, that leaves what the path is at towards where it came from. */
+    public void add(double r, double g, double b, double ultraviolet) {
+        if (mixes) {
+            mix(r, g, b, ultraviolet);
+            red += mixed[0];
+            green += mixed[1];
+            blue += mixed[2];
+            return;
+        }
+        red = Math.fma(throughputR * compression, r, red);
+        green = Math.fma(throughputG * compression, g, green);
+        blue = Math.fma(throughputB * compression, b, blue);
+    }
+
+    /** Adds what a surface emits. All of it is certain, whatever the weight is. */
+    public void addEmission(SurfaceMaterial material, double weight) {
+        add(
+                weight * material.glowR,
+                weight * material.glowG,
+                weight * material.glowB,
+                weight * material.glowUltraviolet);
+        addCertain(material.glowR, material.glowG, material.glowB, material.glowUltraviolet);
+    }
+
+    /** Writes what a surface's emission is worth, in place of {@link #addEmission}. */
+    public void getEmission(SurfaceMaterial material, double[] out) {
+        out[0] = throughputR * compression * material.glowR;
+        out[1] = throughputG * compression * material.glowG;
+        out[2] = throughputB * compression * material.glowB;
+    }
+
+    /** Adds the light that was gathered where the path is. */
+    public void add(GatheredLight light) {
+        add(light.red, light.green, light.blue, light.ultraviolet);
+    }
+
+    /** Adds what a Lambertian surface of this colour reflects of the light that was gathered there. */
+    public void addReflected(GatheredLight light, double[] color) {
+        add(color[0] * light.red, color[1] * light.green, color[2] * light.blue, color[2] * light.ultraviolet);
+        if (certain) {
+            addCertain(
+                    color[0] * light.certainRed,
+                    color[1] * light.certainGreen,
+                    color[2] * light.certainBlue,
+                    color[2] * light.certainUltraviolet);
+        }
+    }
+
+    /** Finds what light brings to the eye, if fluorescent surfaces have scattered the path. */
+    private void mix(double r, double g, double b, double ultraviolet) {
+        double x = throughputR * compression * r;
+        double y = throughputG * compression * g;
+        double z = throughputB * compression * b;
+        double u = throughputB * compression * ultraviolet;
+        for (int band = 0; band < mixed.length; band++) {
+            mixed[band] = mixing.of(band, x, y, z, u);
+        }
+    }
+
+    /** Adds radiance that is indirect although the path is not yet. */
+    public void addIndirect(double r, double g, double b, double ultraviolet) {
+        add(r, g, b, ultraviolet);
+        if (!isIndirect || onlyIndirect) {
+            return;
+        }
+        if (mixes) {
+            indirectR += mixed[0];
+            indirectG += mixed[1];
+            indirectB += mixed[2];
+            return;
+        }
+        indirectR = Math.fma(throughputR * compression, r, indirectR);
+        indirectG = Math.fma(throughputG * compression, g, indirectG);
+        indirectB = Math.fma(throughputB * compression, b, indirectB);
+    }
+
+    /**
+     * Adds what comes from where the path has left the scene.
+     *
+     * @param isEven whether it is the same everywhere: else it is left to chance
+     */
+    public void addEscaped(GatheredLight light, boolean isEven, long key) {
+        add(light.red, light.green, light.blue);
+        if (isEven) {
+            addCertain(light.red, light.green, light.blue, 0);
+        } else {
+            leaveToChance(key);
+        }
+    }
+
+    /** From here on the path is indirect. */
+    public void beginIndirect() {
+        if (isIndirect && !onlyIndirect) {
+            dropDirect();
+            onlyIndirect = true;
+        }
+    }
+
+    private void dropDirect() {
+        red = indirectR;
+        green = indirectG;
+        blue = indirectB;
+    }
+
+    /** Notes the part of what is added that no random number has a part in. */
+    void addCertain(double r, double g, double b, double ultraviolet) {
+        if (certain && mixes) {
+            // Nothing has turned the path: light is what it is at the eye.
+            mix(r, g, b, ultraviolet);
+            certainRed += mixed[0];
+            certainGreen += mixed[1];
+            certainBlue += mixed[2];
+        } else if (certain) {
+            certainRed = Math.fma(throughputR, r, certainRed);
+            certainGreen = Math.fma(throughputG, g, certainGreen);
+            certainBlue = Math.fma(throughputB, b, certainBlue);
+        }
+    }
+
+    /**
+     * From here on random numbers have a part in the path.
+     *
+     * @param key what it came to until now, as a hash
+     */
+    public void leaveToChance(long key) {
+        if (certain) {
+            certain = false;
+            certainKey = Hash.mix(key);
+        }
+    }
+
+    /**
+     * Writes the part that is not left to chance.
+     *
+     * @param key what the path has come to now, as a hash
+     * @return what it had come to when chance began; the key if all is certain
+     */
+    public long certain(double[] out, long key) {
+        out[0] = certainRed;
+        out[1] = certainGreen;
+        out[2] = certainBlue;
+        return certain ? key : certainKey;
+    }
+
+    /** Writes what was gathered. */
+    public void get(double[] out) {
+        if (isIndirect && !onlyIndirect) {
+            dropDirect();
+        }
+        out[0] = red;
+        out[1] = green;
+        out[2] = blue;
+    }
+
+    /** Makes the path worth the share of light that its last surface reflects, in place of light; returns that it does not go on. */
+    public boolean endsWith(double[] rgb) {
+        red = throughputR * rgb[0];
+        green = throughputG * rgb[1];
+        blue = throughputB * rgb[2];
+        return false;
+    }
+
+    /**
+     * The path is scattered by a fluorescent surface, and goes on as from a grey one.
+     *
+     * @param surface its colour; receives the reflectance of that
+     * @return whether the path goes on
+     */
+    public boolean scatter(Reradiation by, double[] surface) {
+        if (!mixes) {
+            mixing.clear();
+            mixes = true;
+        }
+        // What roulette asks for stays what it was, but for the colour.
+        double most = Math.max(throughputR, Math.max(throughputG, throughputB));
+        if (!(most > 0)) {
+            return false;
+        }
+        mixing.filter(throughputR / most, throughputG / most, throughputB / most);
+        throughputR = most;
+        throughputG = most;
+        throughputB = most;
+        Arrays.fill(surface, mixing.scatterAsGrey(by, surface));
+        return surface[0] > 0;
+    }
+
+    /** The path is in a medium with this index of refraction now. */
+    public void enter(double index) {
+        compression = firstIndex * firstIndex / (index * index);
+    }
+
+    /** Radiance at the eye per radiance here, where the index of refraction is another one. */
+    public double compression() {
+        return compression;
+    }
+
+    /** Multiplies the throughput. */
+    public void filter(double r, double g, double b) {
+        throughputR *= r;
+        throughputG *= g;
+        throughputB *= b;
+    }
+
+    /** Takes note of it where the path's wavelength has become the only one. */
+    public void disperse() {
+        if (wavelength != null && wavelength.takesEffect()) {
+            filter(wavelength.red, wavelength.green, wavelength.blue);
+        }
+    }
+
+    /** The same by Beer and Lambert's law, on the way to what the path has come to. */
+    public void absorb(SurfaceMaterial medium, double length) {
+        Arrays.fill(transmittance, 1);
+        medium.absorb(length, transmittance);
+        filter(transmittance[0], transmittance[1], transmittance[2]);
+    }
+
+    /** How much is left of the throughput, in the band that has the most; bands of a single wavelength may be negative. */
+    private double left() {
+        return Math.max(Math.abs(throughputR), Math.max(Math.abs(throughputG), Math.abs(throughputB)));
+    }
+
+    /** The throughput, summed over the bands. */
+    public double throughput() {
+        return Math.abs(throughputR) + Math.abs(throughputG) + Math.abs(throughputB);
+    }
+
+    /** Whether a path that has had so many events goes on without roulette. */
+    public boolean isSafe(int events) {
+        return events < ROULETTE_FROM && left() >= FAINT;
+    }
+
+    /**
+     * Plays roulette by the weight of an event, which was filtered by: by the event's own albedo, since what is left of the path's
+     * throughput says little of what is to come.
+     *
+     * @param event the number of that event, counted from 0
+     */
+    public boolean survives(double r, double g, double b, Sampler sampler, int event) {
+        if (!(left() > 0)) {
+            return false;
+        }
+        return survives(survival(r, g, b), sampler, event);
+    }
+
+    /** Plays roulette with a probability of survival. */
+    public boolean survives(double survival, Sampler sampler, int event) {
+        if (!(sampler.unit(event, Sampler.Purpose.ROULETTE) < survival)) {
+            return false;
+        }
+        double scale = 1 / survival;
+        filter(scale, scale, scale);
+        return true;
+    }
+
+    /** The probability of surviving an event of this weight. */
+    public static double survival(double r, double g, double b) {
+        return Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
+    }
+}

@@ -1,0 +1,326 @@
+package enlightenment.world;
+
+import enlightenment.accel.Accelerator;
+import enlightenment.accel.ConeSearch;
+import enlightenment.accel.PrimitiveList;
+import enlightenment.color.DisplayCurve;
+import enlightenment.frame.Bounds;
+import enlightenment.frame.SceneFrame;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
+import enlightenment.scene.ClassicShading;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Shading;
+import enlightenment.surroundings.Surroundings;
+import enlightenment.world.camera.CompiledCamera;
+import enlightenment.world.camera.RayStarts;
+import enlightenment.world.contact.CoincidentHits;
+import enlightenment.world.contact.CoincidentSurfaces;
+import enlightenment.world.contact.GlassBoxes;
+import enlightenment.world.contact.TouchedBoxes;
+import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.LightBody;
+import enlightenment.world.light.OccluderSet;
+import enlightenment.world.light.PhysicalLight;
+import enlightenment.world.material.FaceMaterials;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.CompiledPrimitives;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+
+/**
+ * A scene made ready for rendering: only what it requires, in flat arrays. Immutable, shared by all threads.
+ *
+ * <p>Primitives are in a canonical order that does not depend on the order in the scene file, so that neither does the
+ * picture.
+ */
+public final class CompiledScene {
+    /** How far boxes are widened, in units of the largest coordinate: more than the roundings of two surfaces together. */
+    private static final double WIDENING = Scale.gamma(128);
+
+    public final SceneFrame frame;
+    public final CompiledCamera camera;
+
+    /** How surfaces are shaded. */
+    public final Shading shading;
+
+    /** The shading, if it is classic; else null. */
+    public final ClassicShading classic;
+
+    /** What physical shading needs, if that is the shading; else null. */
+    public final PhysicalScene physical;
+
+    public final CompiledLight[] lights;
+
+    /** Those lights that can be seen, and boxes around them. */
+    public final CompiledLight[] visibleLights;
+
+    public final Bounds[] lightBounds;
+
+    /** The primitives by id. */
+    public final Primitive[] primitives;
+
+    /** Boxes around the primitives by id; empty if there is a hierarchy, which has its own. */
+    final Bounds[] bounds;
+
+    private final CompiledPrimitives compiled;
+    private final FaceMaterials materials;
+
+    /** Finds what rays meet among the primitives: a hierarchy, or a list where a plain loop is faster. */
+    public final Accelerator accelerator;
+
+    /** Finds the primitives that may occlude a light. */
+    public final OccluderSet occluders;
+
+    /** By id: the kind of shape, an index into {@link #kindNames}. */
+    public final int[] kind;
+
+    /** The kinds of shapes in the scene. */
+    public final List<String> kindNames;
+
+    /** Ids of solids made of glass. */
+    public final int[] glassSolids;
+
+    /** Ids of those glass solids that a camera ray may start in. */
+    public final int[] cameraSolids;
+
+    /** Which faces coincide. */
+    public final CoincidentSurfaces coincident;
+
+    /** Whether a light that can be seen lies on a face of a primitive. */
+    final boolean lightsLieOnSurfaces;
+
+    /** Boxes around the solids of glass, a little wider than they are. */
+    public final GlassBoxes glassBoxes;
+
+    /** By id: rank of a glass solid, the smallest fills overlaps; see {@link enlightenment.material.Material.Glass#priority}. */
+    public final int[] mediumRank;
+
+    /** By id: the index of its object in the scene's list, from 0. */
+    public final int[] object;
+
+    /** The number of objects in the scene's list, including duplicates of which only one became a primitive. */
+    public final int objects;
+
+    /** Images of lights that can be aimed at; null if there are none. */
+    public final MirrorBalls mirrorBalls;
+
+    /** The scene at the moments that its picture is the mean of; empty if it is one of a moment. */
+    public final CompiledScene[] instants;
+
+    /** Set once, when the scene is compiled. */
+    private int momentsOfPicture = 1;
+
+    private ConeSearch coneSearch;
+    private LightStarts lightStarts;
+    private LightStarts lightStartsWithBackground;
+    private final Map<Class<?>, Object> made = new HashMap<>();
+    private final List<String> features;
+    private final List<String> absent;
+
+    /** What the pixels of its pictures are, and how they become what a screen takes. */
+    public final DisplayCurve display;
+
+    CompiledScene(
+            SceneFrame frame,
+            CompiledCamera camera,
+            Shading shading,
+            CompiledLight[] lights,
+            List<PhysicalLight> points,
+            Surroundings surroundings,
+            CompiledPrimitives compiled,
+            Accelerator accelerator,
+            List<String> features,
+            List<String> absent,
+            DisplayCurve display,
+            Runnable poll,
+            CompiledScene... instants) {
+        this.display = display;
+        this.instants = instants;
+        for (CompiledScene moment : instants) {
+            moment.momentsOfPicture = instants.length;
+        }
+        this.frame = frame;
+        this.camera = camera;
+        this.shading = shading;
+        classic = shading instanceof ClassicShading c ? c : null;
+        physical = shading instanceof PhysicalShading p
+                ? new PhysicalScene(p, frame, surroundings, compiled, accelerator, points, camera.startBounds(), poll)
+                : null;
+        this.lights = lights;
+        this.compiled = compiled;
+        this.primitives = compiled.primitives();
+        this.materials = compiled.materials();
+        this.kind = compiled.kind();
+        this.kindNames = compiled.kindNames();
+        this.glassSolids = compiled.glassSolids();
+        this.mediumRank = compiled.mediumRank();
+        object = compiled.object();
+        objects = compiled.objects();
+        this.accelerator = accelerator;
+        boolean few = accelerator instanceof PrimitiveList;
+        visibleLights = visible(lights);
+        lightBounds = new Bounds[visibleLights.length];
+        for (int i = 0; i < lightBounds.length; i++) {
+            lightBounds[i] = visibleLights[i].bounds();
+        }
+        bounds = new Bounds[few ? primitives.length : 0];
+        for (int id = 0; id < bounds.length; id++) {
+            bounds[id] = primitives[id].bounds();
+        }
+        coincident = CoincidentSurfaces.of(compiled, accelerator, poll);
+        boolean anyLies = false;
+        LightBody[] bodies = physical == null ? lights : physical.lights;
+        TouchedBoxes near = new TouchedBoxes(primitives, kind, kindNames.size(), accelerator);
+        if (physical != null) {
+            physical.lieOn(compiled, near, coincident, few, poll);
+        }
+        for (CompiledLight light : lights) {
+            light.lieOn(near);
+            anyLies |= light.surface != null && !light.lyingOn().isEmpty();
+        }
+        lightsLieOnSurfaces = anyLies;
+        glassBoxes = new GlassBoxes(glassSolids, id -> widened(primitives[id].bounds()));
+        cameraSolids = solidsAround(camera.rayStarts());
+        occluders = new OccluderSet(primitives, bodies, few);
+        if (physical != null && accelerator instanceof PrimitiveList all) {
+            physical.findOccluders(primitives, occluders, all);
+        }
+        mirrorBalls = physical == null ? null : MirrorBalls.of(compiled, coincident, physical, poll);
+        PhysicalFeatures more =
+                physical == null ? null : new PhysicalFeatures(physical, materials.distinct(), mirrorBalls);
+        this.features = more == null ? List.copyOf(features) : joined(more.present, features);
+        this.absent = more == null ? List.copyOf(absent) : joined(more.absent, absent);
+    }
+
+    private static List<String> joined(List<String> some, List<String> more) {
+        return Stream.concat(some.stream(), more.stream()).toList();
+    }
+
+    private static CompiledLight[] visible(CompiledLight[] lights) {
+        CompiledLight[] visible = new CompiledLight[lights.length];
+        int n = 0;
+        for (CompiledLight light : lights) {
+            if (light.surface != null) {
+                visible[n++] = light;
+            }
+        }
+        return Arrays.copyOf(visible, n);
+    }
+
+    private int[] solidsAround(RayStarts starts) {
+        int[] solids = new int[glassSolids.length];
+        int n = 0;
+        for (int id : glassSolids) {
+            if (starts.mayLieIn(widened(primitives[id].bounds()))) {
+                solids[n++] = id;
+            }
+        }
+        return Arrays.copyOf(solids, n);
+    }
+
+    private static Bounds widened(Bounds box) {
+        return CoincidentSurfaces.widened(box, WIDENING * box.maxAbs());
+    }
+
+    /** The primitives with their materials. */
+    CompiledPrimitives parts() {
+        return compiled;
+    }
+
+    /** A search for the surfaces that coincide with a hit, for one thread. */
+    public CoincidentHits coincidentHits() {
+        return new CoincidentHits(compiled, coincident, physical != null);
+    }
+
+    /** Whether a face of a primitive is made of glass. */
+    public boolean isGlass(int id, int face) {
+        return material(id, face).isGlass;
+    }
+
+    /** The material that fills a solid of glass. */
+    public SurfaceMaterial inside(int glassSolid) {
+        return materials.inside(glassSolid);
+    }
+
+    /** The material of a face of a primitive. */
+    public SurfaceMaterial material(int id, int face) {
+        return materials.of(id, face);
+    }
+
+    /** The features that are modelled because the scene requires them, in plain words. */
+    public List<String> features() {
+        return features;
+    }
+
+    /** The features that are left out because the scene does not require them, in plain words. */
+    public List<String> absent() {
+        return absent;
+    }
+
+    /** Decides visibilities in a hierarchy. Made when it is first needed: few renders do. */
+    synchronized ConeSearch coneSearch() {
+        if (coneSearch == null) {
+            coneSearch = ConeSearch.of(accelerator);
+        }
+        return coneSearch;
+    }
+
+    /**
+     * Where paths of light begin. Made when it is first needed: few renders do.
+     *
+     * @param withBackground whether they may begin in the surroundings
+     */
+    public synchronized LightStarts lightStarts(boolean withBackground) {
+        if (withBackground) {
+            if (lightStartsWithBackground == null) {
+                lightStartsWithBackground = new LightStarts(physical, primitives, true);
+            }
+            return lightStartsWithBackground;
+        }
+        if (lightStarts == null) {
+            lightStarts = new LightStarts(physical, primitives, false);
+        }
+        return lightStarts;
+    }
+
+    /**
+     * What another package makes of the scene once for all threads, when it is first asked for.
+     *
+     * @param kind what it is: one of each is kept
+     * @param maker makes it, immutable, of this scene alone
+     */
+    public synchronized <T> T once(Class<T> kind, Supplier<T> maker) {
+        Object known = made.get(kind);
+        if (known == null) {
+            known = maker.get();
+            made.put(kind, known);
+        }
+        return kind.cast(known);
+    }
+
+    /** How many moments the picture is the mean of that this scene is one of; 1 if it has one only. */
+    public int momentsOfPicture() {
+        return momentsOfPicture;
+    }
+
+    /** The moments that the picture is the mean of: this scene alone where there are no {@link #instants}. */
+    public CompiledScene[] moments() {
+        return instants.length == 0 ? new CompiledScene[] {this} : instants.clone();
+    }
+
+    /** Whether caustics are the business of a pass of their own, at any moment. */
+    public boolean hasCausticPass() {
+        return isEver(moment -> moment.physical != null && moment.physical.hasCausticPass());
+    }
+
+    /** Whether that is so at any moment of what a picture shows. */
+    public boolean isEver(Predicate<CompiledScene> isSo) {
+        return Arrays.stream(moments()).anyMatch(isSo);
+    }
+}

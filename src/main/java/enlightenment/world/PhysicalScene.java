@@ -1,0 +1,284 @@
+package enlightenment.world;
+
+import enlightenment.accel.Accelerator;
+import enlightenment.accel.PrimitiveList;
+import enlightenment.color.Rgb;
+import enlightenment.emitter.LightSampler;
+import enlightenment.frame.Bounds;
+import enlightenment.frame.SceneFrame;
+import enlightenment.material.Material;
+import enlightenment.material.Medium;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
+import enlightenment.scene.Background;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.surroundings.Sun;
+import enlightenment.surroundings.Surroundings;
+import enlightenment.world.contact.CoincidentSurfaces;
+import enlightenment.world.contact.StraightGlass;
+import enlightenment.world.contact.TouchedBoxes;
+import enlightenment.world.light.CausticPass;
+import enlightenment.world.light.LightBands;
+import enlightenment.world.light.LightMedia;
+import enlightenment.world.light.LightPyramid;
+import enlightenment.world.light.OccluderSet;
+import enlightenment.world.light.PhysicalLight;
+import enlightenment.world.material.PhysicalSurface;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.CancellationCheck;
+import enlightenment.world.parts.CompiledPrimitives;
+import enlightenment.world.parts.SceneExtent;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** What physical shading adds to a compiled scene: lights, surroundings, and what of it the scene requires. Immutable. */
+public final class PhysicalScene {
+    /** Binary logarithm of the least {@link #areaUnit}: that of the largest scenes that are promised to be right (docs/numerics.md). */
+    private static final int LEAST_AREA = -400;
+
+    private static final int NO_LIGHT = -1;
+
+    /** The lights: faces of primitives that glow, in the order of ids and faces, then points. */
+    public final PhysicalLight[] lights;
+
+    /** Chooses among them, by their indices. */
+    public final LightSampler picker;
+
+    /** The radiance that comes from everywhere that nothing hides: linear, by band. */
+    public final double backgroundR;
+
+    public final double backgroundG;
+    public final double backgroundB;
+
+    /** Light from infinity that is not the same from everywhere: then that which is the same is 0; else null. */
+    public final Surroundings surroundings;
+
+    /** The most scattering events of a path. */
+    public final int maxBounces;
+
+    /** What paths from lights look for caustics with; null if there is no pass of them. */
+    public final CausticPass caustics;
+
+    /** The material of what fills the whole scene outside of its solids, which has no end; null if nothing does. */
+    public final SurfaceMaterial around;
+
+    /** Whether a medium scatters light, or something fills the whole scene. */
+    public final boolean hasScattering;
+
+    /** Whether there may be a point of a light inside of a solid that is a medium. */
+    public final boolean lightsLieInGlass;
+
+    /** Whether a medium takes light away on a straight way. */
+    public final boolean hasAbsorption;
+
+    /** Whether borders of media may be rough. */
+    public final boolean hasRoughGlass;
+
+    /** Whether indices of refraction depend on the wavelength. */
+    public final boolean hasDispersion;
+
+    /** Whether a share of some glass is opaque. */
+    public final boolean hasPartialGlass;
+
+    /**
+     * Whether shadow rays may pass glass that does not turn them: panes, borders of media of equal index, and faces of solids that are no
+     * borders, since another solid fills the place.
+     */
+    public final boolean hasStraightGlass;
+
+    /** Whether there is ultraviolet light, and something that shows it. */
+    public final boolean hasUltraviolet;
+
+    /** The most that surfaces make of ultraviolet in a visible band; 0 if there is none. */
+    public final double visibleOfUltraviolet;
+
+    /** About how much light there is of each band; null unless there are fluorescent surfaces. */
+    public final double[] lightOfBands;
+
+    /** Whether things may be seen in mirrors, in panes, or through glass that turns rays. */
+    public final boolean showsMirrored;
+
+    /**
+     * A power of two, as an area of the frame: what weights of ways to find a path measure areas in, whose squares must be within the range
+     * of doubles. It is the geometric mean of the areas of the scene, of about 1, and of the smallest thing that is not a point beside
+     * its distance from the eye.
+     */
+    public final double areaUnit;
+
+    /** By id: where its faces are found in {@link #lightOfFace}, or -1 if none of them glows. */
+    private final int[] firstFace;
+
+    private final int[] lightOfFace;
+
+    PhysicalScene(
+            PhysicalShading shading,
+            SceneFrame frame,
+            Surroundings surroundings,
+            CompiledPrimitives compiled,
+            Accelerator accelerator,
+            List<PhysicalLight> points,
+            Bounds eye,
+            Runnable poll) {
+        around = shading.medium().map(m -> around(m, frame)).orElse(null);
+        Rgb clear = seen(Rgb.WHITE, around);
+        this.surroundings = surroundings == null || clear.equals(Rgb.WHITE)
+                ? surroundings
+                : clear.max() > 0 ? surroundings.filtered(clear) : null;
+        Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
+        backgroundR = background.r();
+        backgroundG = background.g();
+        backgroundB = background.b();
+        maxBounces = shading.maxBounces().orElse(Integer.MAX_VALUE);
+        boolean fluoresces = compiled.materials().any(m -> m.reradiation != null);
+        hasUltraviolet = fluoresces && LightBands.haveUltraviolet(compiled.materials(), points);
+        visibleOfUltraviolet = hasUltraviolet ? LightBands.visibleOfUltraviolet(compiled.materials()) : 0;
+        int least = Scale.exponent(SceneExtent.least(compiled.primitives()));
+        areaUnit = Math.scalb(1.0, Math.max(least, LEAST_AREA));
+        int n = compiled.primitives().length;
+        firstFace = new int[n];
+        List<Integer> ofFaces = new ArrayList<>();
+        List<PhysicalLight> all = new ArrayList<>();
+        for (int id = 0; id < n; id++) {
+            firstFace[id] = NO_LIGHT;
+            int faces = compiled.primitives()[id].faceCount();
+            int first = ofFaces.size();
+            for (int face = 0; face < faces; face++) {
+                PhysicalLight light = lightOf(compiled, id, face, eye);
+                ofFaces.add(light == null ? NO_LIGHT : all.size());
+                if (light != null) {
+                    firstFace[id] = first;
+                    all.add(light);
+                }
+            }
+            if (firstFace[id] == NO_LIGHT) {
+                ofFaces.subList(first, ofFaces.size()).clear();
+            }
+        }
+        for (PhysicalLight point : points) {
+            PhysicalLight shown = hasUltraviolet ? point : point.withoutUltraviolet();
+            if (brightness(shown) > 0) {
+                all.add(shown);
+            }
+        }
+        hasRoughGlass = compiled.materials().any(m -> m.isGlass && !m.isDelta);
+        hasDispersion = Arrays.stream(compiled.glassSolids())
+                .anyMatch(id -> compiled.materials().inside(id).dispersion != 0);
+        hasPartialGlass = compiled.materials().any(m -> m.isGlass && m.transparency < 1);
+        hasScattering = around != null || compiled.materials().any(m -> m.medium != null);
+        hasAbsorption = around != null
+                || Arrays.stream(compiled.glassSolids())
+                        .anyMatch(id -> compiled.materials().inside(id).absorbs);
+        hasStraightGlass = StraightGlass.mayBeThere(compiled, accelerator, poll);
+        showsMirrored = compiled.materials().any(m -> !m.isGlass && m.isDelta && !m.isBlack)
+                || hasClearGlass(compiled)
+                || StraightGlass.hasPanes(compiled);
+        lights = all.toArray(new PhysicalLight[0]);
+        lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
+        LightMedia.find(lights, compiled, accelerator, poll);
+        lightsLieInGlass = hasScattering && Arrays.stream(lights).anyMatch(l -> l.mediaAround().length > 0);
+        Sun sun = this.surroundings == null ? null : this.surroundings.sun;
+        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
+        picker = picker(lights, poll);
+        lightOfBands = fluoresces ? LightBands.typical(lights, background) : null;
+    }
+
+    /** What is left of the surroundings behind a medium that has no end: what it takes nothing of. */
+    private static Rgb seen(Rgb background, SurfaceMaterial around) {
+        if (around == null) {
+            return background;
+        }
+        double[] left = {background.r(), background.g(), background.b()};
+        around.absorb(Double.MAX_VALUE, left);
+        return new Rgb(left[0], left[1], left[2]);
+    }
+
+    private static SurfaceMaterial around(Medium medium, SceneFrame frame) {
+        Material material = Material.Scattering.of(medium);
+        return new SurfaceMaterial(material, null, PhysicalSurface.of(material, frame, null));
+    }
+
+    /** By how much of a light is seen, straight or from fluorescent surfaces, it is chosen among others. */
+    private double brightness(PhysicalLight light) {
+        return hasUltraviolet ? light.luminance() + visibleOfUltraviolet * light.ultraviolet : light.luminance();
+    }
+
+    private LightSampler picker(PhysicalLight[] lights, Runnable poll) {
+        LightSampler.Builder builder = new LightSampler.Builder();
+        for (PhysicalLight light : lights) {
+            if (light.isPoint) {
+                builder.addPoint(new Vec3(light.x, light.y, light.z), brightness(light));
+            } else {
+                builder.add(light.form, brightness(light));
+            }
+        }
+        return builder.build(poll);
+    }
+
+    private PhysicalLight lightOf(CompiledPrimitives compiled, int id, int face, Bounds eye) {
+        SurfaceMaterial m = compiled.materials().of(id, face);
+        if (!m.glows || !hasUltraviolet && !m.glowsVisibly()) {
+            return null;
+        }
+        double ultraviolet = hasUltraviolet ? m.glowUltraviolet : 0;
+        Primitive p = compiled.primitives()[id];
+        // Nothing comes into an opaque solid, or out of it.
+        boolean isInsideSeen = !p.isSolid() || compiled.materials().inside(id).isGlass || eye.overlaps(p.bounds());
+        return PhysicalLight.glowing(p, id, face, m.glow(), ultraviolet, m.glowsInside, isInsideSeen);
+    }
+
+    /** Whether a solid of smooth glass turns rays. */
+    private static boolean hasClearGlass(CompiledPrimitives compiled) {
+        return Arrays.stream(compiled.glassSolids())
+                .mapToObj(id -> compiled.materials().inside(id))
+                .anyMatch(m -> m.isDelta && m.indexOfRefraction != 1);
+    }
+
+    /**
+     * Finds for each light the few primitives that may occlude it from a point of a surface. Where something fills the whole scene, light
+     * is scattered behind the walls of a room as well, from where they do.
+     */
+    void findOccluders(Primitive[] primitives, OccluderSet set, PrimitiveList all) {
+        for (PhysicalLight light : lights) {
+            PrimitiveList some = all.empty();
+            int n = 0;
+            for (int id = 0; id < primitives.length; id++) {
+                boolean mayOcclude = around != null || set.mayOcclude(id, light, primitives);
+                if (mayOcclude && !(id == light.id && light.hidesNothingOfItself)) {
+                    some.members()[n++] = id;
+                }
+            }
+            some.size(n);
+            light.occluders = some;
+            light.pyramid = LightPyramid.of(light, primitives);
+        }
+    }
+
+    /** Finds for each light the faces that it lies on. */
+    void lieOn(
+            CompiledPrimitives compiled, TouchedBoxes near, CoincidentSurfaces coincident, boolean few, Runnable poll) {
+        for (int i = 0; i < lights.length; i++) {
+            if (CancellationCheck.isDue(i)) {
+                poll.run();
+            }
+            lights[i].lieOn(compiled, near, coincident, few);
+        }
+    }
+
+    /** The index of the light that a face of a primitive is, or -1. */
+    public int lightOf(int id, int face) {
+        int first = firstFace[id];
+        return first < 0 ? NO_LIGHT : lightOfFace[first + face];
+    }
+
+    /** Whether all rays that meet nothing see the same light. */
+    public boolean hasConstantEnvironment() {
+        return around == null && surroundings == null;
+    }
+
+    /** Whether caustics are the business of a pass of their own, so that paths from the eye leave them out. */
+    public boolean hasCausticPass() {
+        return caustics != null;
+    }
+}

@@ -1,0 +1,358 @@
+package enlightenment.world;
+
+import enlightenment.accel.Accelerator;
+import enlightenment.accel.Bvh;
+import enlightenment.accel.PrimitiveList;
+import enlightenment.bsdf.SpecularReflection;
+import enlightenment.camera.Camera;
+import enlightenment.color.DisplayCurve;
+import enlightenment.frame.SceneFrame;
+import enlightenment.geometry.Shape;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
+import enlightenment.scene.ClassicShading;
+import enlightenment.scene.Display;
+import enlightenment.scene.LightFeature;
+import enlightenment.scene.Method;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
+import enlightenment.texture.ImageTexture;
+import enlightenment.world.camera.CompiledCamera;
+import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.CompiledSurroundings;
+import enlightenment.world.light.GlowingObjects;
+import enlightenment.world.light.SceneImages;
+import enlightenment.world.material.Dyes;
+import enlightenment.world.material.PhysicalSurface;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.CompiledPrimitives;
+import enlightenment.world.parts.SceneExtent;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+
+/** Builds from a scene only what it requires. */
+public final class SceneCompiler {
+    /** Up to this many primitives a plain loop is faster than a hierarchy (docs/benchmarks.md). */
+    public static final int LOOP_LIMIT = 24;
+
+    /** Measured for spheres with a hierarchy (docs/benchmarks.md), rounded up. */
+    private static final long BYTES_PER_OBJECT = 400;
+
+    /** The exponent of a unit in which no sum of numbers of a scene overflows. */
+    private static final int OVERFLOW_EXPONENT = 8;
+
+    /** A view may be at most this many powers of two wider than the scene, whose extent in its frame is about 1. */
+    private static final int MAX_VIEW_EXPONENT = 64;
+
+    private SceneCompiler() {}
+
+    /** The scene, ready for rendering at the size of the settings. */
+    public static CompiledScene compile(Scene scene, RenderSettings settings) {
+        return compile(scene, settings, new SceneImages());
+    }
+
+    /**
+     * As {@link #compile(Scene, RenderSettings)}, with image files whose content is already in memory.
+     *
+     * @param files returns the content of an image file, or null if it must be read from the disk
+     */
+    public static CompiledScene compile(Scene scene, RenderSettings settings, Function<Path, byte[]> files) {
+        return compile(scene, settings, new SceneImages(files));
+    }
+
+    /**
+     * As {@link #compile(Scene, RenderSettings)}, with image files that scenes before may have needed too.
+     *
+     * @param images is asked for them
+     */
+    public static CompiledScene compile(Scene scene, RenderSettings settings, SceneImages images) {
+        return compile(scene, settings, images, () -> false);
+    }
+
+    /**
+     * The same, which can be ended where it takes long.
+     *
+     * @param cancelled asked between images and now and then, by this thread
+     * @throws CancellationException soon after that has become true, of scenes with several images or thousands of objects
+     */
+    public static CompiledScene compile(
+            Scene scene, RenderSettings settings, SceneImages images, BooleanSupplier cancelled) {
+        Runnable poll = () -> {
+            if (cancelled.getAsBoolean()) {
+                throw new CancellationException("stopped before anything was rendered");
+            }
+        };
+        return compile(scene, settings, LOOP_LIMIT, images, Primitives::placeAll, poll);
+    }
+
+    /**
+     * Throws where {@link #compile} would, textures of surfaces aside, and builds no more than that takes.
+     *
+     * @param images reads the picture of surroundings where that is needed
+     */
+    public static void check(Scene scene, SceneImages images) {
+        check(scene);
+        scene.instants().forEach(moment -> CompiledSurroundings.check(moment, images));
+        CompiledSurroundings.check(scene, images);
+    }
+
+    /** The same, surroundings aside as well. */
+    public static void check(Scene scene) {
+        requireMemory(scene);
+        scene.instants().forEach(SceneCompiler::checkMoment);
+        checkMoment(scene);
+    }
+
+    /** Classic shading can be computed of whatever can be described. */
+    private static void checkMoment(Scene scene) {
+        if (scene.shading().model() == Shading.Model.PHYSICAL) {
+            SceneFrame frame = frameOf(scene);
+            Primitive[] primitives = new GlowingObjects(scene, frame)
+                    .objects.stream()
+                            .flatMap(o -> Primitives.placeAll(o.shape(), frame).stream())
+                            .toArray(Primitive[]::new);
+            SceneExtent.check(scene, frame, primitives);
+        }
+    }
+
+    /** As {@link #compile(Scene, RenderSettings)}, with or without a hierarchy: the picture is the same. */
+    public static CompiledScene compile(Scene scene, RenderSettings settings, boolean withBvh) {
+        return compile(
+                scene, settings, withBvh ? -1 : Integer.MAX_VALUE, new SceneImages(), Primitives::placeAll, () -> {});
+    }
+
+    /**
+     * As {@link #compile(Scene, RenderSettings, SceneImages)}.
+     *
+     * @param loopLimit with more primitives or objects than this there is a hierarchy
+     * @param placement what shapes become
+     * @param poll called now and then; ends this by what it throws
+     */
+    public static CompiledScene compile(
+            Scene scene,
+            RenderSettings settings,
+            int loopLimit,
+            SceneImages images,
+            CompiledPrimitives.Placement placement,
+            Runnable poll) {
+        Method.requireSupport(settings.method(), scene);
+        requireMemory(scene);
+        CompiledScene[] instants = new CompiledScene[scene.instants().size()];
+        for (int i = 0; i < instants.length; i++) {
+            instants[i] = moment(scene.instants().get(i), settings, loopLimit, images, placement, poll);
+        }
+        return moment(scene, settings, loopLimit, images, placement, poll, instants);
+    }
+
+    private static void requireMemory(Scene scene) {
+        long bytes =
+                BYTES_PER_OBJECT * scene.instants().size() * scene.objects().size();
+        if (bytes > Runtime.getRuntime().maxMemory()) {
+            throw SceneException.of(
+                    "/animation/instants",
+                    scene.instants().size() + " instants of " + scene.objects().size() + " objects need about "
+                            + (bytes >> 20) + " MiB of memory; there are "
+                            + (Runtime.getRuntime().maxMemory() >> 20));
+        }
+    }
+
+    private static CompiledScene moment(
+            Scene scene,
+            RenderSettings settings,
+            int loopLimit,
+            SceneImages images,
+            CompiledPrimitives.Placement placement,
+            Runnable poll,
+            CompiledScene... instants) {
+        SceneFrame frame = frameOf(scene);
+        CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
+        boolean physical = scene.shading().model() == Shading.Model.PHYSICAL;
+        CompiledLight[] lights = new CompiledLight[physical ? 0 : scene.lights().size()];
+        for (int i = 0; i < lights.length; i++) {
+            lights[i] = new CompiledLight(scene.lights().get(i), frame);
+        }
+        Map<Material, SurfaceMaterial> surfaces = surfaces(scene, physical ? frame : null, images, poll);
+        GlowingObjects glowing = physical ? new GlowingObjects(scene, frame) : null;
+        if (physical) {
+            surfaces.putAll(glowing.surfaces);
+        }
+        List<SceneObject> objects = physical ? glowing.objects : scene.objects();
+        CompiledPrimitives compiled = CompiledPrimitives.of(objects, frame, surfaces, placement, poll);
+        Primitive[] primitives = compiled.primitives();
+        if (physical) {
+            SceneExtent.check(scene, frame, primitives);
+        }
+        boolean many = Math.max(primitives.length, objects.size()) > loopLimit;
+        Accelerator accelerator = many ? Bvh.build(primitives, poll) : PrimitiveList.of(primitives, compiled.kind());
+        Features features = new Features(scene, many, surfaces.values());
+        return new CompiledScene(
+                frame,
+                camera,
+                scene.shading(),
+                lights,
+                physical ? glowing.points : List.of(),
+                scene.shading() instanceof PhysicalShading p ? images.around(p.background()) : null,
+                compiled,
+                accelerator,
+                features.present(),
+                features.absent(),
+                display(scene),
+                poll,
+                instants);
+    }
+
+    private static DisplayCurve display(Scene scene) {
+        Display display = scene.display();
+        return scene.shading() instanceof PhysicalShading
+                ? DisplayCurve.of(display.exposure(), display.tone())
+                : DisplayCurve.NONE;
+    }
+
+    /**
+     * The frame whose origin is the eye and whose unit is the power of two that brings every coordinate below 2.
+     */
+    static SceneFrame frameOf(Scene scene) {
+        double largest = extent(scene, new SceneFrame(scene.camera().origin(), 0));
+        if (largest < Double.POSITIVE_INFINITY) {
+            return frame(scene, largest, 0);
+        }
+        // Every number of a scene is a double, so their sums and differences are below 2^1027.
+        return frame(
+                scene, extent(scene, new SceneFrame(scene.camera().origin(), OVERFLOW_EXPONENT)), OVERFLOW_EXPONENT);
+    }
+
+    private static SceneFrame frame(Scene scene, double largest, int unit) {
+        int exponent = largest == 0 ? 0 : Scale.exponent(largest) + unit;
+        int reach = Scale.exponent(scene.camera().reach());
+        // The height of a parallel view is no coordinate, but must be representable in the frame too.
+        return new SceneFrame(scene.camera().origin(), Math.max(exponent, reach - MAX_VIEW_EXPONENT));
+    }
+
+    /** The largest coordinate in a frame. */
+    private static double extent(Scene scene, SceneFrame frame) {
+        double largest = SceneExtent.of(scene.camera().anchors(), 0, frame);
+        for (Light light : scene.lights()) {
+            largest = Math.max(largest, SceneExtent.of(light.anchors(), light.reach(), frame));
+        }
+        for (SceneObject o : scene.objects()) {
+            Shape s = o.shape();
+            largest = Math.max(largest, SceneExtent.of(s.anchors(), s.reach(), frame));
+        }
+        return largest;
+    }
+
+    /** By identity: a material that is used many times is one object, and comparing records by value is slow to start. */
+    private static Map<Material, SurfaceMaterial> surfaces(
+            Scene scene, SceneFrame physical, SceneImages images, Runnable poll) {
+        Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
+        Dyes dyes = new Dyes(scene);
+        for (SceneObject o : scene.objects()) {
+            if (o.faces().isEmpty()) {
+                addSurface(scene, o.material(), physical, dyes, surfaces, images, poll);
+            }
+            for (Material m : o.faces()) {
+                addSurface(scene, m, physical, dyes, surfaces, images, poll);
+            }
+        }
+        return surfaces;
+    }
+
+    /** @param physical the frame if the shading is physical, else null */
+    private static void addSurface(
+            Scene scene,
+            Material m,
+            SceneFrame physical,
+            Dyes dyes,
+            Map<Material, SurfaceMaterial> surfaces,
+            SceneImages images,
+            Runnable poll) {
+        if (surfaces.containsKey(m)) {
+            return;
+        }
+        ImageTexture image = null;
+        if (m.color() instanceof Texture.File file) {
+            // What is prepared at once need not be asked for: a single image is such.
+            if (images.haveBeenRead()) {
+                poll.run();
+            }
+            image = images.of(file, physical != null, scene);
+        }
+        PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes);
+        surfaces.put(m, new SurfaceMaterial(m, image, surface));
+    }
+
+    /** Which features are modelled, and which are not because nothing requires them. */
+    private static final class Features {
+        private final List<String> present = new ArrayList<>();
+        private final List<String> absent = new ArrayList<>();
+
+        Features(Scene scene, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
+            if (scene.shading() instanceof ClassicShading shading) {
+                addClassic(scene, shading, surfaces);
+            } else {
+                addMatter(LightFeature.of(scene).keySet());
+            }
+            add(
+                    withBvh,
+                    "bounding volume hierarchy over " + scene.objects().size() + " primitives",
+                    "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
+        }
+
+        private void addMatter(Set<LightFeature> asked) {
+            for (LightFeature feature : LightFeature.values()) {
+                add(asked.contains(feature), feature.description(), feature.description());
+            }
+        }
+
+        private void addClassic(Scene scene, ClassicShading shading, Iterable<SurfaceMaterial> surfaces) {
+            boolean mirrors = false;
+            boolean glass = false;
+            boolean textures = false;
+            for (SurfaceMaterial m : surfaces) {
+                mirrors |= m.bsdf == SpecularReflection.INSTANCE;
+                glass |= m.isGlass;
+                textures |= m.hasImage();
+            }
+            int lights = scene.lights().size();
+            add(lights > 0, "direct light of " + lights + (lights == 1 ? " light" : " lights"), "direct light");
+            add(lights > 0 && shading.shadow() < 1, "shadows", "shadows");
+            add(mirrors, "mirrors", "mirrors");
+            add(glass, "refraction", "refraction");
+            add(textures, "image textures", "image textures");
+            if (scene.camera() instanceof Camera.Window w && w.pupilRadius() > 0) {
+                absent.add("the pupil's radius (it is for rays from lights, which classic shading has none of)");
+            }
+        }
+
+        private void add(boolean required, String there, String notThere) {
+            if (required) {
+                present.add(there);
+            } else {
+                absent.add(notThere);
+            }
+        }
+
+        List<String> present() {
+            return present;
+        }
+
+        List<String> absent() {
+            return absent;
+        }
+    }
+}

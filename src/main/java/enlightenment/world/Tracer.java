@@ -1,0 +1,360 @@
+package enlightenment.world;
+
+import enlightenment.accel.Accelerator;
+import enlightenment.accel.BoxFront;
+import enlightenment.accel.Bvh;
+import enlightenment.accel.BvhQuery;
+import enlightenment.accel.Closest;
+import enlightenment.accel.ConeSearch;
+import enlightenment.accel.PrimitiveList;
+import enlightenment.accel.RaySearch;
+import enlightenment.primitive.EndFaces;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
+import enlightenment.world.camera.TileFrustum;
+import enlightenment.world.contact.CoincidentFaces;
+import enlightenment.world.contact.CoincidentHits;
+import enlightenment.world.contact.CoincidentSurfaces;
+import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.LightBody;
+import enlightenment.world.light.LightCone;
+import enlightenment.world.light.OccluderSet;
+import enlightenment.world.light.SegmentEnds;
+import enlightenment.world.parts.RayCounters;
+
+/** Traces rays through a compiled scene. One per thread: it holds the scratch memory of searches and their counts. */
+public final class Tracer {
+    private static final int NOTHING = -1;
+
+    /** What is known of the visibility of a light from a point before a ray is traced. */
+    public enum Visibility {
+        /** Nothing can occlude it. */
+        ALL,
+        /** One primitive occludes all of it. */
+        NONE,
+        /** Shadow rays must be traced. */
+        UNKNOWN
+    }
+
+    private final CompiledScene scene;
+    private final RayCounters counters;
+    private final Closest closest;
+    private final TileFrustum frustum = new TileFrustum();
+    private final BvhQuery query;
+    private final OccluderSet.Judge judge;
+
+    /** Whether visibilities need not be decided. */
+    private boolean leavesOpen;
+
+    /** Decides visibilities in a hierarchy; null until that is needed. */
+    private ConeSearch decides;
+
+    /** Knows what is in the way of segments; null until that is needed. */
+    private OccluderSet.SegmentJudge segments;
+
+    /** Whether nothing is in their way. */
+    private boolean isFree;
+
+    /** What camera rays of the current tile may meet. */
+    private final RaySearch tile;
+
+    /** The same if it is a list, else null. */
+    private final PrimitiveList tileList;
+
+    /** The same if it is a part of a hierarchy, else null. */
+    private final BoxFront tileFront;
+
+    /** The indices of lights that they may meet. */
+    private final int[] tileLights;
+
+    private int tileLightCount;
+
+    /** The same for all other rays: every light. */
+    private final int[] allLights;
+
+    private final CoincidentHits coincident;
+    private final Hit end = new Hit();
+
+    /** What is farther than this, in lengths of a ray's direction, is not met by {@link #trace} and {@link #traceCamera}. */
+    public double limit = Double.MAX_VALUE;
+
+    /** The light that the last {@link #trace} met, or null. */
+    public CompiledLight light;
+
+    /** The id of the primitive that the last {@link #trace} met, or -1. */
+    public int id;
+
+    /** A tracer for one thread. */
+    public Tracer(CompiledScene scene, RayCounters counters) {
+        this.scene = scene;
+        this.counters = counters;
+        coincident = scene.coincidentHits();
+        closest = new Closest(scene.kind, counters.tests);
+        query = new BvhQuery(scene.kind, counters.tests);
+        judge = scene.occluders.new Judge();
+        tileList = scene.accelerator instanceof PrimitiveList all ? all.empty() : null;
+        tileFront = scene.accelerator instanceof Bvh bvh ? new BoxFront(bvh) : null;
+        tile = tileFront == null ? tileList : tileFront;
+        allLights = count(scene.visibleLights.length);
+        tileLights = new int[allLights.length];
+    }
+
+    private static int[] count(int n) {
+        int[] all = new int[n];
+        for (int i = 0; i < n; i++) {
+            all[i] = i;
+        }
+        return all;
+    }
+
+    /** Prepares {@link #traceCamera} for the rays at (x0..x1, y0..y1), 0..1 from the picture's upper left corner. */
+    public void beginTile(double x0, double y0, double x1, double y1) {
+        frustum.set(scene.camera, x0, y0, x1, y1);
+        if (tileList != null) {
+            tileList.size(frustum.gather(scene.bounds, tileList.members()));
+        } else {
+            tileFront.set(frustum::depth);
+        }
+        tileLightCount = frustum.gather(scene.lightBounds, tileLights);
+    }
+
+    /**
+     * Whether it is known without tracing that no camera ray of the current tile meets anything. Never with a hierarchy: the answer would
+     * depend on the tree, and on it depends what the cluster method surveys.
+     */
+    public boolean seesNothing() {
+        return tileList != null && tileList.size() == 0 && tileLightCount == 0;
+    }
+
+    /** As {@link #trace}, for a camera ray of the current tile. */
+    public boolean traceCamera(Ray ray, Hit hit) {
+        return search(ray, hit, tile, tileLights, tileLightCount);
+    }
+
+    /**
+     * Finds the first primitive or light that the ray meets.
+     *
+     * @return whether there is one; if so, either {@link #light} is set, or {@link #id} and the hit are
+     */
+    public boolean trace(Ray ray, Hit hit) {
+        return search(ray, hit, scene.accelerator, allLights, allLights.length);
+    }
+
+    /** One method for all rays, so that the just-in-time compiler has only one to compile. */
+    private boolean search(Ray ray, Hit hit, RaySearch among, int[] lights, int lightCount) {
+        closest.reset(limit);
+        among.search(ray, closest);
+        id = closest.id();
+        double t = closest.t();
+        light = null;
+        for (int k = 0; k < lightCount; k++) {
+            CompiledLight l = scene.visibleLights[lights[k]];
+            double s = l.surface.nearest(ray, t);
+            // At equal distance a primitive hides the light, unless the light lies on it.
+            if (s < t) {
+                t = s;
+                light = l;
+            }
+        }
+        if (light != null) {
+            id = NOTHING;
+            return true;
+        }
+        if (id == NOTHING) {
+            return false;
+        }
+        counters.hits[scene.kind[id]]++;
+        scene.primitives[id].complete(ray, t, hit);
+        if (scene.coincident.concerns(id)) {
+            id = coincident.choose(ray, id, hit);
+        }
+        if (scene.lightsLieOnSurfaces) {
+            findLightOn(ray, hit, lights, lightCount);
+        }
+        return true;
+    }
+
+    /** If a light lies on the surface that was hit, the ray meets the light. */
+    private void findLightOn(Ray ray, Hit hit, int[] lights, int lightCount) {
+        for (int k = 0; k < lightCount && light == null; k++) {
+            CompiledLight l = scene.visibleLights[lights[k]];
+            if (l.lyingOn().has(id, hit.face) && l.surface.nearest(ray, Double.MAX_VALUE) != Primitive.MISS) {
+                light = l;
+                id = NOTHING;
+            }
+        }
+    }
+
+    /**
+     * Lets {@link #prepareShadows} answer {@link Visibility#UNKNOWN} wherever a shadow ray costs less than the answer. Whoever wants the
+     * same picture must then ask {@link #isHidden}. Without this the answer is a function of the cone and the scene alone.
+     */
+    public void leaveVisibilityOpen() {
+        leavesOpen = tileList == null;
+    }
+
+    /**
+     * Prepares {@link #occluded} for shadow rays from the cone's apex to its light.
+     *
+     * @param cone the cone
+     * @param starts begins with the ids of primitives that the apex lies on and that cannot occlude the light
+     * @param count the number of these
+     * @param lightSamples how many shadow rays there will be, unless the visibility is known
+     * @return what is known without a ray
+     */
+    public Visibility prepareShadows(LightCone cone, int[] starts, int count, int lightSamples) {
+        judge.of(cone, starts, count);
+        int left;
+        if (leavesOpen || tileList != null) {
+            Accelerator occluders = cone.light().occluders;
+            left = (occluders == null ? scene.accelerator : occluders).narrow(cone, judge, lightSamples, query);
+        } else {
+            if (decides == null) {
+                decides = scene.coneSearch();
+            }
+            left = decides.narrow(cone, judge, query);
+        }
+        return left == 0 ? Visibility.ALL : left == Accelerator.BLOCKED ? Visibility.NONE : Visibility.UNKNOWN;
+    }
+
+    /**
+     * Whether {@link #prepareShadows} would have answered {@link Visibility#NONE} if visibilities were not left open: one primitive
+     * occludes all of the light. To be asked after an answer of {@link Visibility#UNKNOWN}, if all shadow rays were occluded.
+     */
+    public boolean isHidden() {
+        return leavesOpen && scene.accelerator.blocksAll(judge.cone(), judge, query);
+    }
+
+    /**
+     * Traces a shadow ray that ends in free space, as at the eye.
+     *
+     * @param ray it knows the surfaces that it starts on
+     * @param tMax the t at which it ends
+     */
+    public boolean occluded(Ray ray, double tMax) {
+        counters.shadowRays++;
+        return scene.accelerator.occluded(ray, tMax, query);
+    }
+
+    /**
+     * Prepares {@link #occludedSegment} for rays from a point.
+     *
+     * @param on the primitive that they begin on and never meet again; -1 if there is none
+     * @param ends where they lead
+     * @param rays how many there will be
+     * @return whether anything may be in the way of any of them
+     */
+    public boolean prepareSegments(double x, double y, double z, int on, SegmentEnds ends, int rays) {
+        if (segments == null) {
+            segments = scene.occluders.new SegmentJudge();
+        }
+        segments.begin(ends, on);
+        ends.seenFrom(x, y, z);
+        isFree = scene.accelerator.narrow(ends.cone, segments, rays, query) == 0;
+        return !isFree;
+    }
+
+    /**
+     * Traces a shadow ray from the point to one of the ends of {@link #prepareSegments}, if anything may be in its way. Nothing else may be
+     * asked in between.
+     *
+     * @param ray it knows the surfaces that it starts and ends on
+     */
+    public boolean occludedSegment(Ray ray) {
+        if (isFree) {
+            return false;
+        }
+        counters.shadowRays++;
+        return scene.accelerator.occludedWithin(ray, 1, query);
+    }
+
+    /**
+     * Traces a ray between two places, on surfaces or not: whether nothing lies between them. Whether rounding puts the end's own surface
+     * before or behind it means nothing.
+     *
+     * @param ray it knows the surfaces that it starts on
+     * @param length the t at which it ends
+     * @param endId the primitive that it ends on; -1 if it ends on none
+     * @param endFace the face of that
+     */
+    public boolean joins(Ray ray, double length, int endId, int endFace) {
+        counters.shadowRays++;
+        closest.reset(length);
+        scene.accelerator.search(ray, closest);
+        int met = closest.id();
+        if (endId != NOTHING && leavesGlassAtEnd(ray, length, endId, endFace)) {
+            return false;
+        }
+        if (met == NOTHING) {
+            return true;
+        }
+        if (met != endId && (endId == NOTHING || !scene.coincident.concerns(endId))) {
+            return false;
+        }
+        scene.primitives[met].complete(ray, closest.t(), end);
+        return isEnd(ray, length - closest.t(), met, end, endId, endFace);
+    }
+
+    /** Whether a ray comes to its end, on an opaque surface, out of a solid of glass that lies on that: there is a border before it. */
+    private boolean leavesGlassAtEnd(Ray ray, double length, int endId, int endFace) {
+        if (scene.glassSolids.length == 0 || !scene.coincident.concerns(endId)) {
+            return false;
+        }
+        CoincidentFaces pairs = scene.coincident.of(endId);
+        for (int k : pairs.glass()) {
+            int other = pairs.other(k);
+            int face = pairs.otherFace(k);
+            Primitive p = scene.primitives[other];
+            if (pairs.face(k) == endFace
+                    && EndFaces.crossesAtEnd(
+                            ray,
+                            length,
+                            p,
+                            face,
+                            EndFaces.bit(Ray.INSIDE),
+                            p.support(face).isFlat(),
+                            tolerance(p),
+                            end)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Whether a hit is the end of a ray. The border of a solid of glass that the ray leaves there is not: it comes before the end.
+     *
+     * @param left how far behind the hit the ray ends, in lengths of its direction
+     */
+    public boolean isEnd(Ray ray, double left, int met, Hit at, int endId, int endFace) {
+        if (met == endId ? at.face != endFace : !scene.coincident.coincide(endId, endFace, met, at.face)) {
+            return false;
+        }
+        Primitive p = scene.primitives[met];
+        boolean leavesGlass = at.side == Ray.INSIDE && p.isSolid() && scene.isGlass(met, at.face);
+        return !(leavesGlass && met != endId)
+                && EndFaces.isAtEnd(ray, at, left, p.support(at.face).isFlat(), tolerance(p));
+    }
+
+    private static double tolerance(Primitive p) {
+        return CoincidentSurfaces.tolerance(p.bounds(), p.bounds());
+    }
+
+    /**
+     * Traces a shadow ray: whether anything occludes a point of a light.
+     *
+     * @param ray the shadow ray; it knows the surfaces that it starts on
+     * @param tMax the t at which the ray ends on the light
+     * @param target the light
+     */
+    public boolean occluded(Ray ray, double tMax, LightBody target) {
+        counters.shadowRays++;
+        EndFaces on = target.lyingOn();
+        if (on.isHiddenAtEnd(ray, tMax, end)) {
+            return true;
+        }
+        ray.endsOn(on, tMax);
+        return scene.accelerator.occludedWithin(ray, tMax, query);
+    }
+}

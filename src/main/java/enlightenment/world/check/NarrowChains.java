@@ -1,0 +1,47 @@
+package enlightenment.world.check;
+
+import enlightenment.primitive.Primitive;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.light.CausticPass;
+import enlightenment.world.light.SpecularThings;
+import enlightenment.world.material.SurfaceMaterial;
+
+/**
+ * Chains of a narrow lobe and another narrow lobe, a mirror or smooth glass. Neither paths from the eye nor those from a small light
+ * are likely to connect over one: light samples need the first lobe to aim at the second one's highlight, and light paths that a mirror
+ * sends to a narrow lobe seldom arrive where that lobe holds the eye.
+ */
+public final class NarrowChains {
+    private NarrowChains() {}
+
+    /** Whether a scene of physical shading may have such a chain to a light that {@link CausticPass#takesNarrow() is small} as seen there. */
+    public static boolean leadToSmallLights(CompiledScene scene) {
+        if (!scene.physical.hasCausticPass() || !scene.physical.caustics.takesNarrow()) {
+            return false;
+        }
+        int narrow = 0;
+        int sharp = 0;
+        for (int id = 0; id < scene.primitives.length; id++) {
+            boolean isNarrow = false;
+            boolean isSharp = false;
+            for (int face = 0; face < scene.primitives[id].faceCount(); face++) {
+                SurfaceMaterial material = scene.material(id, face);
+                isSharp |= SpecularThings.isSharp(material);
+                if (SpecularThings.isNarrow(material)) {
+                    isNarrow = true;
+                    if (mayFollowItself(scene.primitives[id], material)) {
+                        return true;
+                    }
+                }
+            }
+            narrow += isNarrow ? 1 : 0;
+            sharp += isSharp && !isNarrow ? 1 : 0;
+        }
+        return narrow > 0 && narrow + sharp > 1;
+    }
+
+    /** Whether two events in a row may be on one surface: reflections in a hollow, or refractions at both ends of a way through glass. */
+    private static boolean mayFollowItself(Primitive primitive, SurfaceMaterial material) {
+        return material.isGlass || !primitive.isFlat() && !primitive.isConvex();
+    }
+}

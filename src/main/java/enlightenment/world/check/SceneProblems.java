@@ -1,0 +1,126 @@
+package enlightenment.world.check;
+
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.InvalidValueException;
+import enlightenment.scene.Background;
+import enlightenment.scene.Method;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneException.Problem;
+import enlightenment.scene.Shading;
+import enlightenment.world.SceneCompiler;
+import enlightenment.world.light.SceneImages;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Set;
+
+/** What keeps a scene from being rendered that its text does not show: all of it at once, where a render ends at the first. */
+public final class SceneProblems {
+    /** Reads an image that no render would. */
+    @FunctionalInterface
+    public interface ImageReader {
+        /** @throws IOException if it cannot be read; the message names the file */
+        void read(Path file) throws IOException;
+    }
+
+    private final Scene scene;
+    private final SceneImages images;
+    private final List<Problem> problems = new ArrayList<>();
+
+    private final ImageReader other;
+
+    private SceneProblems(Scene scene, SceneImages images, ImageReader other) {
+        this.scene = scene;
+        this.other = other;
+        this.images = images;
+    }
+
+    /**
+     * Compiles the scene, and reads all images that it names, each once.
+     *
+     * @param other for images that are named, but nothing has
+     * @throws SceneException with all that is wrong: images, what the method cannot render, lights that are too much for
+     *     their size, and the first thing of the rest
+     */
+    public static void check(Scene scene, RenderSettings settings, ImageReader other) {
+        check(scene, settings, new SceneImages(), other);
+    }
+
+    static void check(Scene scene, RenderSettings settings, SceneImages images, ImageReader other) {
+        SceneProblems found = new SceneProblems(scene, images, other);
+        found.readImages();
+        found.attempt(() -> Method.requireSupport(settings.method(), scene));
+        found.attempt(() -> SceneCompiler.check(scene));
+        if (found.problems.isEmpty()) {
+            found.attempt(() -> SceneCompiler.compile(scene, settings, images));
+        }
+        if (!found.problems.isEmpty()) {
+            throw new SceneException(found.problems);
+        }
+    }
+
+    private void attempt(Runnable work) {
+        try {
+            work.run();
+        } catch (SceneException e) {
+            problems.addAll(e.problems());
+        } catch (InvalidValueException e) {
+            problems.addAll(SceneException.of(e).problems());
+        }
+    }
+
+    private void readImages() {
+        Background background = scene.shading() instanceof PhysicalShading p ? p.background() : null;
+        Texture.File around = background instanceof Background.Picture p ? p.picture() : null;
+        Set<Texture> needed = needed();
+        scene.textures().forEach((name, texture) -> {
+            if (!(texture instanceof Texture.File file)) {
+                return;
+            }
+            try {
+                if (file.equals(around)) {
+                    images.around(background);
+                }
+                if (needed.contains(file)) {
+                    images.read(file, scene.shading().model() == Shading.Model.PHYSICAL);
+                } else if (!file.equals(around)) {
+                    other.read(file.file());
+                }
+            } catch (SceneException e) {
+                Problem problem = e.problems().get(0);
+                if (problem.pointer().endsWith("/texture")) {
+                    tell(name, problem.message());
+                } else if (!problems.contains(problem)) {
+                    // It is not the file's fault, which may have several names.
+                    problems.add(problem);
+                }
+            } catch (IOException e) {
+                tell(name, e.getMessage());
+            }
+        });
+    }
+
+    private void tell(String texture, String problem) {
+        problems.add(new Problem("", 0, 0, "/textures/" + SceneException.escaped(texture) + "/file", problem));
+    }
+
+    /** The textures of surfaces: compiling reads them. */
+    private Set<Texture> needed() {
+        Set<Material> materials = Collections.newSetFromMap(new IdentityHashMap<>());
+        scene.objects().forEach(object -> {
+            materials.addAll(object.faces());
+            materials.add(object.material());
+        });
+        Set<Texture> textures = new HashSet<>();
+        materials.forEach(material -> textures.add(material.color()));
+        return textures;
+    }
+}

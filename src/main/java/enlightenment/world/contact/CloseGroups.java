@@ -1,0 +1,81 @@
+package enlightenment.world.contact;
+
+import enlightenment.world.parts.Ascending;
+import java.util.Arrays;
+import java.util.function.Consumer;
+import java.util.function.IntToDoubleFunction;
+
+/**
+ * Parts many things into groups, so that any two that are close in each of some numbers are in one group. A sweep along a single number
+ * takes a time that goes by the square of their count where many have that one in common, as all spheres of a wall have.
+ */
+final class CloseGroups {
+    private final IntToDoubleFunction margin;
+    private final Consumer<int[]> each;
+    private final IntToDoubleFunction[] numbers;
+    private final Runnable poll;
+
+    /**
+     * Groups by some numbers of each thing.
+     *
+     * @param margin two numbers are close if they differ by no more than the sum of the two things' margins
+     * @param poll called for each thing and number after the first, which few need; ends the parting by what it throws
+     * @param each receives each group of two things or more, in ascending order
+     */
+    CloseGroups(IntToDoubleFunction margin, Runnable poll, Consumer<int[]> each, IntToDoubleFunction... numbers) {
+        this.margin = margin;
+        this.poll = poll;
+        this.each = each;
+        this.numbers = numbers;
+    }
+
+    /** Parts these things, which are in ascending order. */
+    void part(int[] things) {
+        part(things, 0);
+    }
+
+    /** A chain of intervals of which each meets the next one is one group, as to a number. */
+    private void part(int[] things, int level) {
+        if (things.length < 2) {
+            return;
+        }
+        if (level == numbers.length) {
+            each.accept(things);
+            return;
+        }
+        double[] low = new double[things.length];
+        double[] high = new double[things.length];
+        for (int i = 0; i < things.length; i++) {
+            if (level > 0) {
+                poll.run();
+            }
+            double number = numbers[level].applyAsDouble(things[i]);
+            double by = margin.applyAsDouble(things[i]);
+            low[i] = number - by;
+            high[i] = number + by;
+        }
+        int[] order = Ascending.order(low);
+        int start = 0;
+        double end = high[order[0]];
+        for (int i = 1; i < order.length; i++) {
+            if (low[order[i]] > end) {
+                part(things, order, start, i, level + 1);
+                start = i;
+            }
+            end = Math.max(end, high[order[i]]);
+        }
+        part(things, order, start, order.length, level + 1);
+    }
+
+    private void part(int[] things, int[] order, int from, int to, int level) {
+        if (to - from < 2) {
+            return;
+        }
+        int[] members = new int[to - from];
+        for (int i = from; i < to; i++) {
+            members[i - from] = things[order[i]];
+        }
+        Arrays.sort(members);
+        part(members, level);
+    }
+}

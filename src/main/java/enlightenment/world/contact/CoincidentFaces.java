@@ -1,0 +1,218 @@
+package enlightenment.world.contact;
+
+import enlightenment.frame.Bounds;
+import enlightenment.primitive.EndFaces;
+import enlightenment.world.parts.IntList;
+import enlightenment.world.parts.PlaceTree;
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
+/**
+ * The faces of other primitives that coincide with those of one, numbered in the order in which they were found. A pair of faces is 16
+ * bytes, 8 at either primitive: where many lie in one plane there are as many pairs as the square of their number. What else belongs to a
+ * pair (its tolerance, the box where it counts) is computed from the two primitives' boxes when asked, but for few pairs.
+ */
+public final class CoincidentFaces {
+    /** A face's number has so many bits, half of an int; no primitive has more than some six. */
+    private static final int FACE_BITS = 16;
+
+    private static final int FACE = (1 << FACE_BITS) - 1;
+
+    /** How far a face that is known to coincide is searched for, in tolerances: enough never to miss it. */
+    static final double REACH = EndFaces.REACH;
+
+    /** Which faces are borders of solids of glass. */
+    interface BorderOfGlass {
+        boolean test(int id, int face);
+    }
+
+    private final double minX;
+    private final double minY;
+    private final double minZ;
+    private final double maxX;
+    private final double maxY;
+    private final double maxZ;
+
+    /** The largest absolute coordinate of the box. */
+    private final double reach;
+
+    private int[] others = new int[2];
+
+    /** For each pair this primitive's face, and below it the other one's. */
+    private int[] faces = new int[2];
+
+    private int size;
+
+    /** The pairs in which the other face is the border of a solid of glass. */
+    private int[] glass = {};
+
+    /** For each of few pairs a box outside of which no point of this surface has the other one within the search; null for many. */
+    private double[] places;
+
+    /** The same of many pairs; null for few. */
+    private PlaceTree tree;
+
+    /**
+     * None yet.
+     *
+     * @param box of the primitive
+     */
+    CoincidentFaces(Bounds box) {
+        minX = box.min().x();
+        minY = box.min().y();
+        minZ = box.min().z();
+        maxX = box.max().x();
+        maxY = box.max().y();
+        maxZ = box.max().z();
+        reach = box.maxAbs();
+    }
+
+    void add(int face, int other, int otherFace) {
+        if (size == others.length) {
+            others = Arrays.copyOf(others, 2 * size);
+            faces = Arrays.copyOf(faces, 2 * size);
+        }
+        others[size] = other;
+        faces[size++] = face << FACE_BITS | otherFace;
+    }
+
+    /**
+     * Ends the adding.
+     *
+     * @param all by id
+     * @param isGlass whether a face of a primitive, by their numbers, is the border of a solid of glass
+     */
+    void end(CoincidentFaces[] all, BorderOfGlass isGlass) {
+        if (size < others.length) {
+            others = Arrays.copyOf(others, size);
+            faces = Arrays.copyOf(faces, size);
+        }
+        glass = IntStream.range(0, size)
+                .filter(k -> isGlass.test(others[k], otherFace(k)))
+                .toArray();
+        double[] boxes = places(all);
+        if (size <= PlaceTree.LEAF) {
+            places = boxes;
+        } else {
+            double[] own = new double[PlaceTree.BOX];
+            place(0, own, 0);
+            tree = new PlaceTree(boxes, own);
+        }
+    }
+
+    private double[] places(CoincidentFaces[] all) {
+        double[] boxes = new double[PlaceTree.BOX * size];
+        for (int k = 0; k < size; k++) {
+            CoincidentFaces other = all[others[k]];
+            other.place(margin(other), boxes, PlaceTree.BOX * k);
+        }
+        return boxes;
+    }
+
+    private void place(double by, double[] out, int at) {
+        out[at] = minX - by;
+        out[at + 1] = minY - by;
+        out[at + 2] = minZ - by;
+        out[at + 3] = maxX + by;
+        out[at + 4] = maxY + by;
+        out[at + 5] = maxZ + by;
+    }
+
+    /** The number of pairs. */
+    int size() {
+        return size;
+    }
+
+    /** Whether a face of this primitive is one of a pair. */
+    boolean has(int face) {
+        for (int k = 0; k < size; k++) {
+            if (face(k) == face) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** This primitive's face of pair k. */
+    public int face(int k) {
+        return faces[k] >> FACE_BITS;
+    }
+
+    /** The other primitive of pair k. */
+    public int other(int k) {
+        return others[k];
+    }
+
+    /** The other primitive's face of pair k. */
+    public int otherFace(int k) {
+        return faces[k] & FACE;
+    }
+
+    /** The pairs in which the other face is the border of a solid of glass; not to be changed. */
+    public int[] glass() {
+        return glass;
+    }
+
+    /** How far apart the surfaces of a pair with this other primitive may be: a length in the frame. */
+    double tolerance(CoincidentFaces other) {
+        return CoincidentSurfaces.tolerance(reach, other.reach);
+    }
+
+    /** Twice the reach of the search: for the roundings of hit points and of boxes. */
+    private double margin(CoincidentFaces other) {
+        return 2 * REACH * tolerance(other);
+    }
+
+    boolean has(int face, int other, int otherFace) {
+        int both = face << FACE_BITS | otherFace;
+        for (int k = 0; k < size; k++) {
+            if (others[k] == other && faces[k] == both) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Finds the pairs of a face that count at a point of it: not those where it certainly is away from the other surface.
+     *
+     * @param all by id
+     * @param out is cleared and receives their numbers, in ascending order
+     */
+    void near(int face, double x, double y, double z, CoincidentFaces[] all, IntList out) {
+        out.clear();
+        if (tree == null) {
+            for (int k = 0; k < size; k++) {
+                if (face(k) == face && isWithin(PlaceTree.BOX * k, x, y, z)) {
+                    out.add(k);
+                }
+            }
+            return;
+        }
+        tree.candidates(x, y, z, out);
+        int n = 0;
+        for (int i = 0; i < out.size(); i++) {
+            int k = out.get(i);
+            if (face(k) == face && isNear(all[others[k]], x, y, z)) {
+                out.set(n++, k);
+            }
+        }
+        out.shorten(n);
+        out.sort();
+    }
+
+    private boolean isWithin(int at, double x, double y, double z) {
+        double[] p = places;
+        return x >= p[at] && x <= p[at + 3] && y >= p[at + 1] && y <= p[at + 4] && z >= p[at + 2] && z <= p[at + 5];
+    }
+
+    private boolean isNear(CoincidentFaces other, double x, double y, double z) {
+        double by = margin(other);
+        return x >= other.minX - by
+                && x <= other.maxX + by
+                && y >= other.minY - by
+                && y <= other.maxY + by
+                && z >= other.minZ - by
+                && z <= other.maxZ + by;
+    }
+}

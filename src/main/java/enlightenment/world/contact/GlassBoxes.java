@@ -1,0 +1,81 @@
+package enlightenment.world.contact;
+
+import enlightenment.frame.Bounds;
+import enlightenment.world.parts.IntList;
+import enlightenment.world.parts.PlaceTree;
+import java.util.Arrays;
+import java.util.function.IntFunction;
+
+/** Boxes around the solids of glass of a scene: every ray that leaves an opaque surface asks which of them it starts in. Immutable. */
+public final class GlassBoxes {
+    private final int[] solids;
+    private final Bounds[] boxes;
+
+    /** Null where all are as quickly asked one by one. */
+    private final PlaceTree tree;
+
+    public GlassBoxes(int[] solids, IntFunction<Bounds> box) {
+        this.solids = solids.clone();
+        boxes = Arrays.stream(solids).mapToObj(box).toArray(Bounds[]::new);
+        tree = solids.length <= PlaceTree.LEAF ? null : tree(boxes);
+    }
+
+    private static PlaceTree tree(Bounds[] boxes) {
+        double[] numbers = new double[PlaceTree.BOX * boxes.length];
+        Bounds all = boxes[0];
+        for (int i = 0; i < boxes.length; i++) {
+            all = all.union(boxes[i]);
+            put(boxes[i], numbers, PlaceTree.BOX * i);
+        }
+        double[] whole = new double[PlaceTree.BOX];
+        put(all, whole, 0);
+        return new PlaceTree(numbers, whole);
+    }
+
+    private static void put(Bounds box, double[] out, int at) {
+        for (int axis = 0; axis < 3; axis++) {
+            out[at + axis] = box.min().component(axis);
+            out[at + 3 + axis] = box.max().component(axis);
+        }
+    }
+
+    /** A search, for one thread. */
+    public Search search() {
+        return new Search();
+    }
+
+    /** The solids whose boxes a point is in. A mutable work object. */
+    public final class Search {
+        private final IntList found = new IntList();
+
+        private Search() {}
+
+        /** Finds those of a point, and returns how many there are; a closed box has its corners. */
+        public int around(double x, double y, double z) {
+            found.clear();
+            if (tree == null) {
+                for (int i = 0; i < boxes.length; i++) {
+                    if (boxes[i].contains(x, y, z)) {
+                        found.add(i);
+                    }
+                }
+                return found.size();
+            }
+            tree.candidates(x, y, z, found);
+            int kept = 0;
+            for (int k = 0; k < found.size(); k++) {
+                if (boxes[found.get(k)].contains(x, y, z)) {
+                    found.set(kept++, found.get(k));
+                }
+            }
+            found.shorten(kept);
+            found.sort();
+            return kept;
+        }
+
+        /** The id of the k-th solid that was found, counted from 0, in ascending order of ids. */
+        public int solid(int k) {
+            return solids[found.get(k)];
+        }
+    }
+}

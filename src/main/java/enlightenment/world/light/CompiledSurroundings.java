@@ -1,0 +1,71 @@
+package enlightenment.world.light;
+
+import enlightenment.material.Texture;
+import enlightenment.math.InvalidValueException;
+import enlightenment.scene.Background;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.surroundings.Surroundings;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.function.Function;
+
+/** What a background becomes. */
+public final class CompiledSurroundings {
+    private CompiledSurroundings() {}
+
+    /**
+     * Null if the same light comes from everywhere.
+     *
+     * @param files returns the content of an image file, or null if it must be read from the disk
+     * @throws SceneException if the file of a picture cannot be used, or its light or that of a sky is too much
+     */
+    static Surroundings of(Background background, Function<Path, byte[]> files) {
+        try {
+            return made(background, files);
+        } catch (InvalidValueException e) {
+            throw SceneException.of("/shading/background/" + e.key(), e.problem());
+        }
+    }
+
+    /**
+     * Fails where the light of a picture or a sky is too much, as {@link #of} does. Light as it is, or dimmed, never is: then nothing is read
+     * or made.
+     */
+    public static void check(Scene scene, SceneImages images) {
+        Background background = scene.shading() instanceof PhysicalShading p ? p.background() : null;
+        if (background instanceof Background.Picture p && p.radiance().max() > 1) {
+            images.around(new Background.Picture(p.picture(), p.radiance(), 0));
+        } else if (background instanceof Background.Sky s && s.radiance().max() > 1) {
+            images.around(
+                    new Background.Sky(s.elevation(), 0, s.turbidity(), s.groundAlbedo(), s.radiance(), s.hasSun()));
+        }
+    }
+
+    private static Surroundings made(Background background, Function<Path, byte[]> files) {
+        if (background instanceof Background.Picture p) {
+            return picture(p, files.apply(p.picture().file()));
+        }
+        if (background instanceof Background.Sky s) {
+            return Surroundings.sky(
+                    s.elevation(), s.azimuth(), s.turbidity(), s.groundAlbedo(), s.hasSun(), s.radiance());
+        }
+        return null;
+    }
+
+    private static Surroundings picture(Background.Picture p, byte[] content) {
+        Surroundings.Texels texels = new Surroundings.Texels(
+                p.picture().encoding() == Texture.Encoding.LINEAR, p.picture().filter() == Texture.Filter.NEAREST);
+        try {
+            return content == null
+                    ? Surroundings.read(p.picture().file(), p.radiance(), p.rotation(), texels)
+                    : Surroundings.of(content, p.radiance(), p.rotation(), texels);
+        } catch (IOException e) {
+            String problem = content == null
+                    ? e.getMessage()
+                    : "cannot read " + p.picture().file() + ": " + e.getMessage();
+            throw SceneException.of("/shading/background/texture", problem);
+        }
+    }
+}

@@ -1,0 +1,179 @@
+package enlightenment.world.light;
+
+import enlightenment.color.DisplayRgb;
+import enlightenment.color.Radiance;
+import enlightenment.color.Rgb;
+import enlightenment.frame.SceneFrame;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Sphere;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.InvalidValueException;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneException.Problem;
+import enlightenment.scene.SceneObject;
+import enlightenment.world.material.PhysicalSurface;
+import enlightenment.world.material.SurfaceMaterial;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The lights of a scene of physical shading: those with extent become objects with a black surface that glows, the others points. */
+public final class GlowingObjects {
+    private static final String ULTRAVIOLET = "ultraviolet";
+
+    /** The objects of the scene, then those that lights are. */
+    public final List<SceneObject> objects;
+
+    /** The surfaces of those, by their materials. */
+    public final Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
+
+    /** The lights without extent, in an order that does not depend on that in the scene. */
+    public final List<PhysicalLight> points = new ArrayList<>();
+
+    /** @throws SceneException with all lights that are too much for their size or that of the scene */
+    public GlowingObjects(Scene scene, SceneFrame frame) {
+        List<SceneObject> all = new ArrayList<>();
+        List<Problem> problems = new ArrayList<>();
+        for (int i = 0; i < scene.lights().size(); i++) {
+            try {
+                add(scene.lights().get(i), i, frame, all);
+            } catch (InvalidValueException e) {
+                problems.addAll(SceneException.of(e).problems());
+            }
+        }
+        if (!problems.isEmpty()) {
+            throw new SceneException(problems);
+        }
+        points.sort(Comparator.<PhysicalLight>comparingDouble(l -> l.x)
+                .thenComparingDouble(l -> l.y)
+                .thenComparingDouble(l -> l.z)
+                .thenComparingDouble(l -> l.r)
+                .thenComparingDouble(l -> l.g)
+                .thenComparingDouble(l -> l.b)
+                .thenComparingDouble(l -> l.ultraviolet));
+        if (all.isEmpty()) {
+            objects = scene.objects();
+        } else {
+            all.addAll(0, scene.objects());
+            objects = Collections.unmodifiableList(all);
+        }
+    }
+
+    /** @param all receives an object if the light has extent */
+    private void add(Light light, int i, SceneFrame frame, List<SceneObject> all) {
+        if (light instanceof Light.Sphere s) {
+            double perPower = 1 / (4 * Math.PI * Math.PI) / s.radius() / s.radius();
+            all.add(object(light, i, perPower, true, Sphere.of(s.center(), s.radius())));
+        } else if (light instanceof Light.Rectangle q) {
+            checkArea(q, i, frame);
+            Shape shape = new Rectangle(q.lowerLeft(), q.upperLeft(), q.upperRight(), q.lowerRight());
+            double sides = q.twoSided() ? 2 : 1;
+            all.add(object(light, i, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
+        } else if (light instanceof Light.Point p) {
+            PhysicalLight point = point(p, i, frame);
+            if (point.luminance() > 0 || point.ultraviolet > 0) {
+                points.add(point);
+            }
+        } else {
+            throw new AssertionError("no physical form of the light " + light.type());
+        }
+    }
+
+    /** @param perPower the radiance of one unit of power */
+    private SceneObject object(Light light, int index, double perPower, boolean isTwoSided, Shape shape) {
+        Rgb radiance = light.emitted();
+        double ultraviolet = light.ultraviolet();
+        if (light.emission().quantity() == Emission.Quantity.POWER) {
+            ultraviolet = bounded(product(ultraviolet, perPower), light, index, ULTRAVIOLET);
+            String key = light.emission().quantity().key();
+            radiance = new Rgb(
+                    bounded(product(radiance.r(), perPower), light, index, key),
+                    bounded(product(radiance.g(), perPower), light, index, key),
+                    bounded(product(radiance.b(), perPower), light, index, key));
+        }
+        Material black = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
+        surfaces.put(black, new SurfaceMaterial(black, null, PhysicalSurface.light(radiance, ultraviolet, isTwoSided)));
+        return SceneObject.of(shape, black);
+    }
+
+    /**
+     * A rectangle whose corners are the same doubles in the frame cannot be sampled. Of its power nothing would be left; of radiance there is
+     * nothing to speak of.
+     *
+     * @throws InvalidValueException if it is that small and has power
+     */
+    private static void checkArea(Light.Rectangle q, int index, SceneFrame frame) {
+        Vec3 corner = frame.toFrame(q.lowerLeft());
+        Vec3 up = frame.toFrame(q.upperLeft()).minus(corner);
+        Vec3 right = frame.toFrame(q.lowerRight()).minus(corner);
+        Emission.Quantity quantity = q.emission().quantity();
+        // Beside something very far away a product of edges may underflow that are very different points: that is
+        // SceneExtent's to tell.
+        Vec3 normal = up.scaledBy(-up.exponent()).cross(right.scaledBy(-right.exponent()));
+        if (quantity == Emission.Quantity.POWER && normal.maxAbs() == 0) {
+            throw new InvalidValueException(
+                    "lights/" + index + "/" + quantity.key(),
+                    "cannot be that of a rectangle of this size so far from the eye: its corners are one point, or lie in one line, in"
+                            + " double precision; a light of type point is the same");
+        }
+    }
+
+    private static double area(Light.Rectangle q) {
+        SceneFrame corner = new SceneFrame(q.lowerLeft(), 0);
+        return corner.toFrame(q.upperLeft())
+                .cross(corner.toFrame(q.lowerRight()))
+                .length();
+    }
+
+    /** Intensity is power per solid angle: seen in another unit of length, as many times the square of it arrive. */
+    private static PhysicalLight point(Light.Point p, int index, SceneFrame frame) {
+        boolean isPower = p.emission().quantity() == Emission.Quantity.POWER;
+        Rgb c = p.emitted();
+        double perPower = isPower ? 1 / (4 * Math.PI) : 1;
+        Vec3 position = frame.toFrame(p.position());
+        String key = p.emission().quantity().key();
+        return PhysicalLight.point(
+                position,
+                new Rgb(
+                        bounded(intensity(c.r() * perPower, frame), p, index, key),
+                        bounded(intensity(c.g() * perPower, frame), p, index, key),
+                        bounded(intensity(c.b() * perPower, frame), p, index, key)),
+                bounded(intensity(p.ultraviolet() * perPower, frame), p, index, ULTRAVIOLET));
+    }
+
+    /**
+     * Radiance, or intensity in the frame.
+     *
+     * @param key what of the light says how much it is
+     * @throws InvalidValueException if it is beyond {@link Radiance#LARGEST}, at the place of the light
+     */
+    private static double bounded(double value, Light light, int index, String key) {
+        if (!(value <= Radiance.LARGEST)) {
+            throw new InvalidValueException(
+                    "lights/" + index + "/" + key,
+                    light instanceof Light.Point
+                            ? "is too much for a scene of this size: in units of it, intensity must be at most 1e100"
+                            : "is too much for a light of this size: its radiance must be at most 1e100");
+        }
+        return value;
+    }
+
+    /** What is 0 stays so, even where a unit of power would be infinite radiance. */
+    private static double product(double power, double perPower) {
+        return power == 0 ? 0 : power * perPower;
+    }
+
+    private static double intensity(double value, SceneFrame frame) {
+        return Scale.scalb(Scale.scalb(value, -frame.exponent()), -frame.exponent());
+    }
+}

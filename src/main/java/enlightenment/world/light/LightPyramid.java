@@ -1,0 +1,154 @@
+package enlightenment.world.light;
+
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Products;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.CubePrimitive;
+import enlightenment.primitive.Primitive;
+
+/**
+ * The pyramids of segments from points to a light that is a rectangle, and the primitives, each in a box, that stand beside them. Of what
+ * the ball around the light would leave in doubt, most is decided so. Immutable.
+ *
+ * <p>A pyramid and a box are apart if one side of the pyramid, or a plane parallel to the light, or one of the box's own faces
+ * lies between them. That is not all of the planes that might (S. Gottschalk, M. Lin and D. Manocha, "OBBTree", 1996), but where none does
+ * the box is only tested in vain.
+ */
+public final class LightPyramid {
+    /** Bounds the roundings of a product of two coordinates, relative to the square of the largest. */
+    private static final double ERROR = Scale.gamma(64);
+
+    private static final double RIGHT_ANGLE_ERROR = Scale.gamma(64);
+
+    /** By id: centre and three half edges of the box, along the light's edges and its normal; the centre from the light's corner. */
+    private static final int BOX = 12;
+
+    private final double[] boxes;
+    private final Vec3 corner;
+    private final Vec3 right;
+    private final Vec3 up;
+    private final Vec3 normal;
+    private final double width;
+    private final double length;
+
+    /** Bounds the sums of the coordinates of all boxes and of the light. */
+    private final double scale;
+
+    private LightPyramid(LightBody light, Vec3 normal, Primitive[] primitives) {
+        corner = new Vec3(light.x, light.y, light.z);
+        width = light.right.length();
+        length = light.up.length();
+        right = light.right.normalized();
+        up = light.up.normalized();
+        this.normal = normal;
+        boxes = new double[BOX * primitives.length];
+        double reach = light.bounds().maxAbs();
+        for (int id = 0; id < primitives.length; id++) {
+            reach = Math.max(reach, primitives[id].bounds().maxAbs());
+            set(primitives[id], BOX * id);
+        }
+        scale = 6 * reach;
+    }
+
+    /** The pyramids of a light; null if it is not a rectangle. */
+    public static LightPyramid of(LightBody light, Primitive[] primitives) {
+        Vec3 across = light.right.cross(light.up);
+        boolean isRectangle = across.maxAbs() > 0
+                && Math.abs(light.right.normalized().dot(light.up.normalized())) <= RIGHT_ANGLE_ERROR;
+        return isRectangle ? new LightPyramid(light, across.normalized(), primitives) : null;
+    }
+
+    private void set(Primitive p, int at) {
+        Bounds box = p.bounds();
+        Vec3 half = box.max().minus(box.min()).times(0.5);
+        Vec3 center = box.center();
+        Vec3 x = new Vec3(half.x(), 0, 0);
+        Vec3 y = new Vec3(0, half.y(), 0);
+        Vec3 z = new Vec3(0, 0, half.z());
+        if (p instanceof CubePrimitive c) {
+            center = c.center();
+            x = c.edge(0).times(0.5);
+            y = c.edge(1).times(0.5);
+            z = c.edge(2).times(0.5);
+        }
+        put(center.minus(corner), at);
+        put(x, at + 3);
+        put(y, at + 6);
+        put(z, at + 9);
+    }
+
+    private void put(Vec3 v, int at) {
+        boxes[at] = v.dot(right);
+        boxes[at + 1] = v.dot(up);
+        boxes[at + 2] = v.dot(normal);
+    }
+
+    /** A point that sees the light. A mutable work object, one per thread. */
+    static final class Apex {
+        private LightPyramid light;
+
+        /** The light's corner from the point. */
+        private double x;
+
+        private double y;
+        private double z;
+
+        /** Bounds the roundings of coordinates, and of products of two. */
+        private double slack;
+
+        private double slack2;
+
+        /** Sets the point. */
+        void set(LightPyramid from, double px, double py, double pz) {
+            // Mostly it is the same, and the collector of garbage has work with each reference that is stored.
+            if (light != from) {
+                light = from;
+            }
+            Vec3 c = from.corner;
+            double dx = c.x() - px;
+            double dy = c.y() - py;
+            double dz = c.z() - pz;
+            x = Products.dot(from.right.x(), from.right.y(), from.right.z(), dx, dy, dz);
+            y = Products.dot(from.up.x(), from.up.y(), from.up.z(), dx, dy, dz);
+            z = Products.dot(from.normal.x(), from.normal.y(), from.normal.z(), dx, dy, dz);
+            double size = from.scale + Math.abs(px) + Math.abs(py) + Math.abs(pz);
+            slack = ERROR * size;
+            slack2 = slack * size;
+        }
+
+        /** Whether the primitive with an id certainly meets no segment from the point to the light. False where in doubt. */
+        boolean misses(int id) {
+            double[] b = light.boxes;
+            int at = BOX * id;
+            double cx = b[at] + x;
+            double cy = b[at + 1] + y;
+            double cz = b[at + 2] + z;
+            double depth = Math.abs(b[at + 5]) + Math.abs(b[at + 8]) + Math.abs(b[at + 11]) + slack;
+            // Towards the light the coordinate grows, or falls.
+            double ahead = z > 0 ? cz : -cz;
+            if (ahead < -depth || ahead - depth > Math.abs(z)) {
+                return true;
+            }
+            double beyondX = x + light.width;
+            double beyondY = y + light.length;
+            double side = z > 0 ? 1 : -1;
+            return side * (x * cz - z * cx) > across(b, at + 3, at + 5, x)
+                    || side * (z * cx - beyondX * cz) > across(b, at + 3, at + 5, beyondX)
+                    || side * (y * cz - z * cy) > across(b, at + 4, at + 5, y)
+                    || side * (z * cy - beyondY * cz) > across(b, at + 4, at + 5, beyondY);
+        }
+
+        /**
+         * How far the box reaches across the side of the pyramid through an edge at a coordinate.
+         *
+         * @param i where that coordinate of the box's first edge is found, and k, where its depth is
+         */
+        private double across(double[] b, int i, int k, double edge) {
+            return Math.abs(z * b[i] - edge * b[k])
+                    + Math.abs(z * b[i + 3] - edge * b[k + 3])
+                    + Math.abs(z * b[i + 6] - edge * b[k + 6])
+                    + slack2;
+        }
+    }
+}

@@ -1,0 +1,165 @@
+package enlightenment.world.light;
+
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.MedianCut;
+import enlightenment.primitive.SpherePrimitive;
+import enlightenment.world.parts.CancellationCheck;
+
+/**
+ * The lights that mirrors may reflect, in a binary tree of boxes around their centres: those that send a mirror the most power are found
+ * without asking all of them. Immutable but for the count of its work.
+ *
+ * <p>A box's bound on the power that any of its lights sends to a mirror is computed by the same operations as that power, each of which
+ * is monotone also when it rounds: no light in the box has more, to the last bit.
+ */
+public final class MirroredLights {
+    private static final int LEAF = 4;
+
+    private final PhysicalLight[] lights;
+    private final CancellationCheck work;
+
+    /** Indices of lights: a node's are a range, its children's the halves of that. */
+    private final int[] order;
+
+    /** By light: what it emits, times its area. */
+    private final double[] strength;
+
+    /** By node, from 1 for the root and 2k, 2k + 1 for the children of k: a box around its lights' centres, its strongest, its first. */
+    private final Bounds[] box;
+
+    private final double[] strongest;
+    private final int[] first;
+
+    /**
+     * Puts lights into a tree.
+     *
+     * @param lights a scene's lights
+     * @param some indices of those that may be reflected, one or more
+     * @param visibleOfUltraviolet see {@code PhysicalScene}
+     * @param work is told each step
+     */
+    public MirroredLights(PhysicalLight[] lights, int[] some, double visibleOfUltraviolet, CancellationCheck work) {
+        this.lights = lights;
+        this.work = work;
+        order = some.clone();
+        strength = new double[lights.length];
+        for (int i : some) {
+            PhysicalLight l = lights[i];
+            double brightest = Math.max(Math.max(l.r, Math.max(l.g, l.b)), visibleOfUltraviolet * l.ultraviolet);
+            strength[i] = brightest * l.form.area();
+        }
+        int nodes = 2;
+        for (int most = some.length; most > LEAF; most = (most + 1) / 2) {
+            nodes *= 2;
+        }
+        box = new Bounds[nodes];
+        strongest = new double[nodes];
+        first = new int[nodes];
+        build(1, 0, order.length);
+    }
+
+    /** How many lights there are. */
+    public int count() {
+        return order.length;
+    }
+
+    private void build(int node, int from, int to) {
+        work.steps(to - from);
+        Vec3 center = center(order[from]);
+        Vec3 min = center;
+        Vec3 max = center;
+        double most = strength[order[from]];
+        int least = order[from];
+        for (int k = from + 1; k < to; k++) {
+            Vec3 c = center(order[k]);
+            min = new Vec3(Math.min(min.x(), c.x()), Math.min(min.y(), c.y()), Math.min(min.z(), c.z()));
+            max = new Vec3(Math.max(max.x(), c.x()), Math.max(max.y(), c.y()), Math.max(max.z(), c.z()));
+            most = Math.max(most, strength[order[k]]);
+            least = Math.min(least, order[k]);
+        }
+        box[node] = new Bounds(min, max);
+        strongest[node] = most;
+        first[node] = least;
+        if (to - from > LEAF) {
+            Vec3 extent = box[node].extent();
+            int axis = extent.x() >= extent.y() && extent.x() >= extent.z() ? 0 : extent.y() >= extent.z() ? 1 : 2;
+            int middle = middle(from, to);
+            MedianCut.select(order, from, to, middle, light -> along(light, axis), work::steps);
+            build(2 * node, from, middle);
+            build(2 * node + 1, middle, to);
+        }
+    }
+
+    private static int middle(int from, int to) {
+        return (from + to + 1) >>> 1;
+    }
+
+    private Vec3 center(int light) {
+        return new Vec3(lights[light].ballX, lights[light].ballY, lights[light].ballZ);
+    }
+
+    private double along(int light, int axis) {
+        PhysicalLight l = lights[light];
+        return axis == 0 ? l.ballX : axis == 1 ? l.ballY : l.ballZ;
+    }
+
+    /** Offers a mirror with each light that is no face of it; those that surely are not taken are left out. */
+    public void offer(SpherePrimitive mirror, int id, StrongestPairs best) {
+        offer(1, 0, order.length, mirror, id, best);
+    }
+
+    private void offer(int node, int from, int to, SpherePrimitive mirror, int id, StrongestPairs best) {
+        work.step();
+        if (!best.takes(most(node, mirror), id, first[node])) {
+            return;
+        }
+        if (to - from <= LEAF) {
+            for (int k = from; k < to; k++) {
+                int light = order[k];
+                if (lights[light].id != id) {
+                    best.offer(power(mirror, light), id, light);
+                }
+            }
+            return;
+        }
+        int middle = middle(from, to);
+        // What is best comes first, so that the rest need not be looked at.
+        if (most(2 * node, mirror) >= most(2 * node + 1, mirror)) {
+            offer(2 * node, from, middle, mirror, id, best);
+            offer(2 * node + 1, middle, to, mirror, id, best);
+        } else {
+            offer(2 * node + 1, middle, to, mirror, id, best);
+            offer(2 * node, from, middle, mirror, id, best);
+        }
+    }
+
+    /** About how much of a light's power comes to a mirror, but for a factor. */
+    private double power(SpherePrimitive mirror, int light) {
+        PhysicalLight l = lights[light];
+        double share = share(mirror, mirror.x() - l.ballX, mirror.y() - l.ballY, mirror.z() - l.ballZ);
+        return strength[light] * share;
+    }
+
+    /** An upper bound on that of the lights of a node. */
+    private double most(int node, SpherePrimitive mirror) {
+        Vec3 min = box[node].min();
+        Vec3 max = box[node].max();
+        double x = apart(mirror.x(), min.x(), max.x());
+        double y = apart(mirror.y(), min.y(), max.y());
+        double z = apart(mirror.z(), min.z(), max.z());
+        return strongest[node] * share(mirror, x, y, z);
+    }
+
+    /** The distance, or less, of any place from a place in a range. */
+    private static double apart(double at, double min, double max) {
+        return at > max ? at - max : at < min ? at - min : 0;
+    }
+
+    /** The share of the light at a distance: squared radius over squared distance, at most 1. */
+    private static double share(SpherePrimitive mirror, double x, double y, double z) {
+        double rr = mirror.radius() * mirror.radius();
+        double dd = x * x + y * y + z * z;
+        return rr >= dd ? 1 : rr / dd;
+    }
+}

@@ -1,0 +1,184 @@
+package enlightenment.world.light;
+
+import enlightenment.color.Rgb;
+import enlightenment.emitter.AreaLight;
+import enlightenment.emitter.AreaLights;
+import enlightenment.emitter.SphereLight;
+import enlightenment.math.Vec3;
+import enlightenment.primitive.EndFaces;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
+import enlightenment.primitive.RectanglePrimitive;
+import enlightenment.primitive.SupportSurface;
+import enlightenment.world.contact.CoincidentSurfaces;
+import enlightenment.world.contact.TouchedBoxes;
+import enlightenment.world.parts.CompiledPrimitives;
+
+/**
+ * A light of physical shading: a face of a primitive that glows, or a point. What glows is a surface like any other: rays meet it, and it
+ * occludes what is behind it.
+ */
+public final class PhysicalLight extends LightBody {
+    private static final int NO_PRIMITIVE = -1;
+
+    private static final int[] NO_MEDIA = {};
+
+    /** The light's form: points on it, as they are seen from somewhere; null for a point. */
+    public final AreaLight form;
+
+    /** The id of the primitive that glows; -1 for a point. */
+    public final int id;
+
+    /** Which of its faces. */
+    public final int face;
+
+    /** Whether it is a point light: then {@link #r}, {@link #g}, {@link #b} are radiant intensity in units of the frame; a delta light. */
+    public final boolean isPoint;
+
+    /** Whether it is a ball: then direct light of matte surfaces always has a closed form. */
+    public final boolean isBall;
+
+    /** Whether it is flat: then no point in its plane has light from it. */
+    public final boolean isFlat;
+
+    /**
+     * Emitted radiance (W/(m² sr), relative), the same at all points and in all directions on the sides that shine; of a point light the
+     * radiant intensity, scaled so that intensity over squared distance in the frame is irradiance in the scene's units. Linear, by band.
+     */
+    public final double r;
+
+    public final double g;
+    public final double b;
+
+    /** The same of ultraviolet; 0 if nothing in the scene shows it. */
+    public final double ultraviolet;
+
+    /** Whether light that its inside emits may be seen. */
+    public final boolean shinesInside;
+
+    /** Whether no segment to a point of it that {@link AreaLight#sample} chooses crosses its primitive before. */
+    public final boolean hidesNothingOfItself;
+
+    /** Set once, when the scene is compiled. */
+    int[] media = NO_MEDIA;
+
+    private PhysicalLight(
+            Place place,
+            AreaLight form,
+            Primitive surface,
+            int id,
+            int face,
+            Rgb glow,
+            double ultraviolet,
+            boolean shinesInside) {
+        super(place.at, place.radius, place.right, place.up, place.ball, place.ballRadius, surface);
+        this.form = form;
+        this.id = id;
+        this.face = face;
+        isPoint = surface == null;
+        isBall = form instanceof SphereLight;
+        isFlat = surface != null && surface.support(face).isFlat();
+        r = glow.r();
+        g = glow.g();
+        b = glow.b();
+        this.ultraviolet = ultraviolet;
+        this.shinesInside = shinesInside;
+        hidesNothingOfItself = surface != null && (surface.isFlat() || surface.isConvex() && surface.isSolid());
+    }
+
+    /** Where a light is, as {@link LightBody} wants it. */
+    private record Place(Vec3 at, double radius, Vec3 right, Vec3 up, Vec3 ball, double ballRadius) {
+        static Place ball(Vec3 center, double radius) {
+            return new Place(center, radius, Vec3.ZERO, Vec3.ZERO, center, radius);
+        }
+
+        static Place of(Primitive p, AreaLight form) {
+            Vec3 ball = form.ballCenter();
+            if (p instanceof RectanglePrimitive && p.support(0) instanceof SupportSurface.Plane plane) {
+                Vec3[] c = plane.corners();
+                return new Place(c[0], 0, c[3].minus(c[0]), c[1].minus(c[0]), ball, form.ballRadius());
+            }
+            return ball(ball, form.ballRadius());
+        }
+    }
+
+    /** A point light of an intensity per squared unit of length of the frame. */
+    static PhysicalLight point(Vec3 position, Rgb intensity, double ultraviolet) {
+        return new PhysicalLight(Place.ball(position, 0), null, null, NO_PRIMITIVE, 0, intensity, ultraviolet, false);
+    }
+
+    /** This point light without its ultraviolet, which nothing shows. */
+    public PhysicalLight withoutUltraviolet() {
+        return ultraviolet == 0 ? this : point(new Vec3(x, y, z), new Rgb(r, g, b), 0);
+    }
+
+    /**
+     * A face of a primitive that glows; null if it has no area in the frame.
+     *
+     * @param isTwoSided whether it glows to its inside as well
+     * @param isInsideSeen whether paths from the eye may come to its inside
+     */
+    public static PhysicalLight glowing(
+            Primitive p, int id, int face, Rgb radiance, double ultraviolet, boolean isTwoSided, boolean isInsideSeen) {
+        AreaLight form = AreaLights.of(p, face, isTwoSided);
+        return form == null
+                ? null
+                : new PhysicalLight(
+                        Place.of(p, form), form, p, id, face, radiance, ultraviolet, isTwoSided && isInsideSeen);
+    }
+
+    /**
+     * Whether a face lies in the plane of the light, which is flat, or of a part of it: then no point of the face has light from it.
+     * Rounding puts points of the face above or below that plane, where the light would fill half of their sky.
+     */
+    public boolean isInPlaneWith(int otherId, int otherFace) {
+        return isFlat
+                && (id == otherId && face == otherFace
+                        || !lyingOn().isEmpty() && lyingOn().has(otherId, otherFace));
+    }
+
+    /**
+     * Whether a primitive is the ball that the light is. From inside every direction meets it, and none is sampled; but rounding puts half
+     * of the vertices that lie on it outside, from where light of its other side would seem to come through the near one.
+     */
+    public boolean isBallOf(int otherId) {
+        return isBall && id == otherId;
+    }
+
+    /** Luminance of radiance or intensity. */
+    public double luminance() {
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    }
+
+    /** The solids of glass that points of the light may lie in, by ascending ids; not to be changed. */
+    public int[] mediaAround() {
+        return media;
+    }
+
+    /** Finds the faces that the light lies on, and that therefore do not occlude it. */
+    public void lieOn(CompiledPrimitives compiled, TouchedBoxes near, CoincidentSurfaces coincident, boolean few) {
+        // Among few primitives, candidates for occlusion are listed for each light, and its own need not be among them.
+        int left = few && hidesNothingOfItself ? id : NO_PRIMITIVE;
+        lieOn(near, face, left, new Touched() {
+            @Override
+            public boolean isEntered(int other, int otherFace) {
+                return compiled.primitives()[other].isSolid()
+                        && compiled.materials().of(other, otherFace).isGlass;
+            }
+
+            @Override
+            public int covered(int other, int otherFace, boolean isTurned) {
+                return compiled.materials().of(other, otherFace).isGlass
+                        ? 0
+                        : covered(other, otherFace, isTurned, Ray.OUTSIDE)
+                                | covered(other, otherFace, isTurned, Ray.INSIDE);
+            }
+
+            private int covered(int other, int otherFace, boolean isTurned, int side) {
+                int own = isTurned ? -side : side;
+                boolean shines = own == Ray.OUTSIDE || shinesInside;
+                return shines && coincident.precedes(other, otherFace, side, id, face, own) ? EndFaces.bit(side) : 0;
+            }
+        });
+    }
+}

@@ -1,0 +1,130 @@
+package enlightenment.world.light;
+
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.SpherePrimitive;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.CompiledPrimitives;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Predicate;
+
+/**
+ * The mirrors and the glass of a scene, and rough surfaces with narrow lobes, as a few balls around them: what a path from a light that may
+ * make a caustic is aimed at.
+ */
+public final class SpecularThings {
+    /** The balls, by their centres and radii. */
+    final double[] x;
+
+    final double[] y;
+    final double[] z;
+    final double[] radius;
+
+    /** By ball: whether a mirror or glass is in it. */
+    final boolean[] isSharp;
+
+    private SpecularThings(List<Group> groups) {
+        isSharp = new boolean[groups.size()];
+        for (int k = 0; k < isSharp.length; k++) {
+            isSharp[k] = groups.get(k).isSharp;
+        }
+        x = groups.stream().mapToDouble(g -> g.center.x()).toArray();
+        y = groups.stream().mapToDouble(g -> g.center.y()).toArray();
+        z = groups.stream().mapToDouble(g -> g.center.z()).toArray();
+        radius = groups.stream().mapToDouble(g -> g.radius).toArray();
+    }
+
+    int count() {
+        return radius.length;
+    }
+
+    /**
+     * The things of a scene.
+     *
+     * @param most with more of them than this, those near each other share a ball
+     * @param withSharp whether mirrors and glass are wanted
+     * @param withNarrow whether surfaces with narrow lobes are
+     */
+    static SpecularThings of(CompiledPrimitives compiled, int most, boolean withSharp, boolean withNarrow) {
+        int n = compiled.primitives().length;
+        int[] wanted = new int[n];
+        boolean[] sharp = new boolean[n];
+        int count = 0;
+        for (int id = 0; id < n; id++) {
+            sharp[id] = hasFace(compiled, id, SpecularThings::isSharp);
+            if (withSharp && sharp[id] || withNarrow && hasFace(compiled, id, SpecularThings::isNarrow)) {
+                wanted[count++] = id;
+            }
+        }
+        List<Group> groups = new ArrayList<>();
+        if (count > 0) {
+            split(compiled.primitives(), sharp, Arrays.copyOf(wanted, count), most, groups);
+        }
+        return new SpecularThings(groups);
+    }
+
+    private static boolean hasFace(CompiledPrimitives compiled, int id, Predicate<SurfaceMaterial> such) {
+        for (int face = 0; face < compiled.primitives()[id].faceCount(); face++) {
+            if (such.test(compiled.materials().of(id, face))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    public static boolean isNarrow(SurfaceMaterial material) {
+        return material.bsdf.isNarrow() && !material.isBlack;
+    }
+
+    /** Whether it is glass, or scatters light into single directions only; not a border that turns no ray. */
+    public static boolean isSharp(SurfaceMaterial material) {
+        boolean turns = material.medium == null || material.indexOfRefraction != 1;
+        return material.isGlass && turns || !material.isGlass && material.isDelta && !material.isBlack;
+    }
+
+    /** Halves the primitives, by their places along the longer side of their box, until there are groups enough. */
+    private static void split(Primitive[] all, boolean[] sharp, int[] ids, int most, List<Group> groups) {
+        if (ids.length == 1 || most == 1) {
+            groups.add(Group.of(all, sharp, ids));
+            return;
+        }
+        Vec3 extent = box(all, ids).extent();
+        boolean alongX = extent.x() >= extent.y() && extent.x() >= extent.z();
+        boolean alongY = !alongX && extent.y() >= extent.z();
+        int[] sorted = Arrays.stream(ids)
+                .boxed()
+                .sorted(Comparator.<Integer>comparingDouble(id -> {
+                            Vec3 c = all[id].bounds().center();
+                            return alongX ? c.x() : alongY ? c.y() : c.z();
+                        })
+                        .thenComparingInt(id -> id))
+                .mapToInt(id -> id)
+                .toArray();
+        int middle = sorted.length / 2;
+        split(all, sharp, Arrays.copyOf(sorted, middle), most / 2, groups);
+        split(all, sharp, Arrays.copyOfRange(sorted, middle, sorted.length), most - most / 2, groups);
+    }
+
+    private static Bounds box(Primitive[] all, int[] ids) {
+        Bounds box = all[ids[0]].bounds();
+        for (int id : ids) {
+            box = box.union(all[id].bounds());
+        }
+        return box;
+    }
+
+    private record Group(Vec3 center, double radius, boolean isSharp) {
+        static Group of(Primitive[] all, boolean[] sharp, int[] ids) {
+            boolean isSharp = Arrays.stream(ids).anyMatch(id -> sharp[id]);
+            if (ids.length == 1 && all[ids[0]] instanceof SpherePrimitive s) {
+                return new Group(s.center(), s.radius(), isSharp);
+            }
+            Bounds box = box(all, ids);
+            return new Group(box.center(), box.extent().length() / 2, isSharp);
+        }
+    }
+}

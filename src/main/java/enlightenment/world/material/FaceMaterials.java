@@ -1,0 +1,61 @@
+package enlightenment.world.material;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.IntFunction;
+import java.util.function.Predicate;
+
+/** The materials of primitives by id and face: a primitive has one for all its faces or one for each. Immutable. */
+public final class FaceMaterials {
+    /** For each id, where its materials begin, and where the last one's end; null if each has one. */
+    private final int[] first;
+
+    private final SurfaceMaterial[] materials;
+
+    /** @param byId for each of n primitives its one material, or one per face */
+    public FaceMaterials(int n, IntFunction<List<SurfaceMaterial>> byId) {
+        int[] starts = new int[n + 1];
+        SurfaceMaterial[] all = new SurfaceMaterial[n];
+        for (int id = 0; id < n; id++) {
+            int end = starts[id];
+            for (SurfaceMaterial m : byId.apply(id)) {
+                all = end < all.length ? all : Arrays.copyOf(all, 2 * end + 1);
+                all[end++] = m;
+            }
+            starts[id + 1] = end;
+        }
+        first = starts[n] == n ? null : starts;
+        materials = Arrays.copyOf(all, starts[n]);
+    }
+
+    /** Each of the materials once. */
+    public List<SurfaceMaterial> distinct() {
+        return Arrays.stream(materials).distinct().toList();
+    }
+
+    /** Whether some surface is of such a material. */
+    public boolean any(Predicate<SurfaceMaterial> such) {
+        return Arrays.stream(materials).anyMatch(such);
+    }
+
+    /** What fills a solid of glass: the material of the first of its faces that is of glass; face 0 of another one. */
+    public SurfaceMaterial inside(int id) {
+        int start = first == null ? id : first[id];
+        int end = first == null ? id + 1 : first[id + 1];
+        for (int k = start; k < end; k++) {
+            if (materials[k].isGlass) {
+                return materials[k];
+            }
+        }
+        return materials[start];
+    }
+
+    /** The material of a face of a primitive. */
+    public SurfaceMaterial of(int id, int face) {
+        if (first == null) {
+            return materials[id];
+        }
+        int start = first[id];
+        return materials[first[id + 1] - start == 1 ? start : start + face];
+    }
+}

@@ -3,9 +3,11 @@ package enlightenment.plan;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.world.CompiledScene;
+import enlightenment.world.PhysicalScene;
 import enlightenment.world.check.NarrowChains;
 import enlightenment.world.check.RefractingMedia;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -21,8 +23,10 @@ final class UndersampledLight {
         if (scene.physical == null || !(method instanceof BuiltInMethod)) {
             return found;
         }
-        if (method != BuiltInMethod.LIGHT && scene.isEver(UndersampledLight::showsCaustics)) {
-            found.add("few paths find caustics that are seen in mirrors or through glass");
+        if (scene.isEver(UndersampledLight::reflectsSmallLights)) {
+            found.add("few paths find small lamps "
+                    + (method == BuiltInMethod.LIGHT ? "" : "and caustics ")
+                    + "that are seen in mirrors or through glass");
         }
         if (scene.isEver(NarrowChains::leadToSmallLights)) {
             found.add(
@@ -40,10 +44,12 @@ final class UndersampledLight {
         return found;
     }
 
-    /** Whether paths from the eye alone find some caustics, of lights that are small as seen from what makes them. */
-    private static boolean showsCaustics(CompiledScene moment) {
-        return moment.physical.hasCausticPass()
-                && moment.physical.showsMirrored
-                && moment.physical.caustics.hasSmallLights();
+    /** Whether paths from the eye alone find what mirrors and smooth glass make of lights that are small as seen from there. */
+    private static boolean reflectsSmallLights(CompiledScene moment) {
+        PhysicalScene physical = moment.physical;
+        boolean isSmall = physical.hasCausticPass()
+                ? physical.caustics.hasSmallLights()
+                : physical.maxBounces == 1 && Arrays.stream(physical.lights).anyMatch(light -> !light.isPoint);
+        return physical.showsMirrored && isSmall;
     }
 }

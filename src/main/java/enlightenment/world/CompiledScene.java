@@ -20,6 +20,8 @@ import enlightenment.world.contact.GlassBoxes;
 import enlightenment.world.contact.TouchedBoxes;
 import enlightenment.world.light.CompiledLight;
 import enlightenment.world.light.LightBody;
+import enlightenment.world.light.LightImage;
+import enlightenment.world.light.LightImages;
 import enlightenment.world.light.OccluderSet;
 import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.material.FaceMaterials;
@@ -107,14 +109,14 @@ public final class CompiledScene {
     /** The number of objects in the scene's list, including duplicates of which only one became a primitive. */
     public final int objects;
 
+    /** Where the eye sees lights that samples of a pixel may miss; empty unless shading is physical. */
+    public final LightImage[] lightImages;
+
     /** Images of lights that can be aimed at; null if there are none. */
     public final MirrorBalls mirrorBalls;
 
     /** The scene at the moments that its picture is the mean of; empty if it is one of a moment. */
     public final CompiledScene[] instants;
-
-    /** Set once, when the scene is compiled. */
-    private int momentsOfPicture = 1;
 
     private ConeSearch coneSearch;
     private LightStarts lightStarts;
@@ -142,9 +144,6 @@ public final class CompiledScene {
             CompiledScene... instants) {
         this.display = display;
         this.instants = instants;
-        for (CompiledScene moment : instants) {
-            moment.momentsOfPicture = instants.length;
-        }
         this.frame = frame;
         this.camera = camera;
         this.shading = shading;
@@ -192,6 +191,7 @@ public final class CompiledScene {
             physical.findOccluders(primitives, occluders, all);
         }
         mirrorBalls = physical == null ? null : MirrorBalls.of(compiled, coincident, physical, poll);
+        lightImages = physical == null ? new LightImage[0] : seenLights(poll);
         PhysicalFeatures more =
                 physical == null ? null : new PhysicalFeatures(physical, materials.distinct(), mirrorBalls);
         this.features = more == null ? List.copyOf(features) : joined(more.present, features);
@@ -200,6 +200,11 @@ public final class CompiledScene {
 
     private static List<String> joined(List<String> some, List<String> more) {
         return Stream.concat(some.stream(), more.stream()).toList();
+    }
+
+    private LightImage[] seenLights(Runnable poll) {
+        double background = Math.max(physical.backgroundR, Math.max(physical.backgroundG, physical.backgroundB));
+        return LightImages.of(camera, physical.lights, coincident, physical.surroundings, background, poll);
     }
 
     private static CompiledLight[] visible(CompiledLight[] lights) {
@@ -302,11 +307,6 @@ public final class CompiledScene {
             made.put(kind, known);
         }
         return kind.cast(known);
-    }
-
-    /** How many moments the picture is the mean of that this scene is one of; 1 if it has one only. */
-    public int momentsOfPicture() {
-        return momentsOfPicture;
     }
 
     /** The moments that the picture is the mean of: this scene alone where there are no {@link #instants}. */

@@ -91,17 +91,9 @@ class FloatingLiteralsTest {
                     "transport/image/MirrorImage.java", "0x1p-3", "Newton's method: an error over the radius, a ratio"),
             new Explained(
                     "transport/image/MirrorImage.java", "0x1p-6", "an image is so much wider than it need be: a ratio"),
+            new Explained("world/light/LightOutline.java", "0x1p-9", "pixels: how fine a polygon in the picture is"),
             new Explained(
-                    "transport/image/ImageSolver.java", "0x1p-12", "of a cell of the grid over the mirror's picture"),
-            new Explained("transport/image/ImageSolver.java", "0x1p-24", "the same: where Newton's method has settled"),
-            new Explained("transport/image/ImageSolver.java", "8", "cells of that grid"),
-            new Explained("transport/image/ImageSolver.java", "64", "pixels that an image covers"),
-            new Explained("transport/image/ImageSolver.java", "1.125", "how much larger a polygon is than an ellipse"),
-            new Explained("transport/image/ChainImages.java", "0x1p-10", "what a chain leaves of light, a ratio"),
-            new Explained(
-                    "transport/image/LightOutline.java", "0x1p-9", "pixels: how fine a polygon in the picture is"),
-            new Explained(
-                    "transport/image/LightOutline.java", "0x1p30", "pixels: where a double tells no thousandth of one"),
+                    "world/light/LightOutline.java", "0x1p30", "pixels: where a double tells no thousandth of one"),
             new Explained("transport/bidirectional/PathSampler.java", "0x1p-32", "32 bits to 0..1"),
             new Explained(
                     "transport/state/PathValue.java", "0.05", "roulette: a share of a path's throughput, a ratio"),

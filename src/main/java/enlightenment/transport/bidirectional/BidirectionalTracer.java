@@ -122,7 +122,7 @@ public final class BidirectionalTracer implements Shader {
         eye.begin(ray, sampler);
         images.begin(ray);
         if (images.gather(sampler)) {
-            add(watched(0, images.vertices(), 1), images.red, images.green, images.blue, 0);
+            add(watched(0, 2, 1), images.red, images.green, images.blue, 0);
         }
         while (step(sampler)) {}
         out[0] = red;
@@ -190,20 +190,12 @@ public final class BidirectionalTracer implements Shader {
                 }
                 return false;
             case PASSED:
-                if (eye.path.glass.passedStraight()) {
-                    images.hasPassed();
-                } else if (eye.path.glass.border.transmitted) {
-                    images.refracted();
-                } else {
-                    images.wasReflected();
-                }
                 return true;
             case SURFACE:
                 glow();
                 eye.passDye();
                 break;
             case BORDER, MEDIUM:
-                images.scattered();
                 break;
             default:
                 return false;
@@ -211,9 +203,7 @@ public final class BidirectionalTracer implements Shader {
         if (!eye.mayScatter()) {
             return false;
         }
-        if (eye.bsdf.isDelta()) {
-            images.reflected();
-        } else {
+        if (!eye.bsdf.isDelta()) {
             gather(sampler);
         }
         return infinite == null ? eye.leave(sampler) : gatherInfinite(sampler);

@@ -1,5 +1,7 @@
 package enlightenment.transport.image;
 
+import enlightenment.world.light.LightImage;
+
 /** What of a light's image is in one pixel: a convex polygon, over which places are sampled evenly. Immutable but for the last place. */
 final class ImagePart {
     final LightImage image;

@@ -127,7 +127,7 @@ public final class MirrorCaustics {
         MirrorImage image = images[k];
         ray.set(at.px, at.py, at.pz, image.dx, image.dy, image.dz, 0).from(at.primitive, at.side);
         path.glass.startOnAll(ray);
-        return !path.glass.entersAtOnce() && mirrored.isMetBy(ray, balls.id[k], LightImage.ANY_FACE, balls.light[k]);
+        return !path.glass.entersAtOnce() && mirrored.isMetBy(ray, balls.id[k], balls.light[k]);
     }
 
     private void add(Scattering s, double density, PhysicalLight l) {

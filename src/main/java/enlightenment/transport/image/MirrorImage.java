@@ -296,27 +296,6 @@ final class MirrorImage {
         dz = c * az + a * uz + b * vz;
     }
 
-    /**
-     * The directions, of no length in particular, to the corners of a rectangle across the axis that holds the sector of {@link #aim},
-     * which found an image.
-     *
-     * @param k 0 to 3, in order
-     */
-    void corner(int k, double[] out) {
-        double outer = Math.sqrt(greatest * (2 - greatest)) / (1 - greatest);
-        double inner = Math.sqrt(least * (2 - least)) / (1 - least);
-        boolean isNarrow = turnCosine > 0;
-        double sine = Math.sqrt((1 - turnCosine) * (1 + turnCosine));
-        double a = outer;
-        if (k == 0 || k == 3) {
-            a = isNarrow ? inner * turnCosine : -outer;
-        }
-        double b = (k < 2 ? 1 : -1) * (isNarrow ? outer * sine : outer);
-        out[0] = ax + a * ux + b * vx;
-        out[1] = ay + a * uy + b * vy;
-        out[2] = az + a * uz + b * vz;
-    }
-
     /** Whether a unit vector lies in the sector of {@link #aim}, which found an image. */
     boolean contains(double x, double y, double z) {
         double along = x * ax + y * ay + z * az;

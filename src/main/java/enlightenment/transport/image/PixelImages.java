@@ -1,5 +1,7 @@
 package enlightenment.transport.image;
 
+import enlightenment.world.light.ClippedPolygon;
+import enlightenment.world.light.LightImage;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.stream.IntStream;

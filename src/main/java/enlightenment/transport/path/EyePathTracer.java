@@ -81,13 +81,6 @@ abstract class EyePathTracer implements Shader {
         Arrays.fill(surface, path.glass.weight());
         if (through) {
             path.filter(surface);
-            if (path.glass.passedStraight()) {
-                images.passed();
-            } else {
-                images.refracted();
-            }
-        } else {
-            images.reflected();
         }
         value.enter(path.glass.indexOfRefraction());
     }

@@ -296,7 +296,6 @@ public final class PathTracer extends EyePathTracer {
         if (mirrors != null) {
             mirrors.reflected(path.id);
         }
-        images.reflected();
         path.scatter(ray, material, surface, 0, 0, 0);
         history.leave(true);
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
@@ -377,7 +376,6 @@ public final class PathTracer extends EyePathTracer {
         }
         history.leave(true);
         if (isRough) {
-            images.scattered();
             history.atCoincidentSurface = path.glass.hasNext();
             history.gathered = !history.atCoincidentSurface;
             light.setBsdfPdf(path.glass.border.pdf);

@@ -67,7 +67,6 @@ public final class SeenLight extends EyePathTracer {
             return false;
         }
         path.color(material, surface);
-        images.reflected();
         path.scatter(ray, material, surface, 0, 0, 0);
         return survives(sampler) && path.goesOn();
     }

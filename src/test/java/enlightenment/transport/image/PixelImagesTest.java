@@ -15,6 +15,8 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
+import enlightenment.world.light.ClippedPolygon;
+import enlightenment.world.light.LightImage;
 import enlightenment.world.light.PhysicalLight;
 import java.util.ArrayList;
 import java.util.List;
@@ -41,7 +43,7 @@ class PixelImagesTest {
         for (int k = 0; k < count; k++) {
             double[] x = {2.5, 4.5, 4.5, 2.5};
             double[] y = {2.1, 2.1, 2.1 + area, 2.1 + area};
-            images.add(new LightImage(images.size(), from, LightImage.STRAIGHT, LightImage.ANY_FACE, x, y));
+            images.add(new LightImage(images.size(), from, x, y));
         }
     }
 

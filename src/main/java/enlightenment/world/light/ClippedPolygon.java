@@ -1,4 +1,4 @@
-package enlightenment.transport.image;
+package enlightenment.world.light;
 
 import java.util.Arrays;
 
@@ -6,7 +6,7 @@ import java.util.Arrays;
  * A convex polygon of which parts are cut off: I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974. A mutable work object, one
  * per thread.
  */
-final class ClippedPolygon {
+public final class ClippedPolygon {
     /** Each side of a box adds a corner at most. */
     private static final int SIDES = 4;
 
@@ -17,7 +17,7 @@ final class ClippedPolygon {
     private int size;
 
     /** Begins with what of a polygon is in a box: x and y of its corners, in order. */
-    void set(double[] xs, double[] ys, double left, double top, double right, double bottom) {
+    public void set(double[] xs, double[] ys, double left, double top, double right, double bottom) {
         if (x.length < xs.length + SIDES) {
             x = new double[xs.length + SIDES];
             y = new double[xs.length + SIDES];
@@ -74,12 +74,12 @@ final class ClippedPolygon {
     }
 
     /** The area of what is left; 0 if nothing is. */
-    double area() {
+    public double area() {
         return area(x, y, size);
     }
 
     /** The area of a convex polygon: x and y of its corners, in order, the first of arrays. */
-    static double area(double[] x, double[] y, int size) {
+    public static double area(double[] x, double[] y, int size) {
         double twice = 0;
         for (int k = 2; k < size; k++) {
             twice += (x[k - 1] - x[0]) * (y[k] - y[0]) - (x[k] - x[0]) * (y[k - 1] - y[0]);
@@ -88,12 +88,12 @@ final class ClippedPolygon {
     }
 
     /** The corners' x. */
-    double[] copyOfX() {
+    public double[] copyOfX() {
         return Arrays.copyOf(x, size);
     }
 
     /** The corners' y. */
-    double[] copyOfY() {
+    public double[] copyOfY() {
         return Arrays.copyOf(y, size);
     }
 }

@@ -1,4 +1,4 @@
-package enlightenment.transport.image;
+package enlightenment.world.light;
 
 import enlightenment.frame.Basis;
 import enlightenment.math.Vec3;
@@ -8,12 +8,11 @@ import enlightenment.primitive.Ray;
 import enlightenment.primitive.SupportSurface;
 import enlightenment.world.camera.CompiledCamera;
 import enlightenment.world.camera.EyeProjection;
-import enlightenment.world.light.PhysicalLight;
 import java.util.Arrays;
 import java.util.Comparator;
 
 /**
- * The outlines of lights in the picture, straight and in flat mirrors: convex polygons that touch what bounds the light from outside.
+ * The outlines of lights in the picture: convex polygons that touch what bounds the light from outside.
  * Circles get so many corners that none is a thousandth of a pixel beside the circle. A mutable work object, one per thread.
  */
 final class LightOutline {
@@ -37,9 +36,6 @@ final class LightOutline {
     private int size;
     private boolean isBefore;
 
-    /** The mirror; null for none. */
-    private SupportSurface.Plane mirror;
-
     /** The polygon. */
     double[] x;
 
@@ -57,11 +53,9 @@ final class LightOutline {
     /**
      * Finds the polygon around a light.
      *
-     * @param in the mirror; null if the light is seen straight
      * @return whether there is one: all of the light lies before the eye, and its shining side may be seen
      */
-    boolean find(PhysicalLight l, SupportSurface.Plane in) {
-        mirror = in;
+    boolean find(PhysicalLight l) {
         SupportSurface s = l.surface.support(l.face);
         if (s instanceof SupportSurface.Plane p && !isLit(p, l) || !trace(l, s, LEAST_CORNERS)) {
             return false;
@@ -83,18 +77,8 @@ final class LightOutline {
     /** Whether the eye is on a side of a plane that shines: not behind a face of an opaque solid, whose other faces hide it. */
     private boolean isLit(SupportSurface.Plane p, PhysicalLight l) {
         Vec3 normal = p.unitNormal();
-        double above = eye.isParallel()
-                ? normal.dot(mirrored(eyePoint).minus(mirrored(eyePoint.plus(forward))))
-                : normal.dot(mirrored(eyePoint).minus(p.corners()[0]));
+        double above = eye.isParallel() ? -normal.dot(forward) : normal.dot(eyePoint.minus(p.corners()[0]));
         return above > 0 || l.shinesInside;
-    }
-
-    private Vec3 mirrored(Vec3 p) {
-        if (mirror == null) {
-            return p;
-        }
-        Vec3 normal = mirror.unitNormal();
-        return p.minus(normal.times(2 * p.minus(mirror.corners()[0]).dot(normal)));
     }
 
     /** Sets the points that the outline is around; returns whether all of them are before the eye. */
@@ -138,11 +122,10 @@ final class LightOutline {
 
     /** A ball looks like a disk through its centre, which is as much larger as the eye's cone is at an angle to its axis. */
     private void ball(Vec3 center, double radius, int corners) {
-        Vec3 from = mirrored(eyePoint);
-        Vec3 axis = mirrored(eyePoint.plus(forward)).minus(from);
+        Vec3 axis = forward;
         double size = radius;
         if (!eye.isParallel()) {
-            axis = center.minus(from);
+            axis = center.minus(eyePoint);
             double d = axis.length();
             if (!(d > radius)) {
                 isBefore = false;
@@ -163,27 +146,12 @@ final class LightOutline {
         }
     }
 
-    private void add(Vec3 point) {
-        Vec3 p = mirrored(point);
+    private void add(Vec3 p) {
         isBefore &= eye.place(p.x(), p.y(), p.z());
         points[size][0] = eye.x * camera.columns;
         points[size][1] = eye.y * camera.rows;
         isBefore &= Math.abs(points[size][0]) < FAR && Math.abs(points[size][1]) < FAR;
         size++;
-    }
-
-    /** The same of corners that are known, of directions that need not be of length 1 from the eye. */
-    boolean around(double[][] directions) {
-        if (points.length < directions.length) {
-            points = new double[directions.length][2];
-        }
-        mirror = null;
-        size = 0;
-        isBefore = true;
-        for (double[] d : directions) {
-            add(eyePoint.plus(new Vec3(d[0], d[1], d[2])));
-        }
-        return isBefore && wrap();
     }
 
     /** Sets the convex polygon around the points: A. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979. */

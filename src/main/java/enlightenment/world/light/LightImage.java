@@ -1,0 +1,53 @@
+package enlightenment.world.light;
+
+import java.util.Arrays;
+
+/** Where the eye sees a light, with nothing in between: a convex polygon around it, in pixels from the picture's upper left corner. Immutable. */
+public final class LightImage {
+    /** The light's index. */
+    public final int light;
+
+    /** The light's radiance in the band that it is brightest in; greater than 0. */
+    public final double brightness;
+
+    /** The corners, in order; not to be changed. */
+    public final double[] x;
+
+    public final double[] y;
+    private final double left;
+    private final double right;
+    private final double top;
+    private final double bottom;
+
+    /**
+     * @param light the light's index
+     * @param from the light
+     * @param x the corners, in order, with the inside to the left of each side where x points to the right and y upwards
+     * @param y as many
+     */
+    public LightImage(int light, PhysicalLight from, double[] x, double[] y) {
+        this.light = light;
+        this.x = x;
+        this.y = y;
+        brightness = brightness(from);
+        left = Arrays.stream(x).min().orElseThrow();
+        right = Arrays.stream(x).max().orElseThrow();
+        top = Arrays.stream(y).min().orElseThrow();
+        bottom = Arrays.stream(y).max().orElseThrow();
+    }
+
+    /** A light's radiance in the band that it is brightest in. */
+    static double brightness(PhysicalLight l) {
+        return Math.max(l.r, Math.max(l.g, l.b));
+    }
+
+    /** The polygon's area in pixels. */
+    double area() {
+        return ClippedPolygon.area(x, y, x.length);
+    }
+
+    /** Whether the polygon's own box reaches into a box. */
+    public boolean reaches(double x0, double y0, double x1, double y1) {
+        return left < x1 && right > x0 && top < y1 && bottom > y0;
+    }
+}

@@ -1,0 +1,102 @@
+package enlightenment.world.light;
+
+import enlightenment.primitive.TorusPrimitive;
+import enlightenment.surroundings.Surroundings;
+import enlightenment.world.camera.CompiledCamera;
+import enlightenment.world.contact.CoincidentSurfaces;
+import enlightenment.world.parts.CancellationCheck;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Finds the lights that samples of a pixel may miss, as they are seen with nothing in between. Whether something hides them is not asked.
+ *
+ * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are
+ * bright beside what is likely to be behind them: not dimmer than a sixteenth of the brightest light, nor than twice the background. Black
+ * takes the light's place among the samples of the pixel, and must be nearer to what is behind than the light is. The choice is the same
+ * however bright all lights together are.
+ */
+public final class LightImages {
+    /**
+     * So many images that are not smaller than a pixel are taken, the first ones: most edges in a mesh that glows are no edges of the
+     * light.
+     */
+    private static final int MOST_LARGE = 64;
+
+    /**
+     * A light of so much of the brightest one's radiance is seldom dimmer than twice what that makes of surfaces: it would have to fill
+     * this share of half their sky.
+     */
+    private static final double BRIGHT = 1.0 / 16;
+
+    private final CompiledCamera camera;
+    private final LightOutline outline;
+    private final ClippedPolygon polygon = new ClippedPolygon();
+    private final List<LightImage> found = new ArrayList<>();
+
+    /** The least brightness of larger images. */
+    private final double least;
+
+    private int large;
+
+    private LightImages(CompiledCamera camera, PhysicalLight[] lights, double background) {
+        this.camera = camera;
+        outline = new LightOutline(camera);
+        double brightest = Arrays.stream(lights)
+                .filter(l -> !l.isPoint)
+                .mapToDouble(LightImage::brightness)
+                .max()
+                .orElse(0);
+        least = Math.max(BRIGHT * brightest, 2 * background);
+    }
+
+    /**
+     * The images in a picture.
+     *
+     * @param surroundings null if there is none but a constant background
+     * @param background the radiance of that, in the band in which it is brightest
+     * @param poll called now and then; ends this by what it throws
+     */
+    public static LightImage[] of(
+            CompiledCamera camera,
+            PhysicalLight[] lights,
+            CoincidentSurfaces coincident,
+            Surroundings surroundings,
+            double background,
+            Runnable poll) {
+        LightImages images =
+                new LightImages(camera, lights, surroundings == null ? background : Double.POSITIVE_INFINITY);
+        for (int light = 0; light < lights.length; light++) {
+            if (CancellationCheck.isDue(light)) {
+                poll.run();
+            }
+            PhysicalLight l = lights[light];
+            boolean canBeSeen = !l.isPoint && LightImage.brightness(l) > 0 && !coincident.concerns(l.id, l.face);
+            if (canBeSeen && images.outline.find(l)) {
+                images.keep(light, l);
+            }
+        }
+        return images.found.toArray(new LightImage[0]);
+    }
+
+    private void keep(int light, PhysicalLight l) {
+        LightImage image = new LightImage(light, l, outline.x, outline.y);
+        double columns = camera.columns;
+        double rows = camera.rows;
+        if (!image.reaches(0, 0, columns, rows)) {
+            return;
+        }
+        if (image.area() >= 1) {
+            polygon.set(image.x, image.y, 0, 0, columns, rows);
+            boolean hasEdges = polygon.area() > 0 && polygon.area() < columns * rows;
+            // The outline of a torus is that of the ball around it.
+            boolean isBright = !(l.surface instanceof TorusPrimitive) && image.brightness >= least;
+            if (!hasEdges || !isBright || large == MOST_LARGE) {
+                return;
+            }
+            large++;
+        }
+        found.add(image);
+    }
+}

@@ -10,7 +10,7 @@ import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.transport.classic.ClassicShader;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.path.SeenLight;
 import enlightenment.transport.probe.RecordingShader;
 import enlightenment.transport.ray.Shader;
@@ -85,7 +85,7 @@ public final class RayTraceMethod implements TileIntegrator {
                 counters,
                 samples,
                 (moment, counted) -> moment.physical != null
-                        ? new PathTracer(moment, counted)
+                        ? new PathIntegrator(moment, counted)
                         : ClassicShader.ofColors(moment, lightPoints, counted));
     }
 
@@ -123,7 +123,7 @@ public final class RayTraceMethod implements TileIntegrator {
                 settings,
                 counters,
                 samples,
-                (moment, counted) -> new PathTracer(moment, counted, PathPart.DIRECT));
+                (moment, counted) -> new PathIntegrator(moment, counted, PathPart.DIRECT));
     }
 
     /** Of physical shading, in place of light the reflectance of what is seen: {@link PathPart#ALBEDO}. */
@@ -134,7 +134,7 @@ public final class RayTraceMethod implements TileIntegrator {
                 settings,
                 counters,
                 samples,
-                (moment, counted) -> new PathTracer(moment, counted, PathPart.ALBEDO));
+                (moment, counted) -> new PathIntegrator(moment, counted, PathPart.ALBEDO));
     }
 
     /** Of physical shading, that part of each sample which no path from a light can be connected to the eye with: {@link SeenLight}. */

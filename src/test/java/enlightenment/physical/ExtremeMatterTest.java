@@ -25,7 +25,7 @@ import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.parts.RayCounters;
@@ -214,7 +214,7 @@ class ExtremeMatterTest {
     @MethodSource("names")
     void pathsEnd(String name) {
         CompiledScene scene = SceneCompiler.compile(SCENES.get(name), RenderSettings.of(SCENES.get(name)));
-        PathTracer tracer = new PathTracer(scene, new RayCounters(scene.kindNames.size()));
+        PathIntegrator tracer = new PathIntegrator(scene, new RayCounters(scene.kindNames.size()));
         SobolSampler sampler = new SobolSampler();
         Ray ray = new Ray();
         double[] color = new double[3];

@@ -7,7 +7,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.state.PathPart;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
@@ -39,9 +39,9 @@ class PathPartsTest {
     void directAndIndirectLightOfAPathAreAllOfIt(String name) {
         CompiledScene scene = SceneCompiler.compile(SCENES.get(name), RenderSettings.of(SCENES.get(name)));
         RayCounters unread = new RayCounters(scene.kindNames.size());
-        PathTracer whole = new PathTracer(scene, unread);
-        PathTracer direct = new PathTracer(scene, unread, PathPart.DIRECT);
-        PathTracer indirect = new PathTracer(scene, unread, PathPart.INDIRECT);
+        PathIntegrator whole = new PathIntegrator(scene, unread);
+        PathIntegrator direct = new PathIntegrator(scene, unread, PathPart.DIRECT);
+        PathIntegrator indirect = new PathIntegrator(scene, unread, PathPart.INDIRECT);
         SobolSampler sampler = new SobolSampler();
         for (int y = 0; y < SIDE; y++) {
             for (int x = 0; x < SIDE; x++) {
@@ -60,7 +60,7 @@ class PathPartsTest {
         }
     }
 
-    private static double[] shade(PathTracer tracer, CompiledScene scene, SobolSampler sampler, int x, int y) {
+    private static double[] shade(PathIntegrator tracer, CompiledScene scene, SobolSampler sampler, int x, int y) {
         Ray ray = new Ray();
         double[] color = new double[3];
         tracer.beginTile(0, 0, 1, 1);

@@ -6,7 +6,7 @@ import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
 import enlightenment.transport.path.PathConnections;
 import enlightenment.transport.path.PathCut;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
 import java.util.Arrays;
 
@@ -16,7 +16,7 @@ final class GroupPaths {
 
     private final CompiledScene scene;
     private final RenderSettings settings;
-    private final PathTracer tracer;
+    private final PathIntegrator tracer;
     private final PathConnections connections;
     private final PixelGroup group;
     private final Ray ray = new Ray();
@@ -39,7 +39,7 @@ final class GroupPaths {
     private final double[] placeX = new double[PixelGroup.MOST_MEMBERS];
     private final double[] placeY = new double[PixelGroup.MOST_MEMBERS];
 
-    GroupPaths(CompiledScene scene, RenderSettings settings, PathTracer tracer, PixelGroup group) {
+    GroupPaths(CompiledScene scene, RenderSettings settings, PathIntegrator tracer, PixelGroup group) {
         this.scene = scene;
         this.settings = settings;
         this.tracer = tracer;

@@ -7,7 +7,7 @@ import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.method.TileIntegrator;
 import enlightenment.scene.RenderSettings;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
@@ -54,7 +54,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     /** Made with the first block that is rendered. */
     private BlockLimits limits;
 
-    private final PathTracer tracer;
+    private final PathIntegrator tracer;
     private final PhysicalSurvey survey;
     private final PathNoise noise;
     private final SharingGain sharing = new SharingGain();
@@ -96,7 +96,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         this.firstSamples = firstSamples;
         first = new double[3 * PIXELS << firstSamples];
         spreadOver = Math.scalb(1.0, Math.min(Math.max(Math.getExponent(samples), 0), MOST_SPREAD));
-        tracer = new PathTracer(scene, counters);
+        tracer = new PathIntegrator(scene, counters);
         survey = new PhysicalSurvey(scene, settings, tracer);
         noise = new PathNoise(scene.display, survey);
         paths = new GroupPaths(scene, settings, tracer, group);

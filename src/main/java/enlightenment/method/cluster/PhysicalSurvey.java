@@ -5,26 +5,26 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
 
 /**
  * What is certain of the paths through the corners of a block's pixels: the light that no random number has a part in, and what
- * they meet ({@link PathTracer#certain}). They are followed no further; so they cost a fraction of a path.
+ * they meet ({@link PathIntegrator#certain}). They are followed no further; so they cost a fraction of a path.
  *
  * <p>What a corner shows is a pure function of the scene and the corner.
  */
 final class PhysicalSurvey extends Corners {
     private final CompiledScene scene;
     private final RenderSettings settings;
-    private final PathTracer tracer;
+    private final PathIntegrator tracer;
     private final Ray ray = new Ray();
     private final SobolSampler sampler = new SobolSampler();
     private final double[] color = new double[3];
     private int rays;
     private boolean empty;
 
-    PhysicalSurvey(CompiledScene scene, RenderSettings settings, PathTracer tracer) {
+    PhysicalSurvey(CompiledScene scene, RenderSettings settings, PathIntegrator tracer) {
         super(PhysicalClusterMethod.BLOCK_SIDE);
         this.scene = scene;
         this.settings = settings;

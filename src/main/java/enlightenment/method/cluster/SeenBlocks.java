@@ -4,7 +4,7 @@ import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.scene.RenderSettings;
 import enlightenment.transport.classic.ClassicShader;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.ray.Shader;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
@@ -67,7 +67,7 @@ public final class SeenBlocks {
     /** What can tell whether a rectangle of pixels shows more than the background. */
     public static Shader shader(CompiledScene scene) {
         RayCounters counters = new RayCounters(scene.kindNames.size());
-        return scene.physical == null ? new ClassicShader(scene, 1, counters) : new PathTracer(scene, counters);
+        return scene.physical == null ? new ClassicShader(scene, 1, counters) : new PathIntegrator(scene, counters);
     }
 
     /** Whether a rectangle of pixels may show more than the background. */

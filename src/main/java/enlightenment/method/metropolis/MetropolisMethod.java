@@ -8,7 +8,7 @@ import enlightenment.method.TileIntegrator;
 import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.transport.classic.ClassicShader;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.ray.Shader;
 import enlightenment.transport.state.PathPart;
 import enlightenment.world.CompiledScene;
@@ -63,7 +63,7 @@ public final class MetropolisMethod implements TileIntegrator {
         spending = Spending.of(samples, isPhysical);
         MetropolisSettings own = MetropolisSettings.of(settings);
         shader = isPhysical
-                ? new PathTracer(scene, counters, PathPart.INDIRECT)
+                ? new PathIntegrator(scene, counters, PathPart.INDIRECT)
                 : ClassicShader.ofColors(scene, 1, counters);
         direct = isPhysical ? RayTraceMethod.ofDirectLight(scene, settings, counters, spending.direct()) : null;
         chains = new BlockChains(

@@ -18,7 +18,7 @@ import enlightenment.world.parts.RayCounters;
 
 /**
  * Light of lamps that a medium scatters once, at a point of each flight that is chosen equiangularly for a lamp, anywhere between where the
- * flight begins and the surface that it may come to. Where free flights end the same light is found by {@link PathLight}, and by paths that
+ * flight begins and the surface that it may come to. Where free flights end the same light is found by {@link NextEventEstimation}, and by paths that
  * run into lamps; what the three find is weighted by the power heuristic. Without this a point light in fog has an infinite variance: its
  * light grows as the inverse square of the distance, and the density of free flights does not. One per thread.
  */
@@ -111,7 +111,7 @@ public final class FlightLight {
 
     /** The density with which the others find the same if a flight ends at the point, over that of the light's sample. */
     private double atEnd(PhysicalLight l, double density, boolean isFirst) {
-        double gathered = PathLight.takesAll(physical.lights.length, isFirst)
+        double gathered = NextEventEstimation.takesAll(physical.lights.length, isFirst)
                 ? 1
                 : physical.picker.probability(near.lamp, x, y, z, 0, 0, 0, choice);
         return PowerHeuristic.both(gathered, l.isPoint ? 0 : s.pdf / density);

@@ -5,7 +5,10 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.ray.Shader;
+import enlightenment.transport.state.PathState;
+import enlightenment.transport.state.PathStrategy;
 import enlightenment.transport.state.PathValue;
+import enlightenment.transport.state.PathVertex;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.camera.EyeProjection;
 import enlightenment.world.light.ClippedPolygon;
@@ -20,7 +23,7 @@ import enlightenment.world.parts.RayCounters;
  * count: all light is found exactly once, whatever polygon the image is taken for. See docs/path-tracing.md. A mutable work object, one per
  * thread.
  */
-public final class EyeImages {
+public final class EyeImages implements PathStrategy {
     /** So many columns and rows of pixels are remembered, by what is left of their numbers: blocks are smaller. */
     private static final int REMEMBERED = 16;
 
@@ -149,6 +152,15 @@ public final class EyeImages {
             blue = here.share * l.b;
         }
         return isMet;
+    }
+
+    /** Adds nothing: what the eye sees straight is added once for each path, by {@link #gather}. */
+    @Override
+    public void direct(PathVertex vertex, PathState state, Sampler sampler, PathValue value) {}
+
+    @Override
+    public double weightOfHit(PathState state, Ray camera, int light) {
+        return state.last() == null ? weight() : 1;
     }
 
     /** The weight, 0 or 1, of what the surface that the path is at emits. */

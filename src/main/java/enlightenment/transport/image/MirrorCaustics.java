@@ -7,6 +7,11 @@ import enlightenment.primitive.Ray;
 import enlightenment.primitive.SpherePrimitive;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.ray.PathFollower;
+import enlightenment.transport.state.PathEvent;
+import enlightenment.transport.state.PathState;
+import enlightenment.transport.state.PathStrategy;
+import enlightenment.transport.state.PathValue;
+import enlightenment.transport.state.PathVertex;
 import enlightenment.transport.state.PowerHeuristic;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.MirrorBalls;
@@ -23,41 +28,27 @@ import enlightenment.world.parts.RayCounters;
  * <p>A special case of specular manifold sampling (J. Hanika, M. Droske and L. Fascione, "Manifold next event estimation", 2015;
  * T. Zeltner, I. Georgiev and W. Jakob, "Specular manifold sampling", 2020), in which an image needs no derivatives.
  */
-public final class MirrorCaustics {
-    /** The last event says nothing about a mirror's image. */
-    private static final int NONE = 0;
-
-    /** The path has left a vertex of which images are known. */
-    private static final int LEFT = 1;
-
-    /** And a mirror after it. */
-    private static final int REFLECTED = 2;
+public final class MirrorCaustics implements PathStrategy {
+    /** No vertex. */
+    private static final int NONE = -3;
 
     private final PhysicalScene physical;
     private final MirrorBalls balls;
     private final PathFollower path;
     private final MirrorImage[] images;
-    private final Ray ray = new Ray();
+    private final Ray shadow = new Ray();
     private final MirroredLight mirrored;
     private final double[] pair = new double[2];
 
-    private int state;
-    private boolean found;
-    private int mirror;
-
-    /** The direction in which the path left the vertex, and its density. */
-    private double dx;
-
-    private double dy;
-    private double dz;
-    private double pdf;
+    /** How many surfaces the path had left behind at the last vertex where images were sampled. */
+    private int sampledAt = NONE;
 
     /** What was gathered: radiance towards where the path came from. */
-    public double red;
+    private double red;
 
-    public double green;
-    public double blue;
-    public double ultraviolet;
+    private double green;
+    private double blue;
+    private double ultraviolet;
 
     private MirrorCaustics(CompiledScene scene, RayCounters counters, PathFollower path) {
         mirrored = new MirroredLight(scene, counters, path.tracer);
@@ -75,28 +66,30 @@ public final class MirrorCaustics {
         return scene.mirrorBalls == null ? null : new MirrorCaustics(scene, counters, path);
     }
 
-    /** Forgets what the path has left behind. */
+    /** Forgets the path before. */
     public void begin() {
-        state = NONE;
-        found = false;
+        sampledAt = NONE;
     }
 
-    /**
-     * Gathers the light at the surface that the path is at.
-     *
-     * @param s the surface, with its colour
-     */
-    public void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address) {
-        begin();
+    @Override
+    public void direct(PathVertex vertex, PathState state, Sampler sampler, PathValue value) {
+        sampledAt = NONE;
+        if (!state.isSeenBySpecular()) {
+            return;
+        }
         red = 0;
         green = 0;
         blue = 0;
         ultraviolet = 0;
         // In a medium absorption counts as well: left to chance.
-        if (!path.mayScatterTwice() || path.medium() != null) {
-            return;
+        if (path.mayScatterTwice() && path.medium() == null) {
+            sampledAt = path.surfaces;
+            sample(vertex.bsdf, vertex.s, sampler, state.address);
         }
-        found = true;
+        value.addIndirect(red, green, blue, ultraviolet);
+    }
+
+    private void sample(Bsdf bsdf, Scattering s, Sampler sampler, int address) {
         sampler.pair(address, Sampler.Purpose.MIRROR, pair);
         for (int k = 0; k < images.length; k++) {
             MirrorImage image = images[k];
@@ -125,9 +118,9 @@ public final class MirrorCaustics {
         path.poll.tick();
         Hit at = path.hit;
         MirrorImage image = images[k];
-        ray.set(at.px, at.py, at.pz, image.dx, image.dy, image.dz, 0).from(at.primitive, at.side);
-        path.glass.startOnAll(ray);
-        return !path.glass.entersAtOnce() && mirrored.isMetBy(ray, balls.id[k], balls.light[k]);
+        shadow.set(at.px, at.py, at.pz, image.dx, image.dy, image.dz, 0).from(at.primitive, at.side);
+        path.glass.startOnAll(shadow);
+        return !path.glass.entersAtOnce() && mirrored.isMetBy(shadow, balls.id[k], balls.light[k]);
     }
 
     private void add(Scattering s, double density, PhysicalLight l) {
@@ -138,32 +131,19 @@ public final class MirrorCaustics {
         ultraviolet = Math.fma(f * s.valueB * mirrored.blue, l.ultraviolet, ultraviolet);
     }
 
-    /** Tells the direction in which the path leaves the vertex that was gathered at, and its density per solid angle. */
-    public void left(Scattering s) {
-        state = found && !s.delta ? LEFT : NONE;
-        found = false;
-        dx = s.ix;
-        dy = s.iy;
-        dz = s.iz;
-        pdf = s.pdf;
-    }
-
-    /** Tells that a mirror reflected the path. */
-    public void reflected(int id) {
-        state = state == LEFT ? REFLECTED : NONE;
-        mirror = id;
-    }
-
-    /** The weight of what the surface that the path is at emits. */
-    public double weight() {
-        if (state != REFLECTED) {
+    @Override
+    public double weightOfHit(PathState state, Ray ray, int light) {
+        boolean isReflected =
+                path.surfaces == sampledAt + 2 && state.mirror >= 0 && state.beforeLast() != PathEvent.SPECULAR;
+        if (!isReflected) {
             return 1;
         }
-        int light = physical.lightOf(path.id, path.hit.face);
         for (int k = 0; k < images.length; k++) {
-            if (balls.id[k] == mirror && balls.light[k] == light) {
+            if (balls.id[k] == state.mirror && balls.light[k] == light) {
                 MirrorImage image = images[k];
-                return image.pdf > 0 && image.contains(dx, dy, dz) ? PowerHeuristic.weight(image.pdf, pdf) : 1;
+                return image.pdf > 0 && image.contains(state.dx, state.dy, state.dz)
+                        ? PowerHeuristic.weight(image.pdf, state.pdf)
+                        : 1;
             }
         }
         return 1;

@@ -2,14 +2,14 @@ package enlightenment.transport.light;
 
 import enlightenment.sampling.Hash;
 import enlightenment.transport.emission.CausticSource;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
 
 /**
  * Follows paths of light from its source over mirrors and smooth glass to the surfaces on which it makes caustics, and on from there; at
  * each of these surfaces it is connected to the eye. A path from the eye finds such light by chance only, and leaves it out
- * ({@link PathTracer}).
+ * ({@link PathIntegrator}).
  */
 public final class CausticTracer extends LightWalker {
     /** Keeps the numbers of these paths apart from all others. */

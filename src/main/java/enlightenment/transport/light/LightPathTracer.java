@@ -4,7 +4,7 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
 import enlightenment.film.SplatBatch;
 import enlightenment.transport.bidirectional.BidirectionalTracer;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.path.SeenLight;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.world.CompiledScene;
@@ -45,7 +45,7 @@ public abstract class LightPathTracer {
     }
 
     /**
-     * Caustics, which paths from the eye find by chance only, and leave out ({@link PathTracer}): light that mirrors or smooth glass send
+     * Caustics, which paths from the eye find by chance only, and leave out ({@link PathIntegrator}): light that mirrors or smooth glass send
      * to a surface, and all that follows from it. For one thread.
      *
      * @param scene whose shading is physical, with a pass of caustics

@@ -27,9 +27,6 @@ abstract class EyePathTracer implements Shader {
 
     final double[] pair = new double[2];
 
-    /** How many scattering events have used random numbers: the address of the next ones. */
-    int address;
-
     /** A rough border of two media that the path is at. */
     final Scattering border = new Scattering();
 
@@ -64,7 +61,6 @@ abstract class EyePathTracer implements Shader {
 
     /** Starts a path. */
     final void beginPath(Ray ray, Sampler sampler) {
-        address = 0;
         path.begin(ray, sampler);
         value.begin(path.glass.indexOfRefraction());
         images.begin(ray);

@@ -63,7 +63,7 @@ public final class PathConnections {
      * Distributes the radiance that leaves the second vertices of paths among all first vertices that see them, weighted proportionally to
      * the density, per area, with which a path from each first vertex would have generated that second vertex. Unbiased.
      *
-     * @param paths the first of an array, as by {@link PathTracer}; not all need give or receive
+     * @param paths the first of an array, as by {@link PathIntegrator}; not all need give or receive
      * @param size how many of them
      * @param out by path: red, green, blue; the radiance that the path receives is added
      */

@@ -7,7 +7,7 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.state.IncidentLight;
-import enlightenment.transport.state.PathHistory;
+import enlightenment.transport.state.PathState;
 import enlightenment.transport.state.PathValue;
 import enlightenment.world.material.SurfaceMaterial;
 
@@ -96,9 +96,10 @@ public final class PathCut {
      * straight.
      *
      * @param color of the surface there
+     * @param isFluorescent whether what it makes of light is more than its colour says: then it takes none from others
      */
-    void note(PathFollower path, double[] color, PathValue value) {
-        if (path.surfaces == 0) {
+    void note(PathFollower path, double[] color, PathValue value, boolean isFluorescent) {
+        if (path.surfaces == 0 && !isFluorescent) {
             takes = isOpen(path) && Math.max(color[0], Math.max(color[1], color[2])) >= PathValue.FAINT;
             if (takes) {
                 begin(path, null);
@@ -143,8 +144,7 @@ public final class PathCut {
         return gives;
     }
 
-    /** The same for a vertex that cannot take light from others: what it makes of light is more than its colour says. */
-    void noteLater(PathFollower path, PathValue value) {
+    private void noteLater(PathFollower path, PathValue value) {
         gives = path.surfaces == 1 && takes && isOpen(path);
         if (gives) {
             second.set(path.hit);
@@ -164,8 +164,8 @@ public final class PathCut {
     }
 
     /** Whether the path has come straight from a rough vertex that it was cut at. */
-    boolean isLeft(PathHistory history) {
-        return gives && secondLobes != null && history.events == EVENTS;
+    boolean isLeft(PathState state) {
+        return gives && secondLobes != null && state.events == EVENTS;
     }
 
     /** It meets a light then. */

@@ -4,13 +4,15 @@ import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.direct.FlightLight;
-import enlightenment.transport.direct.PathLight;
+import enlightenment.transport.direct.NextEventEstimation;
 import enlightenment.transport.media.FreeFlight;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.state.GatheredLight;
-import enlightenment.transport.state.PathHistory;
+import enlightenment.transport.state.PathEvent;
 import enlightenment.transport.state.PathPart;
+import enlightenment.transport.state.PathState;
 import enlightenment.transport.state.PathValue;
+import enlightenment.transport.state.PathVertex;
 import enlightenment.transport.state.RussianRoulette;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
@@ -72,7 +74,7 @@ final class RandomWalk {
      * @param in the material of that medium, or null in empty space
      * @return what {@link PathFollower#next} says; null if the medium scatters it first: then the path is there
      */
-    PathFollower.Event next(Ray ray, SurfaceMaterial in, PathHistory history, Sampler sampler) {
+    PathFollower.Event next(Ray ray, SurfaceMaterial in, PathState state, Sampler sampler) {
         if (path.surfaces == 0) {
             flights = 0;
             scatterings = 0;
@@ -95,11 +97,11 @@ final class RandomWalk {
         end.depart(value.throughput());
         sampler.pair(flights++, Sampler.Purpose.FLIGHT, pair);
         flight.draw(medium, value.throughputR, value.throughputG, value.throughputB, pair[0], pair[1]);
-        boolean looks = gathersOn(history) && along.isWanted(ray, medium, scatterings);
+        boolean looks = gathersOn(state) && along.isWanted(ray, medium, scatterings);
         PathFollower.Event found = looks ? path.next(ray) : path.next(ray, flight.length);
         double way = found == PathFollower.Event.NOTHING ? Double.POSITIVE_INFINITY : path.distance(ray);
         if (looks) {
-            gather(ray, way, history, sampler);
+            gather(ray, way, state, sampler);
         }
         if (flight.length < way && !flight.isEndless()) {
             flight.scatter();
@@ -127,17 +129,17 @@ final class RandomWalk {
     }
 
     /** Whether light that is scattered once on the flight is wanted. */
-    private boolean gathersOn(PathHistory history) {
+    private boolean gathersOn(PathState state) {
         return gathers()
                 && path.mayScatter()
                 && part != PathPart.ALBEDO
-                && !(part == PathPart.DIRECT && history.scattered);
+                && !(part == PathPart.DIRECT && state.hasScattered());
     }
 
-    private void gather(Ray ray, double way, PathHistory history, Sampler sampler) {
-        if (along.gather(ray, way, medium, flight, !history.scattered, sampler, flights - 1)) {
+    private void gather(Ray ray, double way, PathState state, Sampler sampler) {
+        if (along.gather(ray, way, medium, flight, !state.hasScattered(), sampler, flights - 1)) {
             GatheredLight light = along.gathered;
-            if (history.scattered) {
+            if (state.hasScattered()) {
                 value.addIndirect(light.red, light.green, light.blue, light.ultraviolet);
             } else {
                 value.add(light);
@@ -148,26 +150,30 @@ final class RandomWalk {
     /**
      * Gathers light where the medium scatters the path, and lets it go on from there.
      *
-     * @param address of its random numbers
+     * @param vertex is overwritten
      * @return whether the path goes on
      */
-    boolean scatter(Ray ray, PathLight light, PathHistory history, Sampler sampler, int address) {
+    boolean scatter(Ray ray, NextEventEstimation direct, PathVertex vertex, PathState state, Sampler sampler) {
         if (part == PathPart.ALBEDO) {
             // The flight has multiplied the throughput by it.
             return value.endsWith(white);
         }
+        PathEvent kind = index == 1 ? PathEvent.MEDIUM : PathEvent.ENCLOSED_MEDIUM;
         boolean gathers = gathers();
         if (gathers) {
             along.end();
-            light.gatherInMedium(medium.phase, event, along, sampler, address, !history.scattered);
-            value.add(light.gathered);
+            vertex.set(medium.phase, event, white, kind, false);
+            direct.directInMedium(vertex, along, state, sampler, value);
         }
-        sampler.pair(address, Sampler.Purpose.DIRECTION, pair);
+        sampler.pair(state.address++, Sampler.Purpose.DIRECTION, pair);
         medium.phase.sample(event, pair[0], pair[1], 0);
-        light.setBsdfPdf(event.pdf);
         ray.set(path.hit.px, path.hit.py, path.hit.pz, event.ix, event.iy, event.iz, 0);
-        history.leaveInMedium(gathers, index == 1);
-        return survives(sampler, history.events);
+        if (gathers) {
+            state.extend(kind, event, false);
+        } else {
+            state.extendInTheDark();
+        }
+        return survives(sampler, state.events);
     }
 
     /** Plays roulette where the medium scattered the path: by its throughput now, against what that was before. */

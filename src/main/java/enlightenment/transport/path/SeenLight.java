@@ -15,6 +15,9 @@ import enlightenment.world.parts.RayCounters;
 public final class SeenLight extends EyePathTracer {
     private int events;
 
+    /** The address of the next random numbers. */
+    private int address;
+
     /**
      * For one thread.
      *
@@ -28,6 +31,7 @@ public final class SeenLight extends EyePathTracer {
     @Override
     public void shade(Ray ray, Sampler sampler, double[] out) {
         events = 0;
+        address = 0;
         beginPath(ray, sampler);
         images.gather(sampler, value);
         while (step(ray, sampler)) {

@@ -6,7 +6,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.transport.direct.LightView;
-import enlightenment.transport.direct.PathLight;
+import enlightenment.transport.direct.NextEventEstimation;
 import enlightenment.transport.direct.ShadowRays;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
@@ -16,7 +16,7 @@ import enlightenment.world.parts.RayCounters;
 
 /**
  * Of physical shading: S is the first surface that scatters light in more than single directions, behind mirrors and smooth glass, and L
- * a point of a light as {@link PathLight} draws it there: where it takes all lights, that of light n modulo how many they are in sample n
+ * a point of a light as {@link NextEventEstimation} draws it there: where it takes all lights, that of light n modulo how many they are in sample n
  * of a pixel, otherwise that of the one that is chosen. Media are looked through.
  */
 final class PhysicalProbe extends RayProbe {

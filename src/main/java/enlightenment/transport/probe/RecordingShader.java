@@ -5,7 +5,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.transport.classic.ClassicShader;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.ray.Shader;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
@@ -35,7 +35,7 @@ public final class RecordingShader implements Shader {
      */
     public static RecordingShader of(CompiledScene scene, int lightPoints, RayCounters counters, SampleLog log) {
         if (scene.physical != null) {
-            Shader shader = new PathTracer(scene, counters);
+            Shader shader = new PathIntegrator(scene, counters);
             return new RecordingShader(shader, log, log.hasRays() ? new PhysicalProbe(scene) : null);
         }
         if (!log.hasRays()) {

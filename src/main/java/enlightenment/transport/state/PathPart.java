@@ -1,7 +1,7 @@
 package enlightenment.transport.state;
 
 /**
- * How much of each path a {@code PathTracer} follows, and what it makes of it. The first vertex is the first surface that scatters light
+ * How much of each path a {@code PathIntegrator} follows, and what it makes of it. The first vertex is the first surface that scatters light
  * other than into single directions, or the first point of a medium that scatters it, seen straight or by way of mirrors and glass.
  */
 public enum PathPart {

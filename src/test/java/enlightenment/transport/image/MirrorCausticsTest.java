@@ -20,7 +20,7 @@ import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
-import enlightenment.transport.path.PathTracer;
+import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.parts.RayCounters;
@@ -98,7 +98,7 @@ class MirrorCausticsTest {
 
     private static Picture render(Scene scene, int samples, long seed, boolean solves) {
         CompiledScene compiled = compiled(scene);
-        PathTracer tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()), solves);
+        PathIntegrator tracer = new PathIntegrator(compiled, new RayCounters(compiled.kindNames.size()), solves);
         tracer.beginTile(0, 0, 1, 1);
         SobolSampler sampler = new SobolSampler();
         Ray ray = new Ray();

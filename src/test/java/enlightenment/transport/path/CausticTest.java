@@ -93,7 +93,7 @@ class CausticTest {
 
     /** Adds a picture by paths from the eye, with or without what the pass makes. */
     private static void fromEye(CompiledScene scene, long seed, int samples, boolean leavesOut, double[] rgb) {
-        PathTracer tracer = new PathTracer(scene, new RayCounters(scene.kindNames.size()), leavesOut);
+        PathIntegrator tracer = new PathIntegrator(scene, new RayCounters(scene.kindNames.size()), leavesOut);
         tracer.beginTile(0, 0, 1, 1);
         SobolSampler sampler = new SobolSampler();
         Ray ray = new Ray();

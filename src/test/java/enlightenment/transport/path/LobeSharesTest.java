@@ -24,7 +24,7 @@ class LobeSharesTest {
     /** Groups of paths through a small part of a picture. */
     private static final class Group {
         private final CompiledScene scene;
-        private final PathTracer tracer;
+        private final PathIntegrator tracer;
         private final PathCut[] cuts = new PathCut[SIZE];
         private final SobolSampler sampler = new SobolSampler();
         private final Ray ray = new Ray();
@@ -43,7 +43,7 @@ class LobeSharesTest {
         Group(String file) throws Exception {
             Scene described = SceneReader.read(Path.of(file));
             scene = SceneCompiler.compile(described, RenderSettings.of(described));
-            tracer = new PathTracer(scene, new RayCounters(scene.kindNames.size()));
+            tracer = new PathIntegrator(scene, new RayCounters(scene.kindNames.size()));
             tracer.beginTile(0, 0, 1, 1);
             Arrays.setAll(cuts, k -> new PathCut());
         }

@@ -20,7 +20,7 @@ class PathCutTest {
     void aPathThatGetsAllThatItGivesIsWorthWhatItIsWhole() throws Exception {
         Scene described = SceneReader.read(Path.of("scenes/fire-and-ice-physical.json"));
         CompiledScene scene = SceneCompiler.compile(described, RenderSettings.of(described));
-        PathTracer tracer = new PathTracer(scene, new RayCounters(scene.kindNames.size()));
+        PathIntegrator tracer = new PathIntegrator(scene, new RayCounters(scene.kindNames.size()));
         tracer.beginTile(0, 0, 1, 1);
         SobolSampler sampler = new SobolSampler();
         Ray ray = new Ray();

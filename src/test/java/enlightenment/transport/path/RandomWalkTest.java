@@ -49,7 +49,7 @@ class RandomWalkTest {
     /** Paths of a scene. */
     private static final class Paths {
         final CompiledScene compiled;
-        final PathTracer tracer;
+        final PathIntegrator tracer;
         final SobolSampler sampler = new SobolSampler();
         final Ray ray = new Ray();
         final double[] out = new double[3];
@@ -57,7 +57,7 @@ class RandomWalkTest {
 
         Paths(Scene scene) {
             compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
-            tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()));
+            tracer = new PathIntegrator(compiled, new RayCounters(compiled.kindNames.size()));
             tracer.beginTile(0, 0, 1, 1);
         }
 

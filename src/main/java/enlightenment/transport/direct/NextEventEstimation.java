@@ -13,6 +13,11 @@ import enlightenment.transport.ray.Optics;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.state.GatheredLight;
 import enlightenment.transport.state.IncidentLight;
+import enlightenment.transport.state.PathEvent;
+import enlightenment.transport.state.PathState;
+import enlightenment.transport.state.PathStrategy;
+import enlightenment.transport.state.PathValue;
+import enlightenment.transport.state.PathVertex;
 import enlightenment.transport.state.PowerHeuristic;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
@@ -29,7 +34,7 @@ import enlightenment.world.parts.RayCounters;
  * where nothing can occlude it, which is a function of light and vertex alone ({@link #isClosed}), so that both sides agree on it. All
  * else is sampled, with the power heuristic (E. Veach and L. Guibas, "Optimally combining sampling techniques", 1995).
  */
-public final class PathLight {
+public final class NextEventEstimation implements PathStrategy {
     /** At the first vertex up to this many lights are taken all. */
     private static final int ALL_AT_FIRST = 4;
 
@@ -64,16 +69,13 @@ public final class PathLight {
     /** Whether it took light from all lights, rather than from one that was chosen. */
     private boolean tookAll;
 
-    /** The density per solid angle with which the path left it. */
-    private double pdf;
-
     /** What may have found light of a point in a medium as well, along the flight that ended there; null at surfaces. */
     private FlightLight along;
 
     /** The tint of what passes, at a rough border; null elsewhere. */
     private double[] through;
 
-    /** Whether light of small lights is left out there, as paths from these find it. */
+    /** Whether light of small lights is left out there, as the caustic pass finds it. */
     private boolean leavesSmall;
 
     /** Towards where the path came from; of a Lambertian surface, that of a white one. */
@@ -85,7 +87,7 @@ public final class PathLight {
     /** Light from a picture or a sky around the scene; null if there is none. */
     private final InfiniteLight infinite;
 
-    public PathLight(CompiledScene scene, RayCounters counters, PathFollower path) {
+    public NextEventEstimation(CompiledScene scene, RayCounters counters, PathFollower path) {
         infinite = InfiniteLight.of(scene, counters, path);
         physical = scene.physical;
         gathered = new GatheredLight(physical.hasUltraviolet);
@@ -119,9 +121,26 @@ public final class PathLight {
         shadow.begin();
     }
 
-    /** Sets the density, per solid angle, of the BSDF sample with which the path leaves the vertex. */
-    public void setBsdfPdf(double density) {
-        pdf = density;
+    @Override
+    public void direct(PathVertex vertex, PathState state, Sampler sampler, PathValue value) {
+        boolean isFirst = !state.hasScattered();
+        if (vertex.isMatte()) {
+            gatherMatte(sampler, state.address, isFirst);
+            value.addReflected(gathered, vertex.color);
+            return;
+        }
+        boolean isBorder = vertex.event == PathEvent.ROUGH_BORDER;
+        begin(false, isFirst);
+        leavesSmall = vertex.leavesSmallLights;
+        if (isBorder) {
+            nx = 0;
+            ny = 0;
+            nz = 0;
+            through = vertex.color;
+        }
+        gatherAll(vertex.bsdf, vertex.s, sampler, state.address, isFirst);
+        through = null;
+        value.add(gathered);
     }
 
     /**
@@ -129,7 +148,7 @@ public final class PathLight {
      *
      * @param isFirst whether the path came here from the eye by delta events only
      */
-    public void gatherMatte(Sampler sampler, int address, boolean isFirst) {
+    private void gatherMatte(Sampler sampler, int address, boolean isFirst) {
         begin(true, isFirst);
         if (tookAll) {
             for (int i = 0; i < lights.length; i++) {
@@ -152,14 +171,13 @@ public final class PathLight {
     /**
      * Sets the light to what comes from where the path leads to, beyond everything.
      *
-     * @param hasGathered whether light was gathered at the last vertex
-     * @param countsSun whether the sun's disk counts if it was not
+     * @param countsSun whether the sun's disk counts if direct light was not sampled at the last vertex
      */
-    public void escape(Ray ray, boolean hasGathered, boolean countsSun) {
+    public void escape(Ray ray, PathState state, boolean countsSun) {
         if (infinite == null) {
             gathered.set(physical.backgroundR, physical.backgroundG, physical.backgroundB);
         } else {
-            infinite.arrive(ray, hasGathered ? pdf : 0, countsSun);
+            infinite.arrive(ray, state.hasDirect ? state.pdf : 0, countsSun);
             gathered.set(infinite.red, infinite.green, infinite.blue);
         }
     }
@@ -267,40 +285,17 @@ public final class PathLight {
     }
 
     /**
-     * Gathers the light at the surface that the path is at, whatever its lobes.
+     * Gathers the light at a point of a medium.
      *
-     * @param leaves whether that of {@linkplain enlightenment.world.light.CausticPass#takesNarrow small lights} is left to the pass of caustics
+     * @param flight that ended there, along which light was looked for as well
      */
-    public void gather(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst, boolean leaves) {
-        begin(false, isFirst);
-        leavesSmall = leaves;
-        gatherAll(bsdf, s, sampler, address, isFirst);
-    }
-
-    /** The same at a point of a medium, where the flight ended that light was looked for along. */
-    public void gatherInMedium(
-            Bsdf phase, Scattering s, FlightLight flight, Sampler sampler, int address, boolean isFirst) {
+    public void directInMedium(
+            PathVertex vertex, FlightLight flight, PathState state, Sampler sampler, PathValue value) {
+        boolean isFirst = !state.hasScattered();
         begin(false, isFirst);
         along = flight;
-        gatherAll(phase, s, sampler, address, isFirst);
-    }
-
-    /**
-     * Gathers the light on both sides of the rough border of two media that the path is at.
-     *
-     * @param tint of what passes, by band
-     * @param leaves whether that of small lights is left to the pass of caustics
-     */
-    public void gatherAtBorder(
-            Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst, boolean leaves) {
-        begin(false, isFirst);
-        leavesSmall = leaves;
-        nx = 0;
-        ny = 0;
-        nz = 0;
-        through = tint;
-        gatherAll(bsdf, s, sampler, address, isFirst);
-        through = null;
+        gatherAll(vertex.bsdf, vertex.s, sampler, state.address, isFirst);
+        value.add(gathered);
     }
 
     private void gatherAll(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
@@ -379,15 +374,9 @@ public final class PathLight {
         return leavesSmall && physical.caustics.takesNarrow(light);
     }
 
-    /** Whether what the surface that the path is at emits was left out at the vertex: it ran into it after it left that. */
-    public boolean leavesGlow() {
-        int light = leavesSmall ? physical.lightOf(path.id, hit.face) : -1;
-        return light >= 0 && physical.caustics.takesNarrow(light);
-    }
-
-    /** The weight of what the surface that the path is at emits: it ran into it after it left the vertex. */
-    public double weight(Ray ray) {
-        return PowerHeuristic.weight(density(ray), pdf);
+    @Override
+    public double weightOfHit(PathState state, Ray ray, int light) {
+        return state.hasDirect ? PowerHeuristic.weight(density(ray), state.pdf) : 1;
     }
 
     /**

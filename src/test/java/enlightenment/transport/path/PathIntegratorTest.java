@@ -40,7 +40,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Scenes whose radiance is known: closed forms, and the constant surroundings in which nothing lossless can be seen. */
-class PathTracerTest {
+class PathIntegratorTest {
     private static final PhysicalShading IN_WHITE = new PhysicalShading(OptionalInt.empty(), new Rgb(1, 1, 1));
 
     static Texture grey(double linear) {
@@ -66,7 +66,7 @@ class PathTracerTest {
 
     static Mean render(Scene scene, int samples) {
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
-        PathTracer tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()));
+        PathIntegrator tracer = new PathIntegrator(compiled, new RayCounters(compiled.kindNames.size()));
         tracer.beginTile(0, 0, 1, 1);
         SobolSampler sampler = new SobolSampler();
         Ray ray = new Ray();
@@ -315,7 +315,7 @@ class PathTracerTest {
 
     private static double[] firstValues(Scene scene, PathPart part) {
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
-        PathTracer tracer = new PathTracer(compiled, new RayCounters(compiled.kindNames.size()), part);
+        PathIntegrator tracer = new PathIntegrator(compiled, new RayCounters(compiled.kindNames.size()), part);
         tracer.beginTile(0, 0, 1, 1);
         SobolSampler sampler = new SobolSampler();
         Ray ray = new Ray();

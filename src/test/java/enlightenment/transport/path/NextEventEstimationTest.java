@@ -28,16 +28,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Direct light where surfaces, media and panes make it special: closed forms, and quadrature. */
 class PathLightTest {
     private static final Material WHITE_THAT_GLOWS =
-            Material.Matte.of(PathTracerTest.grey(0.6)).withRadiance(new Rgb(1, 1, 1));
+            Material.Matte.of(PathIntegratorTest.grey(0.6)).withRadiance(new Rgb(1, 1, 1));
 
     /** A ray that looks down at the origin of a floor at y = 0, whose albedo is ½, from a height of 1. */
     private static SceneBuilder floor(int bounces) {
-        return PathTracerTest.scene()
+        return PathIntegratorTest.scene()
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 1, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 1e-6))
                 .shading(new PhysicalShading(OptionalInt.of(bounces), Rgb.BLACK))
                 .object(
                         TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9),
-                        Material.Matte.of(PathTracerTest.grey(0.5)));
+                        Material.Matte.of(PathIntegratorTest.grey(0.5)));
     }
 
     /** Rounding puts a point of a plane that no axis is parallel to above or below it. */
@@ -45,24 +45,24 @@ class PathLightTest {
     void aFlatSurfaceDoesNotLightItself() {
         Rectangle tilted = TestScenes.rectangle(
                 -1.1, -0.9, -0.3, -1.1 + 0.37, 0.9, 0.41, 1.37, 0.73, 0.71, 1.37 - 0.37, 0.73 - 1.8, 0);
-        SceneBuilder rectangle = PathTracerTest.seenFrom(0.1, 0.2, -5, 9).object(tilted, WHITE_THAT_GLOWS);
-        assertEquals(1, PathTracerTest.render(rectangle.build(), 64).value(), 1e-12);
-        SceneBuilder triangle = PathTracerTest.seenFrom(0.1, 0.2, -5, 6)
+        SceneBuilder rectangle = PathIntegratorTest.seenFrom(0.1, 0.2, -5, 9).object(tilted, WHITE_THAT_GLOWS);
+        assertEquals(1, PathIntegratorTest.render(rectangle.build(), 64).value(), 1e-12);
+        SceneBuilder triangle = PathIntegratorTest.seenFrom(0.1, 0.2, -5, 6)
                 .object(
                         new Triangle(
                                 ExactPoint.of(-2, -1.3, -0.4),
                                 ExactPoint.of(0.3, 2.2, 0.5),
                                 ExactPoint.of(2.1, -1.7, 0.7)),
                         WHITE_THAT_GLOWS);
-        assertEquals(1, PathTracerTest.render(triangle.build(), 64).value(), 1e-12);
+        assertEquals(1, PathIntegratorTest.render(triangle.build(), 64).value(), 1e-12);
     }
 
     /** Nor do its other faces: a closed room that glows is a geometric series however it is turned. */
     @Test
     void aTiltedCubeThatGlowsIsAsBrightAsOneThatIsNot() {
-        SceneBuilder cube = PathTracerTest.seenFrom(0.1, 0.2, -0.1, 60)
+        SceneBuilder cube = PathIntegratorTest.seenFrom(0.1, 0.2, -0.1, 60)
                 .object(new Cube(ExactPoint.of(0, 0, 0), 2, new Vec3(20, 30, 40)), WHITE_THAT_GLOWS);
-        PathTracerTest.render(cube.build(), 256).agreesWith(1 / (1 - 0.6));
+        PathIntegratorTest.render(cube.build(), 256).agreesWith(1 / (1 - 0.6));
     }
 
     private static final double SIGMA = 0.4;
@@ -72,7 +72,7 @@ class PathLightTest {
         return floor(bounces)
                 .object(
                         new Sphere(ExactPoint.of(0, 0, 0), 30, 0),
-                        Material.Glass.of(PathTracerTest.grey(1), 1).withAbsorption(new Rgb(SIGMA, 0, 0)));
+                        Material.Glass.of(PathIntegratorTest.grey(1), 1).withAbsorption(new Rgb(SIGMA, 0, 0)));
     }
 
     @Test
@@ -80,7 +80,7 @@ class PathLightTest {
         SceneBuilder scene = mist(1).light(new Light.Point(
                 ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))));
         double expected = 0.5 / Math.PI * 7 * (4.0 / 5) / 25 * Math.exp(-SIGMA * (5 + 1));
-        assertEquals(expected, PathTracerTest.render(scene.build(), 1).value(), 1e-8);
+        assertEquals(expected, PathIntegratorTest.render(scene.build(), 1).value(), 1e-8);
     }
 
     @Test
@@ -99,7 +99,7 @@ class PathLightTest {
         for (int bounces = 1; bounces < 3; bounces++) {
             SceneBuilder scene =
                     mist(bounces).light(new Light.Sphere(ExactPoint.of(0, distance, 0), radius, DisplayRgb.WHITE));
-            PathTracerTest.render(scene.build(), 256).agreesWith(expected);
+            PathIntegratorTest.render(scene.build(), 256).agreesWith(expected);
         }
     }
 
@@ -127,7 +127,7 @@ class PathLightTest {
                         ExactPoint.of(1, 3, -1),
                         ExactPoint.of(1, 3, 1),
                         DisplayRgb.WHITE));
-        PathTracerTest.render(scene.build(), 256).agreesWith(dimmedRectangle());
+        PathIntegratorTest.render(scene.build(), 256).agreesWith(dimmedRectangle());
     }
 
     private static final double TINT = 0.8;
@@ -137,7 +137,7 @@ class PathLightTest {
         return floor(bounces)
                 .object(
                         TestScenes.rectangle(-9, 2, -9, -9, 2, 9, 9, 2, 9, 9, 2, -9),
-                        Material.Glass.of(PathTracerTest.grey(TINT), 1.5));
+                        Material.Glass.of(PathIntegratorTest.grey(TINT), 1.5));
     }
 
     private static double passes(double cosine) {
@@ -149,7 +149,7 @@ class PathLightTest {
         SceneBuilder scene = underPane(1)
                 .light(new Light.Point(ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))));
         double expected = 0.5 / Math.PI * 7 * (4.0 / 5) / 25 * passes(0.8);
-        assertEquals(expected, PathTracerTest.render(scene.build(), 1).value(), 1e-8);
+        assertEquals(expected, PathIntegratorTest.render(scene.build(), 1).value(), 1e-8);
     }
 
     @ParameterizedTest
@@ -162,7 +162,7 @@ class PathLightTest {
             irradiance += Math.PI * 0.25 / n * passes(Math.sqrt(1 - sine2));
         }
         SceneBuilder scene = underPane(bounces).light(new Light.Sphere(ExactPoint.of(0, 4, 0), 2, DisplayRgb.WHITE));
-        PathTracerTest.render(scene.build(), 256).agreesWith(0.5 / Math.PI * irradiance);
+        PathIntegratorTest.render(scene.build(), 256).agreesWith(0.5 / Math.PI * irradiance);
     }
 
     @ParameterizedTest
@@ -185,32 +185,32 @@ class PathLightTest {
                         ExactPoint.of(1, 3, -1),
                         ExactPoint.of(1, 3, 1),
                         DisplayRgb.WHITE));
-        PathTracerTest.render(scene.build(), 256).agreesWith(0.5 / Math.PI * irradiance);
+        PathIntegratorTest.render(scene.build(), 256).agreesWith(0.5 / Math.PI * irradiance);
     }
 
     /** A ball of index 1 absorbs along a diameter, and another lies behind the light. */
     @Test
     void aShadowRayPassesMediaThatDoNotTurnIt() {
-        Material mist = Material.Glass.of(PathTracerTest.grey(1), 1).withAbsorption(new Rgb(SIGMA, 0, 0));
+        Material mist = Material.Glass.of(PathIntegratorTest.grey(1), 1).withAbsorption(new Rgb(SIGMA, 0, 0));
         SceneBuilder scene = floor(1).object(new Sphere(ExactPoint.of(1.5, 2, 0), 0.5, 0), mist)
                 .object(new Sphere(ExactPoint.of(6, 8, 0), 0.5, 0), mist)
                 .light(new Light.Point(ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))));
         double expected = 0.5 / Math.PI * 7 * (4.0 / 5) / 25 * Math.exp(-SIGMA);
-        assertEquals(expected, PathTracerTest.render(scene.build(), 1).value(), 1e-8);
+        assertEquals(expected, PathIntegratorTest.render(scene.build(), 1).value(), 1e-8);
     }
 
     /** A pane is no scattering event. */
     @Test
     void aLampIsSeenThroughAPaneWithoutAnyBounce() {
-        SceneBuilder scene = PathTracerTest.scene()
+        SceneBuilder scene = PathIntegratorTest.scene()
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 1, 0), ExactPoint.of(0, 4, 0), Vec3.Z, 1e-6))
                 .shading(new PhysicalShading(OptionalInt.of(0), Rgb.BLACK))
                 .object(
                         TestScenes.rectangle(-9, 2, -9, -9, 2, 9, 9, 2, 9, 9, 2, -9),
-                        Material.Glass.of(PathTracerTest.grey(1), 1.5))
+                        Material.Glass.of(PathIntegratorTest.grey(1), 1.5))
                 .light(new Light.Sphere(ExactPoint.of(0, 4, 0), 1, DisplayRgb.WHITE));
         double expected = ThinDielectric.transmittance(1, 1 / 1.5);
-        double mean = PathTracerTest.render(scene.build(), 1024).value();
+        double mean = PathIntegratorTest.render(scene.build(), 1024).value();
         assertEquals(expected, mean, 0.005);
     }
 
@@ -219,12 +219,12 @@ class PathLightTest {
     @ValueSource(doubles = {0.3, 0.6, 1})
     void aLampIsSeenThroughRoughGlassAsItsLobesSay(double roughness) {
         // The eye is in the glass and looks up at its border.
-        SceneBuilder scene = PathTracerTest.scene()
+        SceneBuilder scene = PathIntegratorTest.scene()
                 .camera(new Camera.Orthographic(ExactPoint.of(-0.3, -1, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 1e-6))
                 .shading(new PhysicalShading(OptionalInt.of(1), Rgb.BLACK))
                 .object(
                         new Cube(ExactPoint.of(0, -9, 0), 9 * Math.sqrt(3), Vec3.ZERO),
-                        Material.Glass.of(PathTracerTest.grey(1), 1.5).withRoughness(roughness))
+                        Material.Glass.of(PathIntegratorTest.grey(1), 1.5).withRoughness(roughness))
                 .light(new Light.Sphere(ExactPoint.of(0, 3, 0), 2, DisplayRgb.WHITE));
         RoughDielectric bsdf = new RoughDielectric(roughness * roughness, true);
         Scattering s = new Scattering();
@@ -247,6 +247,6 @@ class PathLightTest {
                 sum += s.valueR;
             }
         }
-        PathTracerTest.render(scene.build(), 256).agreesWith(sum / n / n * 2 * Math.PI * height);
+        PathIntegratorTest.render(scene.build(), 256).agreesWith(sum / n / n * 2 * Math.PI * height);
     }
 }

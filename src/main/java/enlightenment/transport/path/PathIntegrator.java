@@ -1,0 +1,403 @@
+package enlightenment.transport.path;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Reradiation;
+import enlightenment.bsdf.Scattering;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import enlightenment.transport.direct.NextEventEstimation;
+import enlightenment.transport.image.MirrorCaustics;
+import enlightenment.transport.ray.PathFollower;
+import enlightenment.transport.state.BandMixing;
+import enlightenment.transport.state.PathEvent;
+import enlightenment.transport.state.PathPart;
+import enlightenment.transport.state.PathState;
+import enlightenment.transport.state.PathValue;
+import enlightenment.transport.state.PathVertex;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.parts.RayCounters;
+import java.util.Arrays;
+
+/**
+ * The radiance seen along one camera ray, by the rendering equation: a path is followed from surface to surface, at each of them direct
+ * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997). What a path finds
+ * twice, by sampling a light and by running into it, is weighted so that both together count once ({@link NextEventEstimation}). Nothing is
+ * clamped: the mean over paths is the solution. See docs/physical-light.md.
+ */
+public final class PathIntegrator extends EyePathTracer {
+    private final PathState state = new PathState();
+    private final PathVertex vertex = new PathVertex();
+
+    /** Direct light at every vertex that does not scatter into single directions. */
+    private final NextEventEstimation nextEvent;
+
+    /** What paths from lights make; null if the scene has no pass of them. */
+    private final CausticPassShare causticPass;
+
+    /** Caustics of mirror balls where the eye sees them in mirrors or through glass; null without such balls. */
+    private final MirrorCaustics mirrorCaustics;
+
+    /** Follows paths through media that scatter light; null if there are none. */
+    private final RandomWalk walk;
+
+    private final PathConnections connections;
+    private final boolean isAlbedo;
+
+    /** Whether paths stop after direct lighting at their first non-specular vertex. */
+    private final boolean directOnly;
+
+    /** Where the path is cut; null for a path that is whole. */
+    private PathCut cut;
+
+    /** For one thread that follows whole paths. */
+    public PathIntegrator(CompiledScene scene, RayCounters counters) {
+        this(scene, counters, PathPart.WHOLE);
+    }
+
+    /** For one thread, which counts there, and a scene of physical shading; of each path this part is wanted. */
+    public PathIntegrator(CompiledScene scene, RayCounters counters, PathPart part) {
+        this(scene, counters, part, scene.physical.hasCausticPass());
+    }
+
+    /** @param hasCausticPass whether what a pass of caustics makes is left out, and what it cannot make is sampled in another way */
+    public PathIntegrator(CompiledScene scene, RayCounters counters, boolean hasCausticPass) {
+        this(scene, counters, PathPart.WHOLE, hasCausticPass);
+    }
+
+    private PathIntegrator(CompiledScene scene, RayCounters counters, PathPart part, boolean hasCausticPass) {
+        super(scene, counters, new PathValue(BandMixing.of(scene.physical)), showsLamps(part));
+        isAlbedo = part == PathPart.ALBEDO;
+        directOnly = part == PathPart.DIRECT || part == PathPart.ALBEDO;
+        value.isIndirect = part == PathPart.INDIRECT;
+        path.tracer.leaveVisibilityOpen();
+        nextEvent = new NextEventEstimation(scene, counters, path);
+        connections = new PathConnections(path.tracer);
+        if (isAlbedo) {
+            value.wavelength = null;
+        }
+        causticPass = hasCausticPass ? new CausticPassShare(physical.caustics) : null;
+        walk = RandomWalk.of(scene, counters, path, value, part);
+        mirrorCaustics = hasCausticPass && !directOnly ? MirrorCaustics.of(scene, counters, path) : null;
+    }
+
+    private static boolean showsLamps(PathPart part) {
+        return part == PathPart.WHOLE || part == PathPart.DIRECT;
+    }
+
+    @Override
+    public void shade(Ray ray, Sampler sampler, double[] out) {
+        follow(ray, sampler);
+        value.get(out);
+    }
+
+    /**
+     * Follows a path no further than {@link #certain} takes it, which tells the same after it as after {@link #shade}.
+     *
+     * @param ray the camera ray, within the tile; the path overwrites it
+     */
+    public void glimpse(Ray ray, Sampler sampler) {
+        begin(ray, sampler);
+        while (step(ray, sampler) && value.certain) {
+            state.events++;
+        }
+    }
+
+    /**
+     * The deterministic part of the last path's value, which depends on the position on the film only: emission seen directly or in
+     * mirrors, and at the first matte surface the closed-form light of lamps that nothing can occlude there, and of point lights.
+     *
+     * @param out receives its radiance: red, green and blue, linear
+     * @return a 64-bit hash of the surfaces that were hit, and of which lamps are hidden, fully visible or undecided there
+     */
+    public long certain(double[] out) {
+        return value.certain(out, path.key);
+    }
+
+    /** As {@link #shade}, for a path that may be shared: {@code out} receives it, worth what {@link #connections} make of it. */
+    public void shade(Ray ray, Sampler sampler, PathCut out) {
+        cut = out;
+        cut.clear();
+        follow(ray, sampler);
+        value.get(cut.gives ? cut.given : cut.own);
+        cut = null;
+    }
+
+    /** What connects paths of this thread that may be shared. */
+    public PathConnections connections() {
+        return connections;
+    }
+
+    /** How many scattering events the last path had. */
+    public int events() {
+        return state.events;
+    }
+
+    private void begin(Ray ray, Sampler sampler) {
+        state.begin();
+        if (mirrorCaustics != null) {
+            mirrorCaustics.begin();
+        }
+        beginPath(ray, sampler);
+    }
+
+    private void follow(Ray ray, Sampler sampler) {
+        begin(ray, sampler);
+        images.gather(sampler, value);
+        while (step(ray, sampler)) {
+            state.events++;
+        }
+    }
+
+    /** One vertex of the path: finds it, adds its emission and its direct light, and samples how the path goes on; whether it does. */
+    private boolean step(Ray ray, Sampler sampler) {
+        value.disperse();
+        SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
+        PathFollower.Event event = walk == null ? path.next(ray) : walk.next(ray, medium, state, sampler);
+        if (event == null) {
+            return mayScatter() && walk.scatter(ray, nextEvent, vertex, state, sampler) && path.goesOn();
+        }
+        if (event == PathFollower.Event.NOTHING) {
+            escape(ray);
+            return false;
+        }
+        if (medium != null && medium.absorbs && medium.medium == null) {
+            value.absorb(medium, path.distance(ray));
+        }
+        return event == PathFollower.Event.SURFACE ? surface(ray, sampler) : glass(ray, sampler);
+    }
+
+    /** Adds what comes from where the path has left the scene. */
+    private void escape(Ray ray) {
+        if (!isAlbedo) {
+            nextEvent.escape(ray, state, causticPass == null || !state.isConnectible());
+            value.addEscaped(nextEvent.gathered, nextEvent.hasConstantEnvironment(), path.key);
+        }
+    }
+
+    /** At an opaque surface. */
+    private boolean surface(Ray ray, Sampler sampler) {
+        SurfaceMaterial material = path.material();
+        if (material.glows && !isAlbedo) {
+            addEmission(ray, material);
+        }
+        if (material.isBlack || !mayScatter()) {
+            return false;
+        }
+        path.color(material, surface);
+        if (isAlbedo && !material.isDelta) {
+            path.reflectance(ray, material, surface);
+            return value.endsWith(surface);
+        }
+        if (material.isDelta) {
+            return reflect(ray, material, sampler);
+        }
+        return material.bsdf == Lambert.INSTANCE
+                ? matte(ray, material.reradiation, sampler)
+                : rough(ray, material.bsdf, sampler);
+    }
+
+    /** Adds what the surface emits, by the share of it that no other strategy finds. */
+    private void addEmission(Ray ray, SurfaceMaterial material) {
+        if (cut != null && cut.isLeft(state) && meetAtCut(ray, material)) {
+            return;
+        }
+        double weight = material.glowsTo(path.hit.side) ? weightOfHit(ray) : 0;
+        if (weight > 0) {
+            value.addEmission(material, weight);
+        }
+    }
+
+    /** The weight of emission that the path hits: what the other strategies, of which each path has one at most, leave of it. */
+    private double weightOfHit(Ray ray) {
+        int light = physical.lightOf(path.id, path.hit.face);
+        double weight = causticPass == null ? 1 : causticPass.weightOfHit(state, ray, light);
+        if (weight > 0) {
+            weight *= images.weightOfHit(state, ray, light) * nextEvent.weightOfHit(state, ray, light);
+        }
+        if (weight > 0 && mirrorCaustics != null) {
+            weight *= mirrorCaustics.weightOfHit(state, ray, light);
+        }
+        return weight;
+    }
+
+    /** A mirror. */
+    private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
+        int mirror = path.id;
+        path.scatter(ray, material, surface, 0, 0, 0);
+        state.extendSpecular(mirror);
+        return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+    }
+
+    /**
+     * A Lambertian surface, where direct light has closed forms.
+     *
+     * @param dye what makes it fluorescent; null for none
+     */
+    private boolean matte(Ray ray, Reradiation dye, Sampler sampler) {
+        if (cut != null && path.surfaces < 2) {
+            cut.note(path, surface, value, dye != null);
+        }
+        if (dye != null && !value.scatter(dye, surface)) {
+            return false;
+        }
+        Scattering arrived = mirrorCaustics == null ? null : path.arrive(ray, surface);
+        vertex.set(Lambert.INSTANCE, arrived, surface, PathEvent.WIDE, false);
+        nextEvent.direct(vertex, state, sampler, value);
+        if (value.certain) {
+            value.leaveToChance(path.key + nextEvent.gathered.views);
+        }
+        if (mirrorCaustics != null) {
+            mirrorCaustics.direct(vertex, state, sampler, value);
+        }
+        sampler.pair(state.address++, Sampler.Purpose.DIRECTION, pair);
+        Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
+        state.extend(PathEvent.WIDE, s, false);
+        return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+    }
+
+    /** Any other lobes. */
+    private boolean rough(Ray ray, Bsdf bsdf, Sampler sampler) {
+        value.leaveToChance(path.key);
+        Scattering s = path.arrive(ray, surface);
+        boolean isNarrow = causticPass != null && causticPass.isNarrow(bsdf);
+        // What comes to narrow lobes from narrow lobes is not shared with wide ones: the caustic pass makes it there.
+        if (!isNarrow
+                && cut != null
+                && path.surfaces < 2
+                && cut.noteRough(path, bsdf, s, value, physical.hasConstantEnvironment())) {
+            return leaveCut(ray, bsdf, s, sampler);
+        }
+        PathEvent event = isNarrow ? PathEvent.NARROW : PathEvent.WIDE;
+        boolean leaves = isNarrow && state.isConnectibleOverNarrow();
+        vertex.set(bsdf, s, surface, event, leaves);
+        nextEvent.direct(vertex, state, sampler, value);
+        if (mirrorCaustics != null) {
+            mirrorCaustics.direct(vertex, state, sampler, value);
+        }
+        if (!sample(bsdf, s, sampler)) {
+            return false;
+        }
+        path.leave(ray, s);
+        if (s.delta && !isNarrow) {
+            state.extendSpecular(-1);
+        } else {
+            state.extend(event, s, leaves);
+        }
+        return survives(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
+    }
+
+    /** Samples the direction in which the path leaves an opaque surface; returns whether there is one. */
+    private boolean sample(Bsdf bsdf, Scattering s, Sampler sampler) {
+        sampler.pair(state.address, Sampler.Purpose.DIRECTION, pair);
+        double choice = sampler.unit(state.address++, Sampler.Purpose.CHOICE);
+        return bsdf.sample(s, pair[0], pair[1], choice);
+    }
+
+    /** A border of glass, or a pane. */
+    private boolean glass(Ray ray, Sampler sampler) {
+        value.leaveToChance(path.key);
+        sampler.pair(state.address, Sampler.Purpose.CHOICE, pair);
+        double choice = pair[0];
+        int opaque = physical.hasPartialGlass ? path.glass.opaque(pair[1]) : -1;
+        if (opaque >= 0) {
+            return opaquePart(ray, opaque, sampler);
+        }
+        boolean isRough = false;
+        if (physical.hasRoughGlass) {
+            isRough = directAtBorder(ray, sampler);
+            sampler.pair(state.address, Sampler.Purpose.DIRECTION, pair);
+        }
+        state.address++;
+        cross(ray, choice);
+        if (path.glass.passedStraight()) {
+            // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
+            // stays what it was.
+            state.events--;
+            value.filter(surface[0], surface[1], surface[2]);
+            return path.goesOn();
+        }
+        if (!goesFurther()) {
+            return false;
+        }
+        if (isRough) {
+            state.extend(PathEvent.ROUGH_BORDER, path.glass.border, vertex.leavesSmallLights);
+            state.isAtCoincident = path.glass.hasNext();
+            state.hasDirect = !state.isAtCoincident;
+        } else {
+            state.extendSpecular(-1);
+        }
+        boolean survives = walk == null
+                ? survives(surface[0], surface[1], surface[2], sampler)
+                : walk.survives(surface, sampler, state.events);
+        return survives && path.goesOn();
+    }
+
+    /** Glass that is opaque in part, where chance says that it is. */
+    private boolean opaquePart(Ray ray, int surfaceHere, Sampler sampler) {
+        path.turnTo(surfaceHere);
+        path.color(path.material(), surface);
+        return mayScatter() && (isAlbedo ? value.endsWith(surface) : matte(ray, null, sampler));
+    }
+
+    /** Adds direct light if the path is at a rough border; returns whether it is. */
+    private boolean directAtBorder(Ray ray, Sampler sampler) {
+        Bsdf bsdf = path.mayScatter() ? path.roughBorder(ray, border) : null;
+        if (bsdf == null || !goesFurther()) {
+            return false;
+        }
+        Arrays.fill(surface, 1);
+        path.filter(surface);
+        path.turnTo(0);
+        boolean isNarrow = causticPass != null && causticPass.isNarrow(bsdf);
+        boolean leaves = isNarrow && state.isConnectibleOverNarrow();
+        vertex.set(bsdf, border, surface, PathEvent.ROUGH_BORDER, leaves);
+        nextEvent.direct(vertex, state, sampler, value);
+        return true;
+    }
+
+    /** Whether the path may have one more scattering event. */
+    private boolean mayScatter() {
+        return path.mayScatter() && goesFurther();
+    }
+
+    /** At an event: whether the path goes on if it has been scattered; what it finds from here on is indirect then. */
+    private boolean goesFurther() {
+        if (state.hasScattered()) {
+            value.beginIndirect();
+        }
+        return !(directOnly && state.hasScattered());
+    }
+
+    /** Multiplies by the weight of an event, and plays roulette where it is due. */
+    private boolean survives(double r, double g, double b, Sampler sampler) {
+        value.filter(r, g, b);
+        if (value.isSafe(state.events + 1) || cut != null && cut.takes && path.surfaces == 0) {
+            return true;
+        }
+        value.leaveToChance(path.key);
+        return value.survives(r, g, b, sampler, state.events);
+    }
+
+    /** Leaves the vertex that the path is cut at, where others share what arrives: what that becomes of is left to them. */
+    private boolean leaveCut(Ray ray, Bsdf bsdf, Scattering s, Sampler sampler) {
+        nextEvent.sample(sampler, state.address, cut.lamp);
+        if (!sample(bsdf, s, sampler)) {
+            return false;
+        }
+        cut.leave(s);
+        path.leave(ray, s);
+        state.extend(PathEvent.WIDE, s, false);
+        return path.goesOn();
+    }
+
+    /** Tells the cut that the path has come straight from there to a light; returns whether a sample there might find it, too. */
+    private boolean meetAtCut(Ray ray, SurfaceMaterial material) {
+        double density = nextEvent.density(ray);
+        if (density > 0 && material.glowsTo(path.hit.side)) {
+            cut.meet(material, value, density);
+        }
+        return density > 0;
+    }
+}

@@ -235,12 +235,16 @@ class ArchitectureTest {
             .definedBy("enlightenment.world.light")
             .layer("check")
             .definedBy("enlightenment.world.check")
+            .layer("surface")
+            .definedBy("enlightenment.world.surface")
             .layer("world")
             .definedBy("enlightenment.world")
             .whereLayer("check")
             .mayNotBeAccessedByAnyLayer()
+            .whereLayer("surface")
+            .mayNotBeAccessedByAnyLayer()
             .whereLayer("world")
-            .mayOnlyBeAccessedByLayers("check")
+            .mayOnlyBeAccessedByLayers("surface", "check")
             .whereLayer("light")
             .mayOnlyBeAccessedByLayers("check", "world")
             .whereLayer("contact")
@@ -248,7 +252,7 @@ class ArchitectureTest {
             .whereLayer("camera")
             .mayOnlyBeAccessedByLayers("light", "check", "world")
             .whereLayer("parts")
-            .mayOnlyBeAccessedByLayers("camera", "contact", "light", "check", "world");
+            .mayOnlyBeAccessedByLayers("camera", "contact", "light", "check", "surface", "world");
 
     /** Light transport, from a path's state down to whole techniques, none of which knows another of its kind. */
     @ArchTest

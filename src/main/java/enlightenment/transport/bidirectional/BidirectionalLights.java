@@ -60,8 +60,8 @@ final class BidirectionalLights {
 
     /** The weight of running into a light, which is not the path's first vertex. */
     double weightOfHit() {
-        Hit hit = eye.path.hit;
-        int index = physical.lightOf(eye.path.id, hit.face);
+        Hit hit = eye.path.at.hit;
+        int index = eye.path.at.light;
         if (index < 0) {
             return 1;
         }
@@ -109,7 +109,7 @@ final class BidirectionalLights {
      * @return whether light comes from there
      */
     boolean aim(Sampler sampler) {
-        Hit hit = eye.path.hit;
+        Hit hit = eye.path.at.hit;
         Scattering s = eye.s;
         double side = eye.isBorder ? 0 : 1;
         sampler.pair(eye.address, Sampler.Purpose.CHOICE, pair);
@@ -118,7 +118,7 @@ final class BidirectionalLights {
             return false;
         }
         PhysicalLight l = physical.lights[choice.light];
-        if (l.isInPlaneWith(eye.path.id, hit.face) || l.isBallOf(eye.path.id)) {
+        if (l.isInPlaneWith(eye.path.at.id, hit.face) || l.isBallOf(eye.path.at.id)) {
             return false;
         }
         counters.lightSamples++;
@@ -155,7 +155,7 @@ final class BidirectionalLights {
 
     /** Samples a point of the light; returns its density per solid angle or, of a point light, the squared distance. */
     private double density(PhysicalLight l, Sampler sampler) {
-        Hit hit = eye.path.hit;
+        Hit hit = eye.path.at.hit;
         if (l.isPoint) {
             view.aimAtPoint(l, hit.px, hit.py, hit.pz);
             return view.cone.distance * view.cone.distance;

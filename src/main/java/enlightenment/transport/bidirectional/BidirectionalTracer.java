@@ -266,7 +266,7 @@ public final class BidirectionalTracer implements Shader {
 
     /** The eye's path has come to a light. */
     private void glow() {
-        if (eye.glowing != null && eye.glowing.glowsTo(eye.path.hit.side)) {
+        if (eye.glowing != null && eye.glowing.glowsTo(eye.path.at.hit.side)) {
             // Light that is seen straight is found in this way alone.
             double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
             weight *= images.weight();
@@ -322,9 +322,9 @@ public final class BidirectionalTracer implements Shader {
     private void connect(int k, int t) {
         PathVertices v = light.vertices;
         Scattering s = eye.s;
-        double x = v.x(k) - eye.path.hit.px;
-        double y = v.y(k) - eye.path.hit.py;
-        double z = v.z(k) - eye.path.hit.pz;
+        double x = v.x(k) - eye.path.at.hit.px;
+        double y = v.y(k) - eye.path.at.hit.py;
+        double z = v.z(k) - eye.path.at.hit.pz;
         double d2 = x * x + y * y + z * z;
         double d = Math.sqrt(d2);
         s.ix = x / d;

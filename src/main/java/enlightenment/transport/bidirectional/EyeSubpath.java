@@ -88,7 +88,7 @@ final class EyeSubpath extends Subpath {
 
     @Override
     void beginDensities(double cosine) {
-        Hit at = path.hit;
+        Hit at = path.at.hit;
         double perArea = eye.importanceOf(at.px, at.py, at.pz) * physical.areaUnit;
         densities.begin(SubpathDensities.square(lightPaths / (perArea * cosine)), 0);
     }

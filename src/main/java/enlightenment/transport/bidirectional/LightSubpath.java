@@ -91,7 +91,7 @@ public final class LightSubpath extends Subpath {
 
     @Override
     void beginDensities(double cosine) {
-        Hit at = path.hit;
+        Hit at = path.at.hit;
         double nx = isBorder ? 0 : s.nx;
         double ny = isBorder ? 0 : s.ny;
         double nz = isBorder ? 0 : s.nz;
@@ -110,7 +110,7 @@ public final class LightSubpath extends Subpath {
             return d2;
         }
         double d = Math.sqrt(d2);
-        if (l.isBallOf(path.id)) {
+        if (l.isBallOf(path.at.id)) {
             return 0;
         }
         view.aim(l, at.px, at.py, at.pz);

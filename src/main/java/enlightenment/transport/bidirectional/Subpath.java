@@ -157,7 +157,7 @@ abstract class Subpath extends CarriedLight {
         if (inMedium != null) {
             inMedium.flight.begin();
         }
-        SurfaceMaterial material = path.material();
+        SurfaceMaterial material = path.at.material;
         glowing = material.glows ? material : null;
         opaque(material, material.bsdf);
         return Event.SURFACE;
@@ -199,7 +199,7 @@ abstract class Subpath extends CarriedLight {
     }
 
     private void arrive() {
-        Hit at = path.hit;
+        Hit at = path.at.hit;
         double cosine = SubpathDensities.cosine(projected(s.ox * s.nx + s.oy * s.ny + s.oz * s.nz));
         boolean isDelta = bsdf.isDelta();
         if (isFirst && isDelta) {
@@ -217,7 +217,7 @@ abstract class Subpath extends CarriedLight {
         if (isDelta) {
             vertices.addDelta(at, 1);
         } else {
-            vertices.add(at, path.id, bsdf, s, color, path.bounces(), densities, survival);
+            vertices.add(at, path.at.id, bsdf, s, color, path.bounces(), densities, survival);
             vertices.power(red, green, blue, ultraviolet);
             vertices.medium(isMedium ? inMedium.density() : 0);
             if (path.glass.wavelength != null) {
@@ -231,7 +231,7 @@ abstract class Subpath extends CarriedLight {
             beginDensitiesOfDelta();
         }
         densities.pass(expansion);
-        vertices.addDelta(path.hit, expansion);
+        vertices.addDelta(path.at.hit, expansion);
     }
 
     private Event glass(Sampler sampler) {
@@ -242,7 +242,7 @@ abstract class Subpath extends CarriedLight {
             int k = path.glass.opaque(pair[1]);
             if (k >= 0) {
                 path.turnTo(k);
-                opaque(path.material(), Lambert.INSTANCE);
+                opaque(path.at.material, Lambert.INSTANCE);
                 return Event.SURFACE;
             }
         }
@@ -297,10 +297,10 @@ abstract class Subpath extends CarriedLight {
     private void remember(Scattering at, boolean connects) {
         isFirst = false;
         lastConnects = connects;
-        lastId = path.id;
-        lastX = path.hit.px;
-        lastY = path.hit.py;
-        lastZ = path.hit.pz;
+        lastId = path.at.id;
+        lastX = path.at.hit.px;
+        lastY = path.at.hit.py;
+        lastZ = path.at.hit.pz;
         boolean takesFromAllSides = isBorder && connects;
         lastNx = takesFromAllSides ? 0 : at.nx;
         lastNy = takesFromAllSides ? 0 : at.ny;
@@ -340,7 +340,7 @@ abstract class Subpath extends CarriedLight {
         remember(s, true);
         Arrays.fill(weight, 1);
         leave(s);
-        ray.set(path.hit.px, path.hit.py, path.hit.pz, s.ix, s.iy, s.iz, 0);
+        ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, s.ix, s.iy, s.iz, 0);
         return survives(sampler, survival);
     }
 

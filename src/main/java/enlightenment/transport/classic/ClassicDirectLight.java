@@ -79,7 +79,7 @@ final class ClassicDirectLight {
         this.lightPoints = lightPoints;
         this.counters = counters;
         this.path = path;
-        hit = path.hit;
+        hit = path.at.hit;
         glass = path.glass;
         tracer = path.tracer;
         this.report = report;
@@ -113,10 +113,9 @@ final class ClassicDirectLight {
      * @param receivesShadows whether occluded light points count less there
      */
     void gather(boolean receivesShadows, Sampler sampler) {
-        double facing = hit.side;
-        nx = hit.nx * facing;
-        ny = hit.ny * facing;
-        nz = hit.nz * facing;
+        nx = path.at.nx;
+        ny = path.at.ny;
+        nz = path.at.nz;
         double keeps = receivesShadows ? shadow : 1;
         double r = 0;
         double g = 0;
@@ -179,7 +178,7 @@ final class ClassicDirectLight {
             return factor * unshadowed;
         }
         contrast = (1 - keeps) * unshadowed;
-        boolean guided = guide != null && !light.isDelta && guide.begin(path.id, index, path.surfaces);
+        boolean guided = guide != null && !light.isDelta && guide.begin(path.at.id, index, path.surfaces);
         double blocked = guided ? guidedShare(emitter, sampler, count) : blockedShare(emitter, sampler, count);
         if (blocked == 1 && keeps > 0 && tracer.isHidden()) {
             return keeps * unshadowed;
@@ -260,7 +259,7 @@ final class ClassicDirectLight {
                 double q = guide.q();
                 emitter.sampleDisk(view, p, q);
                 boolean blocked = isBlocked();
-                report.guided.add(path.id, index, path.surfaces, blocked);
+                report.guided.add(path.at.id, index, path.surfaces, blocked);
                 report.guided.set(PathReport.P, p, q, weight);
                 sum += blocked == guide.wantsBlocked() ? weight : 0;
             }
@@ -273,11 +272,11 @@ final class ClassicDirectLight {
     private Tracer.Visibility visibility(int points) {
         int count = 0;
         if (neverReturnsTo(hit)) {
-            starts[count++] = path.id;
+            starts[count++] = path.at.id;
         }
         // Nor does it meet the coincident surfaces again.
         for (int k = 0; k < glass.surfaces() && count < starts.length; k++) {
-            if (glass.surface(k) != path.id && neverReturnsTo(glass.hitOf(k))) {
+            if (glass.surface(k) != path.at.id && neverReturnsTo(glass.hitOf(k))) {
                 starts[count++] = glass.surface(k);
             }
         }
@@ -309,7 +308,7 @@ final class ClassicDirectLight {
     }
 
     private void keepRay(boolean blocked) {
-        report.rays.add(path.id, index, path.surfaces, blocked);
+        report.rays.add(path.at.id, index, path.surfaces, blocked);
         report.rays.set(PathReport.SURFACE_POINT, hit.px, hit.py, hit.pz);
         report.rays.set(
                 PathReport.LIGHT_POINT,

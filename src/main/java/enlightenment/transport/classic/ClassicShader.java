@@ -130,7 +130,7 @@ public final class ClassicShader implements Shader {
             return false;
         }
         if (event == PathFollower.Event.SURFACE) {
-            SurfaceMaterial material = path.material();
+            SurfaceMaterial material = path.at.material;
             path.color(material, surface);
             if (!material.isDelta) {
                 shadeSurface(material, sampler, 1);
@@ -145,7 +145,7 @@ public final class ClassicShader implements Shader {
                     continue;
                 }
                 path.turnTo(k);
-                SurfaceMaterial material = path.material();
+                SurfaceMaterial material = path.at.material;
                 path.color(material, surface);
                 if (material.transparency < 1) {
                     shadeSurface(material, sampler, 1 - material.transparency);

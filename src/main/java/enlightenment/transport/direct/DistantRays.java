@@ -60,7 +60,7 @@ final class DistantRays {
 
     /** Returns whether something is in the ray's way at once. */
     private boolean start(double dx, double dy, double dz, boolean atBorder, boolean through) {
-        ray.set(path.hit.px, path.hit.py, path.hit.pz, dx, dy, dz, 0);
+        ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, dx, dy, dz, 0);
         return Departure.from(path, ray, atBorder, through);
     }
 }

@@ -72,10 +72,9 @@ public final class InfiniteLight {
 
     /** Gathers the light at a white Lambertian surface in the place of the one that the path is at. */
     void gatherMatte(Sampler sampler, int address, boolean isFirst) {
-        double facing = path.hit.side;
-        white.nx = facing * path.hit.nx;
-        white.ny = facing * path.hit.ny;
-        white.nz = facing * path.hit.nz;
+        white.nx = path.at.nx;
+        white.ny = path.at.ny;
+        white.nz = path.at.nz;
         gather(Lambert.INSTANCE, white, null, sampler, address, isFirst, false);
     }
 
@@ -88,10 +87,9 @@ public final class InfiniteLight {
      */
     public void gather(
             Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst, boolean leaves) {
-        double facing = tint == null ? path.hit.side : 0;
-        nx = facing * path.hit.nx;
-        ny = facing * path.hit.ny;
-        nz = facing * path.hit.nz;
+        nx = tint == null ? path.at.nx : 0;
+        ny = tint == null ? path.at.ny : 0;
+        nz = tint == null ? path.at.nz : 0;
         through = tint;
         leavesSun = leaves;
         tookBoth = isFirst || sun == null || leavesSun;

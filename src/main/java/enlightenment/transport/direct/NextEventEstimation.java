@@ -95,7 +95,7 @@ public final class NextEventEstimation implements PathStrategy {
         picker = physical.picker;
         this.counters = counters;
         this.path = path;
-        hit = path.hit;
+        hit = path.at.hit;
         shadow = new ShadowRays(scene, counters, path, cone);
     }
 
@@ -109,14 +109,13 @@ public final class NextEventEstimation implements PathStrategy {
         leavesSmall = false;
         tookAll = takesAll(lights.length, isFirst);
         along = null;
-        double facing = hit.side;
-        vertexId = path.id;
+        vertexId = path.at.id;
         x = hit.px;
         y = hit.py;
         z = hit.pz;
-        nx = hit.nx * facing;
-        ny = hit.ny * facing;
-        nz = hit.nz * facing;
+        nx = path.at.nx;
+        ny = path.at.ny;
+        nz = path.at.nz;
         gathered.clear();
         shadow.begin();
     }
@@ -184,7 +183,7 @@ public final class NextEventEstimation implements PathStrategy {
 
     private void addMatte(int index, double probability, Sampler sampler, int address) {
         PhysicalLight l = lights[index];
-        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
+        if (l.isInPlaneWith(path.at.id, hit.face) || l.isBallOf(path.at.id)) {
             return;
         }
         shadow.isFiltered = false;
@@ -338,7 +337,7 @@ public final class NextEventEstimation implements PathStrategy {
 
     /** Samples a point of a light; returns its density, of a point light the squared distance, and 0 if there is none. */
     private double sample(PhysicalLight l, int index, Sampler sampler, int address) {
-        if (l.isInPlaneWith(path.id, hit.face) || l.isBallOf(path.id)) {
+        if (l.isInPlaneWith(path.at.id, hit.face) || l.isBallOf(path.at.id)) {
             return 0;
         }
         shadow.isFiltered = false;
@@ -384,7 +383,7 @@ public final class NextEventEstimation implements PathStrategy {
      * samples, infinite if it has all of its light from a closed form.
      */
     public double density(Ray ray) {
-        int index = physical.lightOf(path.id, hit.face);
+        int index = path.at.light;
         if (index < 0 || lights[index].isBallOf(vertexId)) {
             return 0;
         }

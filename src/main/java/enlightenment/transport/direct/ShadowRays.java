@@ -68,7 +68,7 @@ public final class ShadowRays {
     public ShadowRays(CompiledScene scene, RayCounters counters, PathFollower path, LightCone cone) {
         this.path = path;
         this.cone = cone;
-        hit = path.hit;
+        hit = path.at.hit;
         glass = path.glass;
         tracer = path.tracer;
         absorbs = scene.physical.hasAbsorption;
@@ -116,11 +116,11 @@ public final class ShadowRays {
     private void findStarts() {
         int count = 0;
         if (neverReturnsTo(hit, side)) {
-            starts[count++] = path.id;
+            starts[count++] = path.at.id;
         }
         for (int k = 0; k < glass.surfaces() && count < starts.length - 1; k++) {
             Hit h = glass.hitOf(k);
-            if (glass.surface(k) != path.id && neverReturnsTo(h, isBeyond ? -h.side : h.side)) {
+            if (glass.surface(k) != path.at.id && neverReturnsTo(h, isBeyond ? -h.side : h.side)) {
                 starts[count++] = glass.surface(k);
             }
         }

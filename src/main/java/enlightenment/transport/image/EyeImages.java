@@ -166,7 +166,7 @@ public final class EyeImages implements PathStrategy {
     /** The weight, 0 or 1, of what the surface that the path is at emits. */
     public double weight() {
         if (count > 0 && isOutside && path.surfaces == 0) {
-            int lamp = scene.physical.lightOf(path.id, path.hit.face);
+            int lamp = path.at.light;
             int at = here.firstOf(lamp);
             for (ImagePart part = here.of(lamp, at); part != null; part = here.of(lamp, ++at)) {
                 if (part.contains(x, y)) {

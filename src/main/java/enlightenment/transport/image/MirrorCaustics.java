@@ -109,14 +109,14 @@ public final class MirrorCaustics implements PathStrategy {
     private boolean aim(int k) {
         SpherePrimitive ball = balls.mirror[k];
         PhysicalLight l = physical.lights[balls.light[k]];
-        Hit at = path.hit;
+        Hit at = path.at.hit;
         return images[k].aim(ball, l, at.px, at.py, at.pz);
     }
 
     /** Whether the direction sampled leads to the mirror of the pair, and from there to the light. */
     private boolean meetsLight(int k) {
         path.poll.tick();
-        Hit at = path.hit;
+        Hit at = path.at.hit;
         MirrorImage image = images[k];
         shadow.set(at.px, at.py, at.pz, image.dx, image.dy, image.dz, 0).from(at.primitive, at.side);
         path.glass.startOnAll(shadow);

@@ -57,7 +57,7 @@ final class EyeConnection {
 
     /** Finds the place where the surface's point is seen, if nothing hides it; returns whether it is in the picture. */
     boolean project() {
-        return eye.project(path.hit.px, path.hit.py, path.hit.pz);
+        return eye.project(path.at.hit.px, path.at.hit.py, path.at.hit.pz);
     }
 
     /**
@@ -108,7 +108,7 @@ final class EyeConnection {
 
     /** Returns whether something is in the ray's way at once. */
     private boolean start(boolean isBorder, boolean isBeyond) {
-        ray.set(path.hit.px, path.hit.py, path.hit.pz, eye.toEyeX, eye.toEyeY, eye.toEyeZ, 0);
+        ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, eye.toEyeX, eye.toEyeY, eye.toEyeZ, 0);
         return Departure.from(path, ray, isBorder, isBeyond);
     }
 }

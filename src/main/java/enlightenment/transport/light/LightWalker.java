@@ -162,7 +162,7 @@ abstract class LightWalker extends LightPathTracer {
         if (flight != null) {
             flight.begin();
         }
-        SurfaceMaterial material = path.material();
+        SurfaceMaterial material = path.at.material;
         Bsdf bsdf = isGlass ? Lambert.INSTANCE : material.bsdf;
         if (material.isBlack || !caustic.goesOn(bsdf)) {
             return false;
@@ -178,7 +178,7 @@ abstract class LightWalker extends LightPathTracer {
         if (!bsdf.sample(s, unit(1), unit(2), unit(3))) {
             return false;
         }
-        caustic.leave(s.delta, path.hit, s.pdf);
+        caustic.leave(s.delta, path.at.hit, s.pdf);
         path.leave(ray, s);
         return filterAndSurvive(s.valueR, s.valueG, s.valueB) && path.goesOn();
     }
@@ -257,7 +257,7 @@ abstract class LightWalker extends LightPathTracer {
                 carried.red * (flight.weightR * medium.scatteringR * scale),
                 carried.green * (flight.weightG * medium.scatteringG * scale),
                 carried.blue * (flight.weightB * medium.scatteringB * scale));
-        ray.set(path.hit.px, path.hit.py, path.hit.pz, -border.ox, -border.oy, -border.oz, 0);
+        ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, -border.ox, -border.oy, -border.oz, 0);
         return path.next(ray, flight.length - flown);
     }
 
@@ -267,8 +267,8 @@ abstract class LightWalker extends LightPathTracer {
             connect(medium.phase, border, null);
         }
         medium.phase.sample(border, unit(1), unit(2), 0);
-        ray.set(path.hit.px, path.hit.py, path.hit.pz, border.ix, border.iy, border.iz, 0);
-        double survival = end.survival(carried.sum(), path.hit.px, path.hit.py, path.hit.pz, isSafe());
+        ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, border.ix, border.iy, border.iz, 0);
+        double survival = end.survival(carried.sum(), path.at.hit.px, path.at.hit.py, path.at.hit.pz, isSafe());
         return survives(survival) && path.goesOn();
     }
 
@@ -325,7 +325,7 @@ abstract class LightWalker extends LightPathTracer {
         if (!goesOn) {
             return false;
         }
-        caustic.leave(path.glass.border.delta, path.hit, path.glass.border.pdf);
+        caustic.leave(path.glass.border.delta, path.at.hit, path.glass.border.pdf);
         return crosses() && path.goesOn();
     }
 

@@ -78,10 +78,10 @@ public final class PathCut {
 
     /** Whether a ray that leaves the surface there cannot meet it again; in empty space, and where it coincides with no other. */
     private static boolean isOpen(PathFollower path) {
-        Primitive p = path.hit.primitive;
+        Primitive p = path.at.hit.primitive;
         return path.glass.isPlain()
                 && path.medium() == null
-                && (p.isFlat() || p.isConvex() && path.hit.side == Ray.OUTSIDE);
+                && (p.isFlat() || p.isConvex() && path.at.hit.side == Ray.OUTSIDE);
     }
 
     /** Makes this a path that shares nothing. */
@@ -111,8 +111,8 @@ public final class PathCut {
     }
 
     private void begin(PathFollower path, Bsdf lobes) {
-        first.set(path.hit);
-        firstId = path.id;
+        first.set(path.at.hit);
+        firstId = path.at.id;
         firstLobes = lobes;
     }
 
@@ -147,8 +147,8 @@ public final class PathCut {
     private void noteLater(PathFollower path, PathValue value) {
         gives = path.surfaces == 1 && takes && isOpen(path);
         if (gives) {
-            second.set(path.hit);
-            secondId = path.id;
+            second.set(path.at.hit);
+            secondId = path.at.id;
             secondLobes = null;
             value.get(own);
             value.beginPart();

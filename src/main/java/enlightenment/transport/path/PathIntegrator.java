@@ -178,7 +178,7 @@ public final class PathIntegrator extends EyePathTracer {
 
     /** At an opaque surface. */
     private boolean surface(Ray ray, Sampler sampler) {
-        SurfaceMaterial material = path.material();
+        SurfaceMaterial material = path.at.material;
         if (material.glows && !isAlbedo) {
             addEmission(ray, material);
         }
@@ -203,7 +203,7 @@ public final class PathIntegrator extends EyePathTracer {
         if (cut != null && cut.isLeft(state) && meetAtCut(ray, material)) {
             return;
         }
-        double weight = material.glowsTo(path.hit.side) ? weightOfHit(ray) : 0;
+        double weight = path.at.emits() ? weightOfHit(ray) : 0;
         if (weight > 0) {
             value.addEmission(material, weight);
         }
@@ -211,7 +211,7 @@ public final class PathIntegrator extends EyePathTracer {
 
     /** The weight of emission that the path hits: what the other strategies, of which each path has one at most, leave of it. */
     private double weightOfHit(Ray ray) {
-        int light = physical.lightOf(path.id, path.hit.face);
+        int light = path.at.light;
         double weight = causticPass == null ? 1 : causticPass.weightOfHit(state, ray, light);
         if (weight > 0) {
             weight *= images.weightOfHit(state, ray, light) * nextEvent.weightOfHit(state, ray, light);
@@ -224,7 +224,7 @@ public final class PathIntegrator extends EyePathTracer {
 
     /** A mirror. */
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
-        int mirror = path.id;
+        int mirror = path.at.id;
         path.scatter(ray, material, surface, 0, 0, 0);
         state.extendSpecular(mirror);
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
@@ -337,7 +337,7 @@ public final class PathIntegrator extends EyePathTracer {
     /** Glass that is opaque in part, where chance says that it is. */
     private boolean opaquePart(Ray ray, int surfaceHere, Sampler sampler) {
         path.turnTo(surfaceHere);
-        path.color(path.material(), surface);
+        path.color(path.at.material, surface);
         return mayScatter() && (isAlbedo ? value.endsWith(surface) : matte(ray, null, sampler));
     }
 
@@ -395,7 +395,7 @@ public final class PathIntegrator extends EyePathTracer {
     /** Tells the cut that the path has come straight from there to a light; returns whether a sample there might find it, too. */
     private boolean meetAtCut(Ray ray, SurfaceMaterial material) {
         double density = nextEvent.density(ray);
-        if (density > 0 && material.glowsTo(path.hit.side)) {
+        if (density > 0 && path.at.emits()) {
             cut.meet(material, value, density);
         }
         return density > 0;

@@ -167,7 +167,7 @@ final class RandomWalk {
         }
         sampler.pair(state.address++, Sampler.Purpose.DIRECTION, pair);
         medium.phase.sample(event, pair[0], pair[1], 0);
-        ray.set(path.hit.px, path.hit.py, path.hit.pz, event.ix, event.iy, event.iz, 0);
+        ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, event.ix, event.iy, event.iz, 0);
         if (gathers) {
             state.extend(kind, event, false);
         } else {
@@ -178,8 +178,8 @@ final class RandomWalk {
 
     /** Plays roulette where the medium scattered the path: by its throughput now, against what that was before. */
     private boolean survives(Sampler sampler, int event) {
-        double survival =
-                end.survival(value.throughput(), path.hit.px, path.hit.py, path.hit.pz, value.isSafe(event + 1));
+        double survival = end.survival(
+                value.throughput(), path.at.hit.px, path.at.hit.py, path.at.hit.pz, value.isSafe(event + 1));
         return survival == 1 || value.survives(survival, sampler, event);
     }
 

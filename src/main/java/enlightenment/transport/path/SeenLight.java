@@ -62,8 +62,8 @@ public final class SeenLight extends EyePathTracer {
     }
 
     private boolean surface(Ray ray, Sampler sampler) {
-        SurfaceMaterial material = path.material();
-        if (material.glows && material.glowsTo(path.hit.side)) {
+        SurfaceMaterial material = path.at.material;
+        if (path.at.emits()) {
             double weight = images.weight();
             value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
         }

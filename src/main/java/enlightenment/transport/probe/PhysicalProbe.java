@@ -42,9 +42,9 @@ final class PhysicalProbe extends RayProbe {
         if (!follow(sampler)) {
             return;
         }
-        if (path.material().glows && path.material().glowsTo(path.hit.side)) {
+        if (path.at.emits()) {
             outcome = SampleLog.Outcome.LIGHT_SEEN;
-        } else if (!path.material().isBlack) {
+        } else if (!path.at.material.isBlack) {
             askForLight(sampler);
         }
     }
@@ -56,7 +56,7 @@ final class PhysicalProbe extends RayProbe {
         int opaque = physical.hasPartialGlass ? path.glass.opaque(pair[1]) : -1;
         if (opaque >= 0) {
             path.turnTo(opaque);
-            surfaceIsAt(path.hit.px, path.hit.py, path.hit.pz);
+            surfaceIsAt(path.at.hit.px, path.at.hit.py, path.at.hit.pz);
             return false;
         }
         if (physical.hasRoughGlass) {
@@ -70,13 +70,12 @@ final class PhysicalProbe extends RayProbe {
 
     private void askForLight(SobolSampler sampler) {
         PhysicalLight[] lights = physical.lights;
-        double side = path.hit.side;
-        double nx = path.hit.nx * side;
-        double ny = path.hit.ny * side;
-        double nz = path.hit.nz * side;
-        double x = path.hit.px;
-        double y = path.hit.py;
-        double z = path.hit.pz;
+        double nx = path.at.nx;
+        double ny = path.at.ny;
+        double nz = path.at.nz;
+        double x = path.at.hit.px;
+        double y = path.at.hit.py;
+        double z = path.at.hit.pz;
         int drawn = -1;
         int index = -1;
         if (lights.length <= ALL_AT_FIRST) {
@@ -87,7 +86,9 @@ final class PhysicalProbe extends RayProbe {
             physical.picker.choose(x, y, z, nx, ny, nz, pair[0], choice);
             index = choice.light;
         }
-        if (index < 0 || lights[index].isInPlaneWith(path.id, path.hit.face) || lights[index].isBallOf(path.id)) {
+        if (index < 0
+                || lights[index].isInPlaneWith(path.at.id, path.at.hit.face)
+                || lights[index].isBallOf(path.at.id)) {
             return;
         }
         PhysicalLight l = lights[index];

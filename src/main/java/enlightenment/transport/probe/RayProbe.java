@@ -79,13 +79,13 @@ abstract class RayProbe {
                 }
                 return false;
             }
-            if (event == PathFollower.Event.SURFACE && !path.material().isDelta) {
-                put(S, path.hit.px, path.hit.py, path.hit.pz);
+            if (event == PathFollower.Event.SURFACE && !path.at.material.isDelta) {
+                put(S, path.at.hit.px, path.at.hit.py, path.at.hit.pz);
                 return true;
             }
             if (event == PathFollower.Event.SURFACE) {
                 Arrays.fill(surface, 1);
-                path.scatter(ray, path.material(), surface, 0, 0, 0);
+                path.scatter(ray, path.at.material, surface, 0, 0, 0);
             } else if (!cross(ray, sampler)) {
                 return true;
             }

@@ -3,12 +3,21 @@ package enlightenment.transport.ray;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
+import enlightenment.world.surface.SurfaceInteraction;
 
 /** From rays to the directions that a Bsdf scatters, and back. The outgoing ray starts at the hit, on the side that it leaves to. */
 public final class Optics {
     private Optics() {}
 
-    /** Sets direction and normal of the place where the ray arrives. */
+    /** Sets direction and shading normal of the surface where the ray arrives. */
+    public static void arrive(Scattering s, Ray ray, SurfaceInteraction at) {
+        arrive(s, ray, at.hit);
+        s.nx = at.nx;
+        s.ny = at.ny;
+        s.nz = at.nz;
+    }
+
+    /** Sets direction and geometric normal of the place where the ray arrives. */
     public static void arrive(Scattering s, Ray ray, Hit hit) {
         double scale = 1 / Math.sqrt(ray.dd);
         s.ox = -ray.dx * scale;

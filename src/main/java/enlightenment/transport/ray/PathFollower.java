@@ -13,6 +13,7 @@ import enlightenment.world.Tracer;
 import enlightenment.world.light.CompiledLight;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
+import enlightenment.world.surface.SurfaceInteraction;
 
 /**
  * Follows a path from event to event, through surfaces and media: says what comes next, and lets whoever shades decide what that is
@@ -22,16 +23,13 @@ public final class PathFollower {
     /** A line meets a primitive at most this often: a torus is of the fourth degree. */
     public static final int MAX_CROSSINGS = 4;
 
-    /** The id of no primitive. */
-    private static final int NOWHERE = -1;
-
     /** What a path comes to. */
     public enum Event {
         /** It leaves the scene. */
         NOTHING,
         /** {@link #light}. */
         LIGHT,
-        /** An opaque surface: {@link #id} at {@link #hit}. */
+        /** An opaque surface: {@link #at}. */
         SURFACE,
         /** Surfaces of glass, to be {@link #cross crossed}. */
         GLASS
@@ -42,10 +40,7 @@ public final class PathFollower {
     public final Poll poll;
 
     /** The surface that the path is at. */
-    public final Hit hit = new Hit();
-
-    /** The id of its primitive. */
-    public int id;
+    public final SurfaceInteraction at = new SurfaceInteraction();
 
     /** The light that the path came to. */
     public CompiledLight light;
@@ -133,7 +128,7 @@ public final class PathFollower {
         glass.begin(from.glass, isBeyond);
         begin(1);
         if (!isBeyond && from.glass.entersAtOnce()) {
-            glass.settle(ray, from.id);
+            glass.settle(ray, from.at.id);
         }
     }
 
@@ -154,9 +149,10 @@ public final class PathFollower {
 
     /** Follows the ray to what it meets next. */
     public Event next(Ray ray) {
-        id = glass.takeNext(hit);
-        tookNext = id >= 0;
-        if (id < 0) {
+        Hit hit = at.hit;
+        int struck = glass.takeNext(hit);
+        tookNext = struck >= 0;
+        if (!tookNext) {
             if (!(surfaces == 0 ? tracer.traceCamera(ray, hit) : tracer.trace(ray, hit))) {
                 return Event.NOTHING;
             }
@@ -165,19 +161,12 @@ public final class PathFollower {
                 key = Hash.mix(key + 1);
                 return Event.LIGHT;
             }
-            id = tracer.id;
+            struck = tracer.id;
         }
-        key = Hash.mix(key - 1 - id - ((long) hit.face << 32));
-        if (glass.arrive(ray, id, hit)) {
-            return Event.GLASS;
-        }
-        id = glass.id;
-        return Event.SURFACE;
-    }
-
-    /** The material of the surface that the path is at. */
-    public SurfaceMaterial material() {
-        return scene.material(id, hit.face);
+        key = Hash.mix(key - 1 - struck - ((long) hit.face << 32));
+        boolean isGlass = glass.arrive(ray, struck, hit);
+        at.arrive(scene, isGlass ? struck : glass.id);
+        return isGlass ? Event.GLASS : Event.SURFACE;
     }
 
     /** Writes the colour of that surface. */
@@ -189,6 +178,7 @@ public final class PathFollower {
         if (material.hasImage()) {
             counters.textureLookups++;
         }
+        Hit hit = at.hit;
         hit.primitive.textureCoordinates(hit);
         material.color(hit.u, hit.v, hit.primitive instanceof SpherePrimitive, rgb);
     }
@@ -235,7 +225,7 @@ public final class PathFollower {
 
     /** The opaque surface that the path is at, as a Bsdf wants it: with its colour, and without a direction to go on. */
     public Scattering arrive(Ray ray, double[] color) {
-        Optics.arrive(scattering, ray, hit);
+        Optics.arrive(scattering, ray, at);
         scattering.red = color[0];
         scattering.green = color[1];
         scattering.blue = color[2];
@@ -244,9 +234,9 @@ public final class PathFollower {
 
     /** Lets the ray leave that surface in the direction that was sampled. */
     public void leave(Ray ray, Scattering s) {
-        Optics.leave(ray, hit, s);
+        Optics.leave(ray, at.hit, s);
         glass.startOnAll(ray);
-        glass.settle(ray, id);
+        glass.settle(ray, at.id);
     }
 
     /**
@@ -255,9 +245,9 @@ public final class PathFollower {
      * @return the direction, and its density
      */
     public Scattering scatterMatte(Ray ray, double u, double v) {
-        scattering.nx = hit.nx * hit.side;
-        scattering.ny = hit.ny * hit.side;
-        scattering.nz = hit.nz * hit.side;
+        scattering.nx = at.nx;
+        scattering.ny = at.ny;
+        scattering.nz = at.nz;
         scattering.sampleMatte(u, v);
         leave(ray, scattering);
         return scattering;
@@ -265,7 +255,7 @@ public final class PathFollower {
 
     /** How far the ray went to what {@link #next} found: nowhere if that coincides with the glass that it left. */
     public double distance(Ray ray) {
-        return tookNext ? 0 : (hit.t - ray.tMin) * Math.sqrt(ray.dd);
+        return tookNext ? 0 : (at.hit.t - ray.tMin) * Math.sqrt(ray.dd);
     }
 
     /**
@@ -288,15 +278,10 @@ public final class PathFollower {
         s.ox = -ray.dx * scale;
         s.oy = -ray.dy * scale;
         s.oz = -ray.dz * scale;
-        hit.px = Math.fma(-length, s.ox, Math.fma(ray.tMin, ray.dx, ray.ox));
-        hit.py = Math.fma(-length, s.oy, Math.fma(ray.tMin, ray.dy, ray.oy));
-        hit.pz = Math.fma(-length, s.oz, Math.fma(ray.tMin, ray.dz, ray.oz));
-        hit.nx = 0;
-        hit.ny = 0;
-        hit.nz = 0;
-        hit.side = Ray.OUTSIDE;
-        hit.primitive = null;
-        id = NOWHERE;
+        at.arriveInMedium(
+                Math.fma(-length, s.ox, Math.fma(ray.tMin, ray.dx, ray.ox)),
+                Math.fma(-length, s.oy, Math.fma(ray.tMin, ray.dy, ray.oy)),
+                Math.fma(-length, s.oz, Math.fma(ray.tMin, ray.dz, ray.oz)));
         glass.leaveSurfaces();
     }
 
@@ -313,7 +298,7 @@ public final class PathFollower {
 
     /** How glass scatters where the path is at a rough border of two media, and where; null elsewhere. */
     public Bsdf roughBorder(Ray ray, Scattering s) {
-        return glass.roughBorder(ray, hit, s);
+        return glass.roughBorder(ray, at.hit, s);
     }
 
     /** How many scattering events it has had. */
@@ -337,7 +322,7 @@ public final class PathFollower {
      * @return whether it was transmitted
      */
     public boolean cross(Ray ray) {
-        boolean through = glass.cross(ray, hit);
+        boolean through = glass.cross(ray, at.hit);
         passedStraight = glass.passedStraight();
         key += through ? 1 : 0;
         return through;
@@ -350,7 +335,7 @@ public final class PathFollower {
      * @return whether it did
      */
     boolean passStraight(Ray ray, double[] rgb) {
-        double share = glass.passStraight(ray, hit);
+        double share = glass.passStraight(ray, at.hit);
         if (!(share > 0)) {
             return false;
         }
@@ -368,7 +353,7 @@ public final class PathFollower {
         for (int k = 0; k < glass.surfaces(); k++) {
             if (glass.filters(k, true)) {
                 turnTo(k);
-                color(material(), tint);
+                color(at.material, tint);
                 rgb[0] *= tint[0];
                 rgb[1] *= tint[1];
                 rgb[2] *= tint[2];
@@ -378,8 +363,8 @@ public final class PathFollower {
 
     /** Turns to one of the surfaces that coincide here. */
     public void turnTo(int k) {
-        id = glass.surface(k);
-        hit.set(glass.hitOf(k));
+        at.hit.set(glass.hitOf(k));
+        at.arrive(scene, glass.surface(k));
     }
 
     /**

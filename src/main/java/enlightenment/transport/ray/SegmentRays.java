@@ -35,7 +35,7 @@ public final class SegmentRays {
     /** From the vertex that a path is at. */
     public SegmentRays(CompiledScene scene, RayCounters counters, PathFollower path) {
         this.path = path;
-        hit = path.hit;
+        hit = path.at.hit;
         absorbs = scene.physical.hasAbsorption;
         walk = scene.physical.hasStraightGlass ? new PathFollower(scene, counters, Integer.MAX_VALUE) : null;
     }
@@ -96,7 +96,7 @@ public final class SegmentRays {
     }
 
     private boolean isEnd(double left) {
-        return endId >= 0 && path.tracer.isEnd(ray, left, walk.id, walk.hit, endId, endFace);
+        return endId >= 0 && path.tracer.isEnd(ray, left, walk.at.id, walk.at.hit, endId, endFace);
     }
 
     private void absorb(SurfaceMaterial medium, double distance) {

@@ -113,12 +113,12 @@ public final class ShadowWalk {
     }
 
     private double slack(PathFollower.Event event) {
-        boolean isBorder = event == PathFollower.Event.GLASS && scene.primitives[follower.id].isSolid();
+        boolean isBorder = event == PathFollower.Event.GLASS && scene.primitives[follower.at.id].isSolid();
         return event == PathFollower.Event.LIGHT || isBorder ? 0 : slack;
     }
 
     private boolean isOn(PhysicalLight light, Ray ray, double left) {
-        return light.hidesNothingOfItself && light.id == follower.id && light.face == follower.hit.face
-                || light.lyingOn().isEnd(ray, follower.id, follower.hit, left);
+        return light.hidesNothingOfItself && light.id == follower.at.id && light.face == follower.at.hit.face
+                || light.lyingOn().isEnd(ray, follower.at.id, follower.at.hit, left);
     }
 }

@@ -377,10 +377,10 @@ class BidirectionalWeightsTest {
 
         private double ofHit(PathVertices l, PathVertices e, int t) {
             EyeSubpath path = tracer.eye();
-            Vertex light = new Vertex(new Vec3(path.path.hit.px, path.path.hit.py, path.path.hit.pz));
+            Vertex light = new Vertex(new Vec3(path.path.at.hit.px, path.path.at.hit.py, path.path.at.hit.pz));
             Scattering at = path.s;
-            double cosine = path.path.hit.side * (at.ox * at.nx + at.oy * at.ny + at.oz * at.nz);
-            int index = scene.physical.lightOf(path.path.id, path.path.hit.face);
+            double cosine = path.path.at.hit.side * (at.ox * at.nx + at.oy * at.ny + at.oz * at.nz);
+            int index = scene.physical.lightOf(path.path.at.id, path.path.at.hit.face);
             // Its last vertex is the light itself.
             return hit(light, index, cosine, l, e, t);
         }

@@ -90,7 +90,7 @@ class NextEventSharesTest {
             double ofSample = PowerHeuristic.weight(s.pdf, sampled.density);
             assertTrue(path.goesOn());
             assertEquals(PathFollower.Event.SURFACE, path.next(ray));
-            int light = scene.physical.lightOf(path.id, path.hit.face);
+            int light = path.at.light;
             assertTrue(light >= 0);
             double ofHit = direct.weightOfHit(state, ray, light);
             assertEquals(1, ofSample + ofHit, 1e-6, () -> shape + " by " + sampled.density);

@@ -1,0 +1,69 @@
+package enlightenment.world.surface;
+
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.Ray;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.material.SurfaceMaterial;
+
+/**
+ * A surface where a path is: what a ray has met, as light transport sees it. All of it but the {@link #hit} is set by {@link #arrive}, the one
+ * place where hits become interactions. A mutable work object, one per path.
+ */
+public final class SurfaceInteraction {
+    /** No primitive: the path is in a medium. */
+    public static final int NOWHERE = -1;
+
+    /** No light: the surface emits nothing, or nothing that could be sampled. */
+    public static final int NO_LIGHT = -1;
+
+    /** Point, geometric normal (it points to the outside), side and face. Rays that leave the surface start there. */
+    public final Hit hit = new Hit();
+
+    /** The primitive's id; {@link #NOWHERE} in a medium. */
+    public int id = NOWHERE;
+
+    /** The material of the face; null in a medium. */
+    public SurfaceMaterial material;
+
+    /** The index of the light that the face is, or {@link #NO_LIGHT}. */
+    public int light = NO_LIGHT;
+
+    /** The unit shading normal on the side that the path came from; (0, 0, 0) in a medium. */
+    public double nx;
+
+    public double ny;
+    public double nz;
+
+    /** Completes the interaction once its hit is set. */
+    public void arrive(CompiledScene scene, int atId) {
+        id = atId;
+        material = scene.material(atId, hit.face);
+        light = material.glows && scene.physical != null ? scene.physical.lightOf(atId, hit.face) : NO_LIGHT;
+        nx = hit.nx * hit.side;
+        ny = hit.ny * hit.side;
+        nz = hit.nz * hit.side;
+    }
+
+    /** Places it at a point of a medium. */
+    public void arriveInMedium(double x, double y, double z) {
+        hit.px = x;
+        hit.py = y;
+        hit.pz = z;
+        hit.nx = 0;
+        hit.ny = 0;
+        hit.nz = 0;
+        hit.side = Ray.OUTSIDE;
+        hit.primitive = null;
+        id = NOWHERE;
+        material = null;
+        light = NO_LIGHT;
+        nx = 0;
+        ny = 0;
+        nz = 0;
+    }
+
+    /** Whether the surface emits light towards where the path came from. */
+    public boolean emits() {
+        return material.glows && material.glowsTo(hit.side);
+    }
+}

@@ -43,4 +43,28 @@ module enlightenment {
 
     opens enlightenment.cli to
             info.picocli;
+    opens enlightenment.cli.film to
+            info.picocli;
+    opens enlightenment.cli.input to
+            info.picocli;
+    opens enlightenment.cli.measure to
+            info.picocli;
+    opens enlightenment.cli.option to
+            info.picocli;
+    opens enlightenment.cli.picture to
+            info.picocli;
+    opens enlightenment.cli.progress to
+            info.picocli;
+    opens enlightenment.cli.render to
+            info.picocli;
+    opens enlightenment.cli.scene to
+            info.picocli;
+    opens enlightenment.cli.serve to
+            info.picocli;
+    opens enlightenment.cli.setting to
+            info.picocli;
+    opens enlightenment.cli.store to
+            info.picocli;
+    opens enlightenment.cli.terminal to
+            info.picocli;
 }

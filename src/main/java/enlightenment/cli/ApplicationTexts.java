@@ -1,5 +1,7 @@
 package enlightenment.cli;
 
+import enlightenment.cli.terminal.ShutdownSignal;
+import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.WholeFile;
 import java.io.IOException;
 import java.io.InputStream;

@@ -1,5 +1,7 @@
 package enlightenment.cli;
 
+import enlightenment.cli.terminal.ShutdownSignal;
+import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.WholeFile;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;

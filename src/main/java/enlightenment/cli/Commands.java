@@ -1,5 +1,25 @@
 package enlightenment.cli;
 
+import enlightenment.cli.film.AnimateCommand;
+import enlightenment.cli.input.Failures;
+import enlightenment.cli.measure.BenchCommand;
+import enlightenment.cli.measure.CompareCommand;
+import enlightenment.cli.measure.TradeCommand;
+import enlightenment.cli.option.FilePath;
+import enlightenment.cli.option.Subcommand;
+import enlightenment.cli.option.Typos;
+import enlightenment.cli.render.MergeCommand;
+import enlightenment.cli.render.RenderCommand;
+import enlightenment.cli.scene.ConvertCommand;
+import enlightenment.cli.scene.InspectCommand;
+import enlightenment.cli.scene.SchemaCommand;
+import enlightenment.cli.scene.ValidateCommand;
+import enlightenment.cli.serve.ServerCommand;
+import enlightenment.cli.serve.WorkerCommand;
+import enlightenment.cli.store.RenderStoreCommand;
+import enlightenment.cli.store.StoreExportCommand;
+import enlightenment.cli.store.StoreInfoCommand;
+import enlightenment.cli.terminal.Terminal;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import picocli.AutoComplete;

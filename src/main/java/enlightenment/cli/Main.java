@@ -1,5 +1,11 @@
 package enlightenment.cli;
 
+import enlightenment.cli.input.Failures;
+import enlightenment.cli.option.Subcommand;
+import enlightenment.cli.terminal.ExitCode;
+import enlightenment.cli.terminal.ShutdownSignal;
+import enlightenment.cli.terminal.Terminal;
+import enlightenment.cli.terminal.Version;
 import java.io.PrintStream;
 import java.util.Arrays;
 import java.util.Set;

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import enlightenment.cli.render.RenderCommand;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

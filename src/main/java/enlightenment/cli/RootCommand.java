@@ -1,5 +1,7 @@
 package enlightenment.cli;
 
+import enlightenment.cli.terminal.ExitCode;
+import enlightenment.cli.terminal.Version;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;

@@ -1,5 +1,9 @@
 package enlightenment.cli;
 
+import enlightenment.cli.option.Subcommand;
+import enlightenment.cli.terminal.CliException;
+import enlightenment.cli.terminal.ExitCode;
+import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.TemporaryFile;
 import enlightenment.file.WholeFile;
 import java.io.IOException;
@@ -31,7 +35,7 @@ final class SetupCommand extends Subcommand {
     }
 
     @Override
-    int execute() throws IOException {
+    protected int execute() throws IOException {
         String place = System.getProperty(ARCHIVE);
         if (place == null || place.isEmpty()) {
             throw CliException.failed("nothing to set up: only the launcher, bin/enlightenment, starts from an archive,"

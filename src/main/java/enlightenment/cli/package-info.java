@@ -1,2 +1,2 @@
-/** The command line: one class per command. Nothing else in Enlightenment prints or ends the process. */
+/** The command line: where it begins, and all commands by name. Nothing outside of these packages prints or ends the process. */
 package enlightenment.cli;

@@ -1,5 +1,24 @@
 package enlightenment.cli;
 
+import enlightenment.cli.input.Failures;
+import enlightenment.cli.input.FrameOption;
+import enlightenment.cli.input.SceneArgument;
+import enlightenment.cli.input.SceneFailures;
+import enlightenment.cli.input.SceneInput;
+import enlightenment.cli.option.CommandFiles;
+import enlightenment.cli.option.Subcommand;
+import enlightenment.cli.picture.PictureOutput;
+import enlightenment.cli.picture.PictureText;
+import enlightenment.cli.picture.ReportOutput;
+import enlightenment.cli.picture.RequestedError;
+import enlightenment.cli.picture.StoppedRender;
+import enlightenment.cli.progress.ProgressOption;
+import enlightenment.cli.setting.RenderOptions;
+import enlightenment.cli.setting.SettingsLine;
+import enlightenment.cli.terminal.CliException;
+import enlightenment.cli.terminal.ExitCode;
+import enlightenment.cli.terminal.ShutdownSignal;
+import enlightenment.cli.terminal.Terminal;
 import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
 import enlightenment.net.EngineJob;
@@ -76,7 +95,7 @@ public final class SparkCommand extends Subcommand {
     }
 
     @Override
-    int execute() throws IOException {
+    protected int execute() throws IOException {
         check();
         input = argument.open(terminal);
         Scene scene = frame.read(input);

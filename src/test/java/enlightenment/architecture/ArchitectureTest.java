@@ -114,7 +114,7 @@ class ArchitectureTest {
             .layer("measure")
             .definedBy("enlightenment.measure..")
             .layer("cli")
-            .definedBy("enlightenment.cli")
+            .definedBy("enlightenment.cli..")
             .whereLayer("cli")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("json output")
@@ -330,6 +330,72 @@ class ArchitectureTest {
             .whereLayer("protocol")
             .mayOnlyBeAccessedByLayers("job", "schedule", "worker", "server", "net");
 
+    /** The command line, from the terminal up to all commands: films know the options of servers, else no command knows another. */
+    @ArchTest
+    static final ArchRule aPackageOfTheCommandLineUsesOnlyPackagesAboveIt = Architectures.layeredArchitecture()
+            .consideringOnlyDependenciesInAnyPackage("enlightenment.cli..")
+            .layer("terminal")
+            .definedBy("enlightenment.cli.terminal")
+            .layer("option")
+            .definedBy("enlightenment.cli.option")
+            .layer("input")
+            .definedBy("enlightenment.cli.input")
+            .layer("setting")
+            .definedBy("enlightenment.cli.setting")
+            .layer("picture")
+            .definedBy("enlightenment.cli.picture")
+            .layer("progress")
+            .definedBy("enlightenment.cli.progress")
+            .layer("store")
+            .definedBy("enlightenment.cli.store")
+            .layer("serve")
+            .definedBy("enlightenment.cli.serve")
+            .layer("render")
+            .definedBy("enlightenment.cli.render")
+            .layer("film")
+            .definedBy("enlightenment.cli.film")
+            .layer("scene")
+            .definedBy("enlightenment.cli.scene")
+            .layer("measure")
+            .definedBy("enlightenment.cli.measure")
+            .layer("cli")
+            .definedBy("enlightenment.cli")
+            .whereLayer("cli")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("measure")
+            .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("scene")
+            .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("film")
+            .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("render")
+            .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("serve")
+            .mayOnlyBeAccessedByLayers("film", "cli")
+            .whereLayer("store")
+            .mayOnlyBeAccessedByLayers("serve", "render", "cli")
+            .whereLayer("progress")
+            .mayOnlyBeAccessedByLayers("serve", "render", "film", "measure")
+            .whereLayer("picture")
+            .mayOnlyBeAccessedByLayers("progress", "store", "serve", "render", "film", "measure")
+            .whereLayer("setting")
+            .mayOnlyBeAccessedByLayers("store", "serve", "render", "film", "scene", "measure")
+            .whereLayer("input")
+            .mayOnlyBeAccessedByLayers("setting", "progress", "serve", "render", "film", "scene", "measure", "cli")
+            .whereLayer("option")
+            .mayOnlyBeAccessedByLayers(
+                    "input",
+                    "setting",
+                    "picture",
+                    "progress",
+                    "store",
+                    "serve",
+                    "render",
+                    "film",
+                    "scene",
+                    "measure",
+                    "cli");
+
     /** So that whole renders can be simulated. */
     @ArchTest
     static final ArchRule whatDecidesWhoRendersWhatKnowsNoClockSocketOrThread = noClasses()
@@ -408,7 +474,7 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule onlyTheCommandLineSeesPicocliAndProgressBars = noClasses()
             .that()
-            .resideOutsideOfPackage("enlightenment.cli")
+            .resideOutsideOfPackage("enlightenment.cli..")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("picocli..", "me.tongfei..", "org.jline..");
@@ -416,7 +482,7 @@ class ArchitectureTest {
     @ArchTest
     static final ArchRule onlyTheCommandLinePrintsAndExits = noClasses()
             .that()
-            .resideOutsideOfPackage("enlightenment.cli")
+            .resideOutsideOfPackage("enlightenment.cli..")
             .should()
             .accessField(System.class, "out")
             .orShould()

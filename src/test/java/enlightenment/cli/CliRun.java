@@ -2,6 +2,8 @@ package enlightenment.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import enlightenment.cli.terminal.ShutdownSignal;
+import enlightenment.cli.terminal.Terminal;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -20,12 +22,12 @@ import java.util.stream.Stream;
  * @param out what it wrote to standard output
  * @param err what it wrote to standard error
  */
-record CliRun(int code, String out, String err) {
-    static CliRun of(Object... args) {
+public record CliRun(int code, String out, String err) {
+    public static CliRun of(Object... args) {
         return of(new ShutdownSignal(), args);
     }
 
-    static CliRun of(ShutdownSignal stop, Object... args) {
+    public static CliRun of(ShutdownSignal stop, Object... args) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         int code = Main.run(quiet(texts(args)), new Terminal(print(out), print(err), stop));
@@ -33,13 +35,13 @@ record CliRun(int code, String out, String err) {
     }
 
     /** Runs what makes a picture, its fourth word the file, and gives its bytes. */
-    static byte[] picture(Object... args) throws IOException {
+    public static byte[] picture(Object... args) throws IOException {
         CliRun run = of(args);
         assertEquals(0, run.code, run.err);
         return Files.readAllBytes((Path) args[3]);
     }
 
-    static String[] texts(Object... words) {
+    public static String[] texts(Object... words) {
         return Stream.of(words).map(Object::toString).toArray(String[]::new);
     }
 
@@ -60,21 +62,21 @@ record CliRun(int code, String out, String err) {
         return new PrintStream(bytes, true, StandardCharsets.UTF_8);
     }
 
-    List<String> errLines() {
+    public List<String> errLines() {
         return err.lines().toList();
     }
 
-    List<String> outLines() {
+    public List<String> outLines() {
         return out.lines().toList();
     }
 
     /** Writes a small scene: a ball above a floor. */
-    static Path scene(Path folder, String size) throws IOException {
+    public static Path scene(Path folder, String size) throws IOException {
         return Files.writeString(folder.resolve("scene.json"), sceneText(size));
     }
 
     /** A scene of two problems. */
-    static Path badScene(Path folder) throws IOException {
+    public static Path badScene(Path folder) throws IOException {
         String text = sceneText("\"width\": 8, \"height\": 8")
                 .replace("\"radius\": 1,", "\"radius\": -1,")
                 .replace("\"radius\": 0.5", "\"radios\": 0.5");

@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import enlightenment.cli.option.Subcommand;
+import enlightenment.cli.terminal.ShutdownSignal;
+import enlightenment.cli.terminal.Terminal;
 import enlightenment.process.JavaProcess;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

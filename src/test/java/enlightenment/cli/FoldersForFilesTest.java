@@ -3,6 +3,7 @@ package enlightenment.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import enlightenment.cli.terminal.ExitCode;
 import enlightenment.file.NamedPipe;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.cli.option.DecimalNumber;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.color.Tone;

@@ -3,6 +3,12 @@ package enlightenment.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.cli.option.OptionRule;
+import enlightenment.cli.option.OptionRules;
+import enlightenment.cli.option.Subcommand;
+import enlightenment.cli.serve.ServingOptions;
+import enlightenment.cli.terminal.ShutdownSignal;
+import enlightenment.cli.terminal.Terminal;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;

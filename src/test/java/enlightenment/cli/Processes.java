@@ -15,7 +15,7 @@ import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 
 /** Starts the command line as processes of their own, and kills what is left of them after each test. */
-final class Processes implements AfterEachCallback {
+public final class Processes implements AfterEachCallback {
     /** As long as anything may take. */
     private static final long PATIENCE_SECONDS = 300;
 
@@ -24,14 +24,14 @@ final class Processes implements AfterEachCallback {
     private final List<Running> started = new ArrayList<>();
 
     /** One that runs, or has run. What it says, to whichever of its outputs, is kept in a file. */
-    record Running(Process process, Path log) {
+    public record Running(Process process, Path log) {
         /** What it has said so far. */
-        String said() throws IOException {
+        public String said() throws IOException {
             return Files.readString(log);
         }
 
         /** Waits until it has come so far; fails if it ends before, or does not come so far. */
-        void until(String what, Callable<Boolean> isSo) throws Exception {
+        public void until(String what, Callable<Boolean> isSo) throws Exception {
             long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
             boolean goesOn = true;
             while (!isSo.call()) {
@@ -41,19 +41,19 @@ final class Processes implements AfterEachCallback {
             }
         }
 
-        void untilSaid(String words) throws Exception {
+        public void untilSaid(String words) throws Exception {
             until("it says " + words, () -> said().contains(words));
         }
 
         /** Kills it as {@code kill -9} does; whether there was somebody to kill. */
-        boolean kill() throws InterruptedException {
+        public boolean kill() throws InterruptedException {
             boolean isAlive = process.isAlive();
             process.destroyForcibly().waitFor();
             return isAlive;
         }
 
         /** Kills it once that is so, and a moment more has passed; whether there was somebody to kill. */
-        boolean killOnce(Callable<Boolean> isSo, long nanosMore) throws Exception {
+        public boolean killOnce(Callable<Boolean> isSo, long nanosMore) throws Exception {
             while (process.isAlive() && !isSo.call()) {
                 process.waitFor(PAUSE_MILLIS, TimeUnit.MILLISECONDS);
             }
@@ -62,7 +62,7 @@ final class Processes implements AfterEachCallback {
         }
 
         /** Waits until it ends by itself; what it has said. */
-        String ended(int code) throws IOException, InterruptedException {
+        public String ended(int code) throws IOException, InterruptedException {
             assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS), () -> log + " does not end");
             assertEquals(code, process.exitValue(), said());
             return said();
@@ -70,7 +70,7 @@ final class Processes implements AfterEachCallback {
     }
 
     /** Starts a command, which tells of its progress only where it is told to, and whose words are kept in the folder. */
-    Running start(Path folder, Object... args) throws IOException {
+    public Running start(Path folder, Object... args) throws IOException {
         Path log = folder.resolve("log-" + started.size());
         Process process = JavaProcess.of(Main.class, (Object[]) CliRun.quiet(CliRun.texts(args)))
                 .redirectErrorStream(true)

@@ -7,16 +7,16 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 
 /** For tests of commands: a small scene in a folder of its own, and where its picture goes. */
-abstract class SceneFixture {
+public abstract class SceneFixture {
     private final String size;
 
     @TempDir
-    Path folder;
+    protected Path folder;
 
-    Path scene;
-    Path picture;
+    protected Path scene;
+    protected Path picture;
 
-    SceneFixture(int width, int height) {
+    protected SceneFixture(int width, int height) {
         size = "\"width\": " + width + ", \"height\": " + height;
     }
 
@@ -27,12 +27,12 @@ abstract class SceneFixture {
     }
 
     /** The words of a command that makes the picture of the scene, with these after them. */
-    Object[] words(String command, Object... more) {
+    protected Object[] words(String command, Object... more) {
         return Stream.concat(Stream.of(command, scene, "-o", picture), Stream.of(more))
                 .toArray();
     }
 
-    CliRun render(Object... more) {
+    protected CliRun render(Object... more) {
         return CliRun.of(words("render", more));
     }
 }

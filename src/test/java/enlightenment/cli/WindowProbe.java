@@ -1,5 +1,7 @@
 package enlightenment.cli;
 
+import enlightenment.cli.terminal.ShutdownSignal;
+import enlightenment.cli.terminal.Terminal;
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.Point;

@@ -1,0 +1,40 @@
+package enlightenment.cli.film;
+
+import enlightenment.image.Image;
+import enlightenment.render.RenderProgress;
+import java.util.function.Supplier;
+
+/** Tells how a whole film gets on, frame by frame. */
+final class FilmProgress implements RenderProgress {
+    private final RenderProgress display;
+    private final int frames;
+    private int finished;
+
+    /** The length of a frame: the pixels of the first. */
+    private long length;
+
+    /** How much of the frame is done; what is rendered once more does not take it back. */
+    private long ofFrame;
+
+    /**
+     * @param display is told of pixels of the film
+     * @param frames how many will be rendered
+     */
+    FilmProgress(RenderProgress display, int frames) {
+        this.display = display;
+        this.frames = frames;
+    }
+
+    @Override
+    public void progress(long done, long total, Supplier<Image> soFar) {
+        length = length == 0 ? total : length;
+        ofFrame = Math.max(ofFrame, (long) ((double) done / total * length));
+        display.progress(finished * length + ofFrame, frames * length, soFar);
+    }
+
+    /** The frame is there. */
+    void frameFinished() {
+        finished++;
+        ofFrame = 0;
+    }
+}

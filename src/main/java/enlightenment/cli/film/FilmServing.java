@@ -1,0 +1,46 @@
+package enlightenment.cli.film;
+
+import enlightenment.cli.option.CommandFiles;
+import enlightenment.cli.serve.ServingOptions;
+import enlightenment.cli.terminal.Terminal;
+import enlightenment.net.FilmServer;
+import enlightenment.net.ServerOptions;
+import java.io.IOException;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** The options that have a film made with the help of workers. */
+final class FilmServing {
+    @Option(
+            names = "--server",
+            description =
+                    "render with the help of workers, as the command server does; the options from here on are for that")
+    private boolean server;
+
+    @Mixin
+    private ServingOptions serving = new ServingOptions();
+
+    FilmServing() {}
+
+    /** What the options ask for; null without {@code --server}. */
+    ServerOptions options(Terminal terminal) throws IOException {
+        return server ? serving.options(terminal).build() : null;
+    }
+
+    /** The options of a server. */
+    ServingOptions options() {
+        return serving;
+    }
+
+    /** Says which files the server reads and writes. */
+    void register(CommandFiles files) {
+        if (server) {
+            serving.register(files);
+        }
+    }
+
+    /** Tells where the server is. */
+    void announce(FilmServer started, Terminal terminal) throws IOException {
+        serving.announce(started.port(), started.pin(), started.statusPort(), terminal);
+    }
+}

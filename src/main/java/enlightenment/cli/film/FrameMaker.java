@@ -1,0 +1,33 @@
+package enlightenment.cli.film;
+
+import enlightenment.net.AuditReport;
+import enlightenment.render.RenderProgress;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+
+/** Makes frames of a film and writes them. */
+interface FrameMaker {
+    /** Hears of frames. */
+    @FunctionalInterface
+    interface Listener {
+        /**
+         * A frame is written; it may come again, and then counts as it is then.
+         *
+         * @param isFaulty whether it is not as exact as was asked, or not to be trusted
+         */
+        void written(int frame, boolean isFaulty);
+    }
+
+    /**
+     * Makes frames.
+     *
+     * @return whether all are there: false if the user wanted an end
+     */
+    boolean make(List<Integer> frames, RenderProgress display, Listener listener) throws IOException;
+
+    /** The audits of the frames that were made with workers; empty without. */
+    default Optional<AuditReport> audits() {
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,61 @@
+package enlightenment.cli.input;
+
+import enlightenment.cli.terminal.StandardStreams;
+import enlightenment.cli.terminal.Terminal;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.json.SceneReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/** Where a scene comes from: a file, or standard input, whose textures are relative to the working folder. */
+public final class SceneInput {
+    private final Path file;
+    private final Terminal terminal;
+
+    /** What standard input held, once it has been read. */
+    private byte[] bytes;
+
+    public SceneInput(Path file, Terminal terminal) {
+        this.file = file;
+        this.terminal = terminal;
+    }
+
+    /** What messages call it. */
+    public String name() {
+        return StandardStreams.isNamed(file) ? StandardStreams.INPUT : file.toString();
+    }
+
+    /**
+     * The scene at a frame, or as its own numbers say; may be read any number of times.
+     *
+     * @throws SceneException if it cannot be used
+     */
+    public Scene read(Optional<Integer> frame) {
+        if (StandardStreams.isNamed(file)) {
+            OptionalInt at = frame.map(OptionalInt::of).orElse(OptionalInt.empty());
+            return SceneReader.readBytes(bytes(), Path.of(""), StandardStreams.INPUT, at);
+        }
+        return frame.isPresent() ? SceneReader.read(file, frame.get()) : SceneReader.read(file);
+    }
+
+    /** The same problems with their lines and columns, where they had none. */
+    SceneException located(SceneException e) {
+        return StandardStreams.isNamed(file) ? SceneReader.located(e, bytes()) : SceneReader.located(e, file);
+    }
+
+    /** The size of the scene's text in bytes. */
+    public long size() throws IOException {
+        return StandardStreams.isNamed(file) ? bytes().length : Files.size(file);
+    }
+
+    private byte[] bytes() {
+        if (bytes == null) {
+            bytes = StandardStreams.readInput(terminal);
+        }
+        return bytes;
+    }
+}

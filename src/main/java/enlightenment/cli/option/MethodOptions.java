@@ -1,0 +1,107 @@
+package enlightenment.cli.option;
+
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.Method;
+import enlightenment.scene.MethodSetting;
+import enlightenment.scene.RenderSettings;
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.ISetter;
+import picocli.CommandLine.Model.OptionSpec;
+
+/** The options for settings that only some methods look at: one for each that the registry of methods tells of. */
+public final class MethodOptions {
+    private final List<Setter> setters = new ArrayList<>();
+    private final CommandSpec spec = CommandSpec.create();
+
+    public MethodOptions() {
+        for (MethodSetting setting : Method.settings(BuiltInMethod.ALL)) {
+            spec.addOption(option(setting));
+        }
+    }
+
+    /** The options of our own methods, to be mixed into a command. */
+    public CommandSpec spec() {
+        return spec;
+    }
+
+    /** Adds the options of methods from outside to the command into which the others were mixed. */
+    public void addOthers(CommandSpec command) {
+        for (MethodSetting setting : Method.settings(Method.all())) {
+            if (!command.optionsMap().containsKey(setting.option())) {
+                command.addOption(option(setting));
+            }
+        }
+    }
+
+    /** The same settings with those that were given. */
+    public RenderSettings applied(RenderSettings settings) {
+        RenderSettings s = settings;
+        for (Setter option : setters) {
+            s = option.value == null ? s : s.with(option.setting, option.value);
+        }
+        return s;
+    }
+
+    /** The options that were given, word by word. */
+    public List<String> given() {
+        List<String> words = new ArrayList<>();
+        for (Setter option : setters) {
+            if (option.value != null) {
+                words.addAll(List.of(option.setting.option(), option.value.toString()));
+            }
+        }
+        return words;
+    }
+
+    private OptionSpec option(MethodSetting setting) {
+        Setter setter = new Setter(setting);
+        setters.add(setter);
+        OptionSpec.Builder option = OptionSpec.builder(setting.option()).setter(setter);
+        if (setting instanceof MethodSetting.Whole whole) {
+            return option.paramLabel("N")
+                    .type(Integer.class)
+                    .converters(new Number(whole))
+                    .description(setting.description() + ", " + setting.range())
+                    .build();
+        }
+        Words words = new Words(((MethodSetting.Word) setting).words());
+        return option.paramLabel("KIND")
+                .type(String.class)
+                .converters(words)
+                .completionCandidates(words)
+                .description(setting.description() + ": " + setting.range())
+                .build();
+    }
+
+    /** What one option was given. */
+    private static final class Setter implements ISetter {
+        private final MethodSetting setting;
+        private Object value;
+
+        Setter(MethodSetting setting) {
+            this.setting = setting;
+        }
+
+        @Override
+        @SuppressWarnings("unchecked") // picocli's T is whatever was set before
+        public <T> T set(T now) {
+            T before = (T) value;
+            value = now;
+            return before;
+        }
+    }
+
+    private static final class Number extends WholeNumber {
+        Number(MethodSetting.Whole setting) {
+            super(setting.min(), setting.max());
+        }
+    }
+
+    private static final class Words extends WordOption<String> {
+        Words(List<String> words) {
+            super(words);
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package enlightenment.cli.picture;
+
+import enlightenment.cli.option.CommandFiles;
+import enlightenment.cli.terminal.CliException;
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.ImageFormat;
+import enlightenment.image.PngOptions;
+import enlightenment.render.Auxiliary;
+import enlightenment.render.AuxiliaryPicture;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Scene;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+
+/** The further files beside a picture, {@code out.error.png} beside {@code out.png}. */
+public final class AovFiles {
+    private final Map<Auxiliary, Path> files = new EnumMap<>(Auxiliary.class);
+
+    /** Fails for what a scene's shading does not have. */
+    public void check(Scene scene) {
+        List<String> words = files.keySet().stream()
+                .filter(Auxiliary::needsPaths)
+                .map(Auxiliary::word)
+                .toList();
+        if (!words.isEmpty() && !(scene.shading() instanceof PhysicalShading)) {
+            throw CliException.wrongUsage("--aov " + String.join(",", words)
+                    + " is for physical shading: classic shading does not tell it apart");
+        }
+    }
+
+    /** @param picture the picture's file, with the extension of an image format if any kind is asked for */
+    public AovFiles(AovSet kinds, Path picture) {
+        kinds.kinds().forEach(kind -> files.put(kind, beside(picture, kind.word())));
+    }
+
+    private static Path beside(Path picture, String word) {
+        String name = picture.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        return picture.resolveSibling(name.substring(0, dot) + "." + word + name.substring(dot));
+    }
+
+    /** The files that will be written. */
+    public Collection<Path> files() {
+        return Collections.unmodifiableCollection(files.values());
+    }
+
+    /** Says which files will be written. */
+    public void register(CommandFiles outputs) {
+        files.forEach((kind, file) -> outputs.writes("--aov " + kind.word(), file));
+    }
+
+    /**
+     * Writes all of them: raw numbers where the format holds floats, else pictures to look at.
+     *
+     * @param numbers what the render gave
+     * @param shown the picture as it is shown: parts of its light are shown likewise
+     */
+    public void write(Map<Auxiliary, Image> numbers, Image shown, PngOptions options) throws IOException {
+        for (Map.Entry<Auxiliary, Path> e : files.entrySet()) {
+            Image raw = numbers.get(e.getKey());
+            if (ImageFormat.ofExtension(e.getValue()).orElseThrow().holdsFloats()) {
+                ImageFiles.write(raw, e.getValue(), options);
+            } else {
+                Image likewise = raw.encoding() == Encoding.LINEAR ? raw.withCurve(shown.curve()) : raw;
+                AuxiliaryPicture picture = AuxiliaryPicture.of(e.getKey(), likewise);
+                ImageFiles.write(picture.image(), e.getValue(), options.withText("Comment", picture.explanation()));
+            }
+        }
+    }
+}

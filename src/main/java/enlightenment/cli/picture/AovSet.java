@@ -1,0 +1,51 @@
+package enlightenment.cli.picture;
+
+import enlightenment.cli.option.BadValue;
+import enlightenment.cli.option.WordOption;
+import enlightenment.render.Auxiliary;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import picocli.CommandLine.ITypeConverter;
+
+/** The further pictures that are asked for beside the picture, in the order of {@link Auxiliary}. */
+public record AovSet(Set<Auxiliary> kinds) {
+    public static final AovSet EMPTY = new AovSet(Set.of());
+
+    /** As it is typed. picocli asks for it at each start, and Java would take longer to make a record's own. */
+    @Override
+    public String toString() {
+        List<String> words = new ArrayList<>();
+        kinds.forEach(kind -> words.add(kind.word()));
+        return String.join(",", words);
+    }
+
+    /** Reads words with commas between them. */
+    public static final class Converter implements ITypeConverter<AovSet> {
+        @Override
+        public AovSet convert(String text) {
+            Words words = new Words();
+            Set<Auxiliary> kinds = EnumSet.noneOf(Auxiliary.class);
+            for (String word : text.split(",", -1)) {
+                if (!kinds.add(words.convert(word))) {
+                    throw new BadValue("names " + word + " twice");
+                }
+            }
+            return new AovSet(Collections.unmodifiableSet(kinds));
+        }
+    }
+
+    /** One of the words. */
+    public static final class Words extends WordOption<Auxiliary> {
+        Words() {
+            super(List.of(Auxiliary.values()));
+        }
+
+        @Override
+        protected String word(Auxiliary kind) {
+            return kind.word();
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** The commands for scene files that render nothing. */
+package enlightenment.cli.scene;

@@ -1,0 +1,41 @@
+package enlightenment.cli.store;
+
+import enlightenment.cli.terminal.Terminal;
+import enlightenment.file.FileFailure;
+import enlightenment.render.ResultArchive;
+import java.io.Closeable;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The archives of a render, which are closed together; one that cannot be does not cost the picture. */
+public final class ArchiveList implements Closeable {
+    private final List<ResultArchive> all = new ArrayList<>();
+    private final Terminal terminal;
+
+    public ArchiveList(Terminal terminal) {
+        this.terminal = terminal;
+    }
+
+    public void add(ResultArchive archive) {
+        all.add(archive);
+    }
+
+    public List<ResultArchive> all() {
+        return List.copyOf(all);
+    }
+
+    @Override
+    public void close() {
+        for (ResultArchive archive : all) {
+            try {
+                archive.close();
+            } catch (IOException e) {
+                terminal.say(archive.name() + ": " + FileFailure.described(e));
+            } catch (RuntimeException e) {
+                // The picture is not written yet.
+                terminal.say(archive.name() + ": " + e);
+            }
+        }
+    }
+}

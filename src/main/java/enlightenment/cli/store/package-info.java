@@ -1,0 +1,2 @@
+/** The commands and options for renders in databases. */
+package enlightenment.cli.store;

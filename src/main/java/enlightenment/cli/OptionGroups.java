@@ -1,6 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.cli.render.RenderCommand;
+import enlightenment.scene.CommonSettings;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -29,7 +30,9 @@ final class OptionGroups {
                         "--preview",
                         "--threads",
                         "--help"));
-        RENDER.put("Picture", List.of("--crop", "--frame", "--antialias", "--seed"));
+        List<String> picture = new ArrayList<>(List.of("--crop", "--frame", "--antialias"));
+        CommonSettings.ALL.forEach(setting -> picture.add(setting.option()));
+        RENDER.put("Picture", picture);
         RENDER.put("Method", List.of("--shadow-samples", "--proposal", "--large-steps", "--mutations"));
         RENDER.put(
                 "Output",

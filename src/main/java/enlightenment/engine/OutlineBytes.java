@@ -7,6 +7,7 @@ import enlightenment.film.SplatScale;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
 import enlightenment.scene.ChosenSettings;
+import enlightenment.scene.CommonSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
@@ -61,20 +62,26 @@ public final class OutlineBytes {
     }
 
     /**
-     * The settings that have an influence on the pictures of the method in use, as a list of keys and values, so that a reader that
-     * does not know the method can go on behind them.
+     * The settings that have an influence on the pictures of the method in use, but for the seed, as a list of keys and values, so
+     * that a reader that does not know the method can go on behind them.
      */
     private static List<String> chosen(RenderSettings s) {
         List<String> texts = new ArrayList<>();
-        for (MethodSetting setting : Method.influences(s.method())) {
+        for (MethodSetting setting : listed(s.method())) {
             texts.addAll(List.of(setting.key(), s.chosen().value(setting).toString()));
         }
         return texts;
     }
 
-    private static ChosenSettings chosen(Method method, List<String> texts) {
-        ChosenSettings chosen = ChosenSettings.NONE;
-        List<MethodSetting> settings = Method.influences(method);
+    private static List<MethodSetting> listed(Method method) {
+        List<MethodSetting> listed = new ArrayList<>(Method.influences(method));
+        CommonSettings.ALL.stream().filter(s -> s != CommonSettings.SEED).forEach(listed::add);
+        return listed;
+    }
+
+    private static ChosenSettings chosen(long seed, Method method, List<String> texts) {
+        ChosenSettings chosen = ChosenSettings.NONE.with(CommonSettings.SEED, seed);
+        List<MethodSetting> settings = listed(method);
         if (texts.size() != 2 * settings.size()) {
             throw new IllegalArgumentException(
                     method.word() + " has " + settings.size() + " settings, not these: " + texts);
@@ -85,8 +92,8 @@ public final class OutlineBytes {
                 throw new IllegalArgumentException("the setting " + setting.key() + " is missing: " + texts);
             }
             String value = texts.get(2 * i + 1);
-            chosen = chosen.with(
-                    setting, setting instanceof MethodSetting.Whole ? (Object) Integer.valueOf(value) : value);
+            chosen =
+                    chosen.with(setting, setting instanceof MethodSetting.Whole ? (Object) Long.valueOf(value) : value);
         }
         return chosen;
     }
@@ -121,9 +128,8 @@ public final class OutlineBytes {
                 height,
                 cropped ? Optional.of(region) : Optional.empty(),
                 antialias,
-                seed,
                 budget,
-                chosen(method, readTexts(in)),
+                chosen(seed, method, readTexts(in)),
                 threads,
                 in.readInt());
         return new Decided(

@@ -1,6 +1,7 @@
 package enlightenment.job;
 
 import enlightenment.file.ContentHash;
+import enlightenment.scene.CommonSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
@@ -38,10 +39,9 @@ public record RenderIdentity(ContentHash scene, String settings, String build) {
         words.add("method " + settings.method().word());
         words.add("size " + settings.width() + "x" + settings.height());
         settings.crop().ifPresent(c -> words.add("crop " + c.x() + " " + c.y() + " " + c.width() + " " + c.height()));
-        words.add("seed " + settings.seed());
-        for (MethodSetting setting : Method.influences(settings.method())) {
-            words.add(setting.key() + " " + settings.chosen().value(setting));
-        }
+        List<MethodSetting> all = new ArrayList<>(CommonSettings.ALL);
+        all.addAll(Method.influences(settings.method()));
+        all.forEach(setting -> words.add(setting.key() + " " + settings.chosen().value(setting)));
         return new RenderIdentity(scene, String.join(BETWEEN, words), build);
     }
 

@@ -161,7 +161,6 @@ final class TradeFolder {
         Method.settings(methods)
                 .forEach(s -> lines.add(s.key() + "=" + base.chosen().value(s)));
         lines.addAll(List.of(
-                "seed=" + base.seed(),
                 "threads=" + base.threads(),
                 "reference="
                         + settings.reference()

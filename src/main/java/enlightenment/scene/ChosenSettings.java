@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What was chosen of the settings that only some methods look at, whichever method is in use: a scene may choose for one method
- * and the command line take another, or compare several. What is not chosen has its default, and to choose the default is to
+ * What was chosen of the settings of all methods, whichever is in use, and of the {@link CommonSettings}: a scene may choose for
+ * one method and the command line take another, or compare several. What is not chosen has its default, and to choose the default is to
  * choose nothing: so two of these are equal if every method renders the same with both. Immutable.
  */
 public final class ChosenSettings {
@@ -29,9 +29,13 @@ public final class ChosenSettings {
         return values.getOrDefault(setting.key(), setting.usual());
     }
 
-    /** The value of a whole number. */
+    /**
+     * The value of a whole number.
+     *
+     * @throws ArithmeticException if it is none of 32 bits
+     */
     public int whole(MethodSetting.Whole setting) {
-        return setting.checked(value(setting));
+        return Math.toIntExact(setting.checked(value(setting)));
     }
 
     /** The value of a word. */
@@ -39,7 +43,7 @@ public final class ChosenSettings {
         return setting.checked(value(setting));
     }
 
-    /** The values that are not defaults, by the keys of their settings: whole numbers are Integer, words are String. */
+    /** The values that are not defaults, by the keys of their settings: whole numbers are Long, words are String. */
     public Map<String, Object> values() {
         return values;
     }
@@ -50,12 +54,12 @@ public final class ChosenSettings {
      * @throws enlightenment.math.InvalidValueException (key {@link MethodSetting#key}) if it may not have it
      */
     public ChosenSettings with(MethodSetting setting, Object value) {
-        setting.checked(value);
+        Object checked = setting.checked(value);
         TreeMap<String, Object> changed = new TreeMap<>(values);
-        if (value.equals(setting.usual())) {
+        if (checked.equals(setting.usual())) {
             changed.remove(setting.key());
         } else {
-            changed.put(setting.key(), value);
+            changed.put(setting.key(), checked);
         }
         return new ChosenSettings(Collections.unmodifiableMap(changed));
     }

@@ -112,8 +112,14 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
         return method.get();
     }
 
-    /** The settings of these methods, each once although several may have it, in order. */
+    /** The settings of these methods, each once although several may have it, in order; then those that all have in common. */
     static List<MethodSetting> settings(List<? extends Method> methods) {
+        List<MethodSetting> settings = new ArrayList<>(own(methods));
+        settings.addAll(CommonSettings.ALL);
+        return List.copyOf(settings);
+    }
+
+    private static List<MethodSetting> own(List<? extends Method> methods) {
         // By key, which settles it: to compare records takes a hundred classes more to start.
         Map<String, MethodSetting> settings = new LinkedHashMap<>();
         for (Method method : methods) {
@@ -125,12 +131,12 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
     }
 
     /**
-     * The settings that have an influence on a method's pictures: its own, and those of what stands in for it where samples are
-     * few.
+     * The settings that have an influence on a method's pictures, beside those that all have in common: its own, and those of what
+     * stands in for it where samples are few.
      */
     static List<MethodSetting> influences(Method method) {
         Optional<Method> standIn = method.standIn();
-        return settings(standIn.isPresent() ? List.of(method, standIn.get()) : List.of(method));
+        return own(standIn.isPresent() ? List.of(method, standIn.get()) : List.of(method));
     }
 
     /** Whether a method can render a scene, all of what it asks for. */

@@ -25,7 +25,8 @@ public abstract non-sealed class MethodExtension implements Method {
      * @param kind as {@link Method#kind}
      * @param shadings as {@link Method#shadings}
      * @param settings as {@link Method#settings}
-     * @throws IllegalArgumentException if the word is none, or nothing can be rendered
+     * @throws IllegalArgumentException if the word is none, nothing can be rendered, or a setting is called as one of
+     *     {@link CommonSettings}
      */
     protected MethodExtension(
             String word, String description, Kind kind, Set<Shading.Model> shadings, List<MethodSetting> settings) {
@@ -38,6 +39,11 @@ public abstract non-sealed class MethodExtension implements Method {
         this.kind = Objects.requireNonNull(kind, "kind");
         this.shadings = Set.copyOf(shadings);
         this.settings = List.copyOf(settings);
+        for (MethodSetting setting : settings) {
+            if (CommonSettings.has(setting.key())) {
+                throw new IllegalArgumentException("all methods have the setting " + setting.key());
+            }
+        }
     }
 
     @Override

@@ -6,8 +6,8 @@ import java.util.Locale;
 import java.util.Objects;
 
 /**
- * A setting that only some methods look at: what it is called, and which values it may have. In scene files it is a key of the
- * render part, on the command line an option.
+ * A setting of some methods, or of all ({@link CommonSettings}): what it is called, and which values it may have. In scene files it
+ * is a key of the render part, on the command line an option.
  */
 public sealed interface MethodSetting permits MethodSetting.Whole, MethodSetting.Word {
     /** The key in scene files and reports: letters and digits, a small letter first. It must be none of the render part's own. */
@@ -20,7 +20,7 @@ public sealed interface MethodSetting permits MethodSetting.Whole, MethodSetting
     Object usual();
 
     /**
-     * A value that it may have, as it is.
+     * A value that it may have, as {@link ChosenSettings#values} has it.
      *
      * @throws enlightenment.math.InvalidValueException (key {@link #key}) if it may not
      */
@@ -36,8 +36,7 @@ public sealed interface MethodSetting permits MethodSetting.Whole, MethodSetting
 
     private static void checkKey(String key, String description) {
         Objects.requireNonNull(description, "description");
-        if (!key.matches("[a-z][A-Za-z0-9]*")
-                || List.of("method", "antialias", "seed").contains(key)) {
+        if (!key.matches("[a-z][A-Za-z0-9]*") || List.of("method", "antialias").contains(key)) {
             throw new IllegalArgumentException(
                     "a setting needs a key of letters and digits of its own, not \"" + key + "\"");
         }
@@ -52,7 +51,7 @@ public sealed interface MethodSetting permits MethodSetting.Whole, MethodSetting
      * @param usualValue the value where none is chosen
      * @param description as {@link MethodSetting#description}
      */
-    record Whole(String key, int min, int max, int usualValue, String description) implements MethodSetting {
+    record Whole(String key, long min, long max, long usualValue, String description) implements MethodSetting {
         /** Checks that the default lies in the range. */
         public Whole {
             checkKey(key, description);
@@ -62,23 +61,27 @@ public sealed interface MethodSetting permits MethodSetting.Whole, MethodSetting
         }
 
         @Override
-        public Integer usual() {
+        public Long usual() {
             return usualValue;
         }
 
         @Override
-        public Integer checked(Object value) {
-            Check.that(
-                    value instanceof Integer i && i >= min && i <= max,
-                    key,
-                    "must lie in " + range() + ", not " + value);
-            return (Integer) value;
+        public Long checked(Object value) {
+            boolean isWhole = value instanceof Integer || value instanceof Long;
+            long number = isWhole ? ((Number) value).longValue() : 0;
+            Check.that(isWhole && number >= min && number <= max, key, "must lie in " + limits() + ", not " + value);
+            return number;
         }
 
         /** {@code min..max}. */
+        public String limits() {
+            return min + ".." + max;
+        }
+
+        /** The {@link #limits}, in words if every number of 64 bits lies in them. */
         @Override
         public String range() {
-            return min + ".." + max;
+            return min == Long.MIN_VALUE && max == Long.MAX_VALUE ? "any 64-bit whole number" : limits();
         }
     }
 

@@ -8,15 +8,14 @@ import java.util.Objects;
  *
  * @param method which samples are taken, {@link Method#RAYTRACE} unless given
  * @param antialias n for n × n positions per pixel, 1..256
- * @param chosen what the scene says of the settings that only some methods look at; not only of those of its own method
- * @param seed what all random numbers are derived from
+ * @param chosen what the scene says of all other settings; not only of those of its own method
  */
-public record RenderDefaults(Method method, int antialias, ChosenSettings chosen, long seed) {
+public record RenderDefaults(Method method, int antialias, ChosenSettings chosen) {
     /** The largest n for n × n positions per pixel. */
     public static final int MAX_ANTIALIAS = 256;
 
     /** What a scene asks for that says nothing. */
-    public static final RenderDefaults DEFAULT = new RenderDefaults(Method.RAYTRACE, 4, ChosenSettings.NONE, 0);
+    public static final RenderDefaults DEFAULT = new RenderDefaults(Method.RAYTRACE, 4, ChosenSettings.NONE);
 
     /**
      * Checks the ranges.

@@ -13,9 +13,8 @@ import java.util.Optional;
  * @param height height of the whole picture in pixels
  * @param crop the part to render; its pixels are the same as in the whole picture
  * @param antialias n for n × n positions per pixel, 1..256
- * @param seed what all random numbers are derived from
  * @param budget what ends the render, if not the number of positions
- * @param chosen the settings that only some methods look at, of any method: {@link RayTraceSettings#of} and its like tell one's
+ * @param chosen the {@link CommonSettings}, and those of methods, any of them: {@link RayTraceSettings#of} and its like tell one's
  * @param threads how many threads share the work, 1..4096; has no influence on the picture
  * @param tileSize side of the square tiles in pixels that the work is cut into, at least 1; has no influence on the picture
  */
@@ -25,7 +24,6 @@ public record RenderSettings(
         int height,
         Optional<Crop> crop,
         int antialias,
-        long seed,
         Budget budget,
         ChosenSettings chosen,
         int threads,
@@ -75,7 +73,7 @@ public record RenderSettings(
                             + c.width + "," + c.height);
         }
         // One place knows the limits.
-        new RenderDefaults(method, antialias, chosen, seed);
+        new RenderDefaults(method, antialias, chosen);
         Check.that(
                 threads >= 1 && threads <= MAX_THREADS,
                 "threads",
@@ -92,7 +90,6 @@ public record RenderSettings(
                 scene.height(),
                 Optional.empty(),
                 d.antialias(),
-                d.seed(),
                 Budget.NONE,
                 d.chosen(),
                 Runtime.getRuntime().availableProcessors(),
@@ -129,7 +126,7 @@ public record RenderSettings(
         return toBuilder().with(value).build();
     }
 
-    /** The same settings with another value of a setting that only some methods look at. */
+    /** The same settings with another value of one that some methods have, or all. */
     public RenderSettings with(MethodSetting setting, Object value) {
         return toBuilder().chosen(chosen.with(setting, value)).build();
     }
@@ -139,9 +136,14 @@ public record RenderSettings(
         return toBuilder().method(value.method()).with(value).build();
     }
 
+    /** What all random numbers are derived from. */
+    public long seed() {
+        return (Long) chosen.value(CommonSettings.SEED);
+    }
+
     /** The same settings with other random numbers. */
     public RenderSettings withSeed(long value) {
-        return toBuilder().seed(value).build();
+        return with(CommonSettings.SEED, value);
     }
 
     /** The same settings with another budget. */
@@ -171,7 +173,6 @@ public record RenderSettings(
         private int height;
         private Optional<Crop> crop;
         private int antialias;
-        private long seed;
         private Budget budget;
         private ChosenSettings chosen;
         private int threads;
@@ -183,7 +184,6 @@ public record RenderSettings(
             height = s.height;
             crop = s.crop;
             antialias = s.antialias;
-            seed = s.seed;
             budget = s.budget;
             chosen = s.chosen;
             threads = s.threads;
@@ -223,7 +223,7 @@ public record RenderSettings(
 
         /** Sets {@link RenderSettings#seed}. */
         public Builder seed(long value) {
-            seed = value;
+            chosen = chosen.with(CommonSettings.SEED, value);
             return this;
         }
 
@@ -263,7 +263,7 @@ public record RenderSettings(
          * @throws enlightenment.math.InvalidValueException if one is out of its range, or the crop not inside the picture
          */
         public RenderSettings build() {
-            return new RenderSettings(method, width, height, crop, antialias, seed, budget, chosen, threads, tileSize);
+            return new RenderSettings(method, width, height, crop, antialias, budget, chosen, threads, tileSize);
         }
     }
 }

@@ -10,7 +10,9 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.ClusterSettings;
+import enlightenment.scene.CommonSettings;
 import enlightenment.scene.Method;
+import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -50,6 +52,20 @@ class OutlineBytesTest {
         assertEquals(s, again(bytes(s)));
         s = SETTINGS.using(new ToyMethod.Settings(5, "square"));
         assertEquals(s, again(bytes(s)));
+    }
+
+    @Test
+    void theSettingsThatAllMethodsHaveArrive() throws IOException {
+        RenderSettings s = SETTINGS;
+        for (MethodSetting setting : CommonSettings.ALL) {
+            s = s.with(
+                    setting, setting instanceof MethodSetting.Whole w ? w.max() : last((MethodSetting.Word) setting));
+            assertEquals(s, again(bytes(s)));
+        }
+    }
+
+    private static Object last(MethodSetting.Word setting) {
+        return setting.words().get(setting.words().size() - 1);
     }
 
     /** Statistics show them as they are, of files from anybody too. */

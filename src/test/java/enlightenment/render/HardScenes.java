@@ -58,7 +58,7 @@ final class HardScenes {
                 .size(WIDTH, HEIGHT)
                 .camera(new Camera.Orthographic(
                         ExactPoint.of(0, 0, -10), ExactPoint.of(0, 0, 0), new Vec3(0.2, 1, 0), 2))
-                .render(new RenderDefaults(Method.RAYTRACE, 1, ChosenSettings.of(new RayTraceSettings(1)), 0));
+                .render(new RenderDefaults(Method.RAYTRACE, 1, ChosenSettings.of(new RayTraceSettings(1))));
         switch (name) {
             case "slats" -> slats(b.light(LAMP), 0.0191, 0.4);
             case "screen" -> screen(b);

@@ -93,7 +93,7 @@ class MethodTest {
     @Test
     void toChooseTheDefaultIsToChooseNothing() {
         ChosenSettings three = ChosenSettings.of(new RayTraceSettings(3));
-        assertEquals(Map.of("shadowSamples", 3), three.values());
+        assertEquals(Map.of("shadowSamples", 3L), three.values());
         assertNotEquals(ChosenSettings.NONE, three);
         assertEquals(ChosenSettings.NONE, three.with(new RayTraceSettings(10)));
         assertEquals(
@@ -158,6 +158,11 @@ class MethodTest {
         assertThrows(
                 IllegalStateException.class, () -> Extensions.requireDistinct(like("other", wider), Method.RAYTRACE));
         assertThrows(IllegalArgumentException.class, () -> like("Other Method", own));
-        assertThrows(IllegalArgumentException.class, () -> new MethodSetting.Whole("seed", 0, 1, 0, "reserved"));
+        assertThrows(IllegalArgumentException.class, () -> new MethodSetting.Whole("antialias", 0, 1, 0, "reserved"));
+        for (MethodSetting common : CommonSettings.ALL) {
+            assertThrows(IllegalArgumentException.class, () -> like("other", common), common.key());
+            MethodSetting namesake = new MethodSetting.Whole(common.key(), 0, 1, 0, "reserved");
+            assertThrows(IllegalArgumentException.class, () -> like("other", namesake), common.key());
+        }
     }
 }

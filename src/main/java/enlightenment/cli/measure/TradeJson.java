@@ -1,5 +1,6 @@
 package enlightenment.cli.measure;
 
+import enlightenment.cli.picture.ReportJson;
 import enlightenment.cli.terminal.Version;
 import enlightenment.json.JsonText;
 import enlightenment.measure.analysis.Configuration;
@@ -164,7 +165,7 @@ final class TradeJson {
         json.writeNumberProperty("height", s.region().height());
         json.writeNumberProperty("antialias", s.antialias());
         json.writeNumberProperty("shadowSamples", RayTraceSettings.of(s).shadowSamples());
-        json.writeNumberProperty("seed", s.seed());
+        ReportJson.common(json, s);
         json.writeNumberProperty("threads", s.threads());
         json.writeEndObject();
     }

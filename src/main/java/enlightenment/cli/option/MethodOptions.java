@@ -1,16 +1,18 @@
 package enlightenment.cli.option;
 
+import enlightenment.math.InvalidValueException;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.ISetter;
 import picocli.CommandLine.Model.OptionSpec;
 
-/** The options for settings that only some methods look at: one for each that the registry of methods tells of. */
+/** The options for settings of some methods or of all: one for each that the registry of methods tells of. */
 public final class MethodOptions {
     private final List<Setter> setters = new ArrayList<>();
     private final CommandSpec spec = CommandSpec.create();
@@ -61,7 +63,7 @@ public final class MethodOptions {
         OptionSpec.Builder option = OptionSpec.builder(setting.option()).setter(setter);
         if (setting instanceof MethodSetting.Whole whole) {
             return option.paramLabel("N")
-                    .type(Integer.class)
+                    .type(Long.class)
                     .converters(new Number(whole))
                     .description(setting.description() + ", " + setting.range())
                     .build();
@@ -93,9 +95,14 @@ public final class MethodOptions {
         }
     }
 
-    private static final class Number extends WholeNumber {
-        Number(MethodSetting.Whole setting) {
-            super(setting.min(), setting.max());
+    private record Number(MethodSetting.Whole setting) implements ITypeConverter<Long> {
+        @Override
+        public Long convert(String text) {
+            try {
+                return setting.checked(Long.valueOf(text));
+            } catch (NumberFormatException | InvalidValueException e) {
+                throw BadValue.expected("a whole number in " + setting.limits(), text);
+            }
         }
     }
 

@@ -5,10 +5,12 @@ import enlightenment.json.JsonText;
 import enlightenment.net.AuditReport;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
+import enlightenment.scene.CommonSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.MethodSetting;
 import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RenderSettings;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import tools.jackson.core.JsonGenerator;
@@ -78,7 +80,7 @@ public final class ReportJson {
         }
         json.writeNumberProperty("antialias", s.antialias());
         numbers(json, s);
-        json.writeNumberProperty("seed", s.seed());
+        common(json, s);
         s.budget().samples().ifPresent(n -> json.writeNumberProperty("samples", n));
         s.budget().error().ifPresent(e -> json.writeNumberProperty("error", e));
         s.budget().seconds().ifPresent(t -> json.writeNumberProperty("time", t));
@@ -87,20 +89,34 @@ public final class ReportJson {
         json.writeEndObject();
     }
 
+    /** The settings that all methods have. */
+    public static void common(JsonGenerator json, RenderSettings s) {
+        numbers(json, s, CommonSettings.ALL);
+        words(json, s, CommonSettings.ALL);
+    }
+
     /** The whole numbers among the settings that have an influence with the method in use. */
     public static void numbers(JsonGenerator json, RenderSettings s) {
-        for (MethodSetting setting : Method.influences(s.method())) {
+        numbers(json, s, Method.influences(s.method()));
+    }
+
+    private static void numbers(JsonGenerator json, RenderSettings s, List<MethodSetting> settings) {
+        for (MethodSetting setting : settings) {
             if (setting instanceof MethodSetting.Whole whole) {
-                json.writeNumberProperty(setting.key(), s.chosen().whole(whole));
+                json.writeNumberProperty(whole.key(), whole.checked(s.chosen().value(whole)));
             }
         }
     }
 
     /** The words among them. */
     public static void words(JsonGenerator json, RenderSettings s) {
-        for (MethodSetting setting : Method.influences(s.method())) {
+        words(json, s, Method.influences(s.method()));
+    }
+
+    private static void words(JsonGenerator json, RenderSettings s, List<MethodSetting> settings) {
+        for (MethodSetting setting : settings) {
             if (setting instanceof MethodSetting.Word word) {
-                json.writeStringProperty(setting.key(), s.chosen().word(word));
+                json.writeStringProperty(word.key(), s.chosen().word(word));
             }
         }
     }

@@ -1,9 +1,12 @@
 package enlightenment.cli.setting;
 
 import enlightenment.cli.option.DecimalNumber;
+import enlightenment.scene.CommonSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
+import java.util.ArrayList;
+import java.util.List;
 
 /** The settings that a picture depends on, in one line that never changes its form. */
 public final class SettingsLine {
@@ -25,10 +28,11 @@ public final class SettingsLine {
         if (s.budget().error().isPresent()) {
             line.append(" error=").append(DecimalNumber.plain(s.budget().error().getAsDouble()));
         }
-        for (MethodSetting setting : Method.influences(s.method())) {
+        List<MethodSetting> settings = new ArrayList<>(Method.influences(s.method()));
+        settings.addAll(CommonSettings.ALL);
+        for (MethodSetting setting : settings) {
             line.append(' ').append(setting.key()).append('=').append(s.chosen().value(setting));
         }
-        line.append(" seed=").append(s.seed());
         if (s.crop().isPresent()) {
             line.append(" crop=").append(CropConverter.typed(s.crop().get()));
         }

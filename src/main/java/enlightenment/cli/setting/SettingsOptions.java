@@ -2,7 +2,6 @@ package enlightenment.cli.setting;
 
 import enlightenment.cli.input.SceneFailures;
 import enlightenment.cli.input.SceneInput;
-import enlightenment.cli.option.BadValue;
 import enlightenment.cli.option.MethodOptions;
 import enlightenment.cli.option.WholeNumber;
 import enlightenment.cli.terminal.CliException;
@@ -13,7 +12,6 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
 import java.util.List;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -38,13 +36,6 @@ public final class SettingsOptions {
 
     @Mixin
     private CommandSpec methodsSpec = methods.spec();
-
-    @Option(
-            names = "--seed",
-            paramLabel = "N",
-            converter = Seed.class,
-            description = "seed of the random numbers, any 64-bit whole number")
-    private Long seed;
 
     @Option(
             names = "--threads",
@@ -89,7 +80,6 @@ public final class SettingsOptions {
         s = size == null ? s : s.withSize(size.width(), size.height());
         s = antialias == null ? s : s.withAntialias(antialias);
         s = methods.applied(s);
-        s = seed == null ? s : s.withSeed(seed);
         s = threads == null ? s : s.withThreads(threads);
         try {
             return crop == null ? s : s.withCrop(crop);
@@ -103,7 +93,6 @@ public final class SettingsOptions {
         List<String> words = new ArrayList<>();
         add(words, "--size", size);
         words.addAll(methods.given());
-        add(words, "--seed", seed);
         add(words, "--threads", threads);
         add(words, "--crop", crop == null ? null : CropConverter.typed(crop));
         return words;
@@ -128,17 +117,6 @@ public final class SettingsOptions {
     static final class Antialias extends WholeNumber {
         Antialias() {
             super(1, RenderDefaults.MAX_ANTIALIAS);
-        }
-    }
-
-    static final class Seed implements ITypeConverter<Long> {
-        @Override
-        public Long convert(String text) {
-            try {
-                return Long.parseLong(text);
-            } catch (NumberFormatException e) {
-                throw BadValue.expected("a whole number in " + Long.MIN_VALUE + ".." + Long.MAX_VALUE, text);
-            }
         }
     }
 }

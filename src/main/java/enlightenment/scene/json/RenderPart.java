@@ -20,7 +20,7 @@ final class RenderPart {
         for (MethodSetting setting : Method.settings(methods)) {
             optional.append(' ').append(setting.key());
         }
-        return Keys.of("render", "the render part", "", optional.append(" seed").toString());
+        return Keys.of("render", "the render part", "", optional.toString());
     }
 
     /** Null after a problem. */
@@ -38,9 +38,8 @@ final class RenderPart {
             Object value = f.has(setting.key()) ? value(f, setting) : null;
             chosen = value == null ? chosen : chosen.with(setting, value);
         }
-        long seed = f.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, d.seed());
         ChosenSettings said = chosen;
-        return f.make(() -> new RenderDefaults(Method.named(method), antialias, said, seed));
+        return f.make(() -> new RenderDefaults(Method.named(method), antialias, said));
     }
 
     /** Our own methods, and those from outside where there is something that is not ours. */
@@ -63,7 +62,7 @@ final class RenderPart {
     /** The value of a setting that is there; null after a problem. */
     private static Object value(Fields f, MethodSetting setting) {
         return setting instanceof MethodSetting.Whole w
-                ? (Object) f.integer(w.key(), w.min(), w.max(), w.usualValue())
+                ? (Object) f.whole(w.key(), w.min(), w.max(), w.usualValue())
                 : f.word(setting.key(), ((MethodSetting.Word) setting).words(), null);
     }
 
@@ -84,7 +83,7 @@ final class RenderPart {
             }
         }
         chosen.forEach((key, value) -> put(p, key, value));
-        return p.wholeUnless(0, "seed", r.seed()).json();
+        return p.json();
     }
 
     private static boolean isMoved(MethodSetting setting, Animation animation) {
@@ -94,7 +93,7 @@ final class RenderPart {
     }
 
     private static void put(JsonObjectBuilder p, String key, Object value) {
-        if (value instanceof Integer whole) {
+        if (value instanceof Long whole) {
             p.whole(key, whole);
         } else {
             p.text(key, (String) value);

@@ -100,7 +100,6 @@ public final class SyntheticRuns {
                 8,
                 Optional.empty(),
                 4,
-                0,
                 Budget.NONE,
                 ChosenSettings.of(new RayTraceSettings(LIGHT_SAMPLES)),
                 2,

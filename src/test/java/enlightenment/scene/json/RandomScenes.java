@@ -29,8 +29,10 @@ import enlightenment.scene.Background;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.ClusterSettings;
+import enlightenment.scene.CommonSettings;
 import enlightenment.scene.Display;
 import enlightenment.scene.Method;
+import enlightenment.scene.MethodSetting;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderDefaults;
@@ -109,10 +111,22 @@ final class RandomScenes {
                         : new RenderDefaults(
                                 Method.CLUSTER,
                                 1 + random.nextInt(256),
-                                ChosenSettings.of(new RayTraceSettings(1 + random.nextInt(1_000_000)))
-                                        .with(new ClusterSettings(random.nextBoolean() ? "zeta" : "normal")),
-                                random.nextLong()),
+                                common(ChosenSettings.of(new RayTraceSettings(1 + random.nextInt(1_000_000)))
+                                        .with(new ClusterSettings(random.nextBoolean() ? "zeta" : "normal")))),
                 random.nextBoolean() ? Optional.empty() : Optional.of(animation(shading, lights, objects)));
+    }
+
+    /** With any values of the settings that all methods have. */
+    private ChosenSettings common(ChosenSettings chosen) {
+        ChosenSettings all = chosen;
+        for (MethodSetting setting : CommonSettings.ALL) {
+            if (setting instanceof MethodSetting.Whole w) {
+                all = all.with(w, Math.max(w.min(), Math.min(w.max(), random.nextLong() >> random.nextInt(64))));
+            } else if (setting instanceof MethodSetting.Word w) {
+                all = all.with(w, w.words().get(random.nextInt(w.words().size())));
+            }
+        }
+        return all;
     }
 
     private Shading shading() {

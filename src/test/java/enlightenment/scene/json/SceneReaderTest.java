@@ -30,6 +30,7 @@ import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.ClassicShading;
+import enlightenment.scene.CommonSettings;
 import enlightenment.scene.Display;
 import enlightenment.scene.Method;
 import enlightenment.scene.RayTraceSettings;
@@ -103,7 +104,8 @@ class SceneReaderTest {
         assertEquals(new Display(-0.5, Tone.FILMIC), s.display());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());
         assertEquals(new ClassicShading(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48), 7), s.shading());
-        assertEquals(new RenderDefaults(Method.CLUSTER, 3, ChosenSettings.of(new RayTraceSettings(7)), 99), s.render());
+        ChosenSettings chosen = ChosenSettings.of(new RayTraceSettings(7)).with(CommonSettings.SEED, 99);
+        assertEquals(new RenderDefaults(Method.CLUSTER, 3, chosen), s.render());
         assertEquals(
                 List.of(
                         new Light.Sphere(

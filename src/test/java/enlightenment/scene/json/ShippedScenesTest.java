@@ -74,7 +74,7 @@ class ShippedScenesTest {
         assertEquals(400, s.height());
         assertEquals(WINDOW, s.camera());
         assertEquals(new ClassicShading(0.5, 0.5, DisplayRgb.BLACK, 100), s.shading());
-        assertEquals(new RenderDefaults(Method.RAYTRACE, 4, ChosenSettings.NONE, 0), s.render());
+        assertEquals(new RenderDefaults(Method.RAYTRACE, 4, ChosenSettings.NONE), s.render());
         assertEquals(List.of(new Light.Sphere(p(0, 1, 1), 0.15, DisplayRgb.WHITE)), s.lights());
         List<Shape> shapes = s.objects().stream().map(o -> o.shape()).toList();
         assertEquals(

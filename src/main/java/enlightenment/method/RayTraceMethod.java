@@ -1,18 +1,18 @@
 package enlightenment.method;
 
+import enlightenment.classic.shading.ClassicShader;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleLog;
 import enlightenment.film.SampleSpread;
 import enlightenment.film.TileGrowth;
 import enlightenment.film.TilePasses;
 import enlightenment.primitive.Ray;
+import enlightenment.probe.RecordingShader;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
-import enlightenment.transport.classic.ClassicShader;
 import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.path.SeenLight;
-import enlightenment.transport.probe.RecordingShader;
 import enlightenment.transport.ray.Shader;
 import enlightenment.transport.state.PathPart;
 import enlightenment.world.CompiledScene;

@@ -1,7 +1,7 @@
 package enlightenment.plan;
 
+import enlightenment.classic.cluster.ClusterCost;
 import enlightenment.film.FilmTile;
-import enlightenment.method.cluster.ClusterCost;
 import enlightenment.method.cluster.EffortCost;
 import enlightenment.method.cluster.PhysicalClusterCost;
 import enlightenment.scene.RenderSettings;

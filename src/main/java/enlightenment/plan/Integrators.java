@@ -1,6 +1,7 @@
 package enlightenment.plan;
 
 import enlightenment.check.Check;
+import enlightenment.classic.cluster.ClusterMethod;
 import enlightenment.film.FilmTile;
 import enlightenment.math.InvalidValueException;
 import enlightenment.method.BidirectionalMethod;
@@ -9,7 +10,6 @@ import enlightenment.method.LightPaths;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.method.SplatIntegrator;
 import enlightenment.method.TileIntegrator;
-import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.method.cluster.PhysicalClusterMethod;
 import enlightenment.method.metropolis.MetropolisMethod;
 import enlightenment.sampling.Distribution;

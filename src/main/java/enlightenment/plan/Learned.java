@@ -1,7 +1,7 @@
 package enlightenment.plan;
 
+import enlightenment.classic.cluster.ClusterStatistics;
 import enlightenment.film.SampleLog;
-import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.method.metropolis.ChainStatistics;
 import java.util.List;
 import java.util.function.Consumer;

@@ -1,5 +1,6 @@
 package enlightenment.render;
 
+import enlightenment.classic.cluster.ClusterStatistics;
 import enlightenment.engine.PictureFilm;
 import enlightenment.engine.RenderOutline;
 import enlightenment.engine.Reports;
@@ -7,7 +8,6 @@ import enlightenment.engine.UnitWork;
 import enlightenment.engine.WorkUnits;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
-import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.method.metropolis.ChainStatistics;
 import enlightenment.plan.Learned;
 import enlightenment.plan.RenderPlan;

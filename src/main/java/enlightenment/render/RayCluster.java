@@ -1,8 +1,8 @@
 package enlightenment.render;
 
+import enlightenment.classic.cluster.ClusterStatistics;
 import enlightenment.frame.SceneFrame;
 import enlightenment.math.ExactPoint;
-import enlightenment.method.cluster.ClusterStatistics;
 import enlightenment.numeric.Scale;
 import enlightenment.sampling.RunningStatistics;
 import java.math.BigDecimal;

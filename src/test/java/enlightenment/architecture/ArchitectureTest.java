@@ -85,8 +85,14 @@ class ArchitectureTest {
             .definedBy("enlightenment.film")
             .layer("transport")
             .definedBy("enlightenment.transport..")
+            .layer("classic shading")
+            .definedBy("enlightenment.classic.shading")
+            .layer("probe")
+            .definedBy("enlightenment.probe")
             .layer("method")
             .definedBy("enlightenment.method..")
+            .layer("classic cluster")
+            .definedBy("enlightenment.classic.cluster")
             .layer("work")
             .definedBy("enlightenment.work")
             .layer("report")
@@ -157,23 +163,61 @@ class ArchitectureTest {
             .whereLayer("json")
             .mayOnlyBeAccessedByLayers("job", "net", "cli")
             .whereLayer("method")
-            .mayOnlyBeAccessedByLayers("plan", "render", "engine")
-            .whereLayer("transport")
+            .mayOnlyBeAccessedByLayers("classic cluster", "plan", "render", "engine")
+            .whereLayer("classic cluster")
+            .mayOnlyBeAccessedByLayers("plan", "render")
+            .whereLayer("probe")
             .mayOnlyBeAccessedByLayers("method")
+            .whereLayer("classic shading")
+            .mayOnlyBeAccessedByLayers("probe", "method", "classic cluster")
+            .whereLayer("transport")
+            .mayOnlyBeAccessedByLayers("classic shading", "probe", "method", "classic cluster")
             .whereLayer("film")
-            .mayOnlyBeAccessedByLayers("transport", "method", "plan", "render", "engine", "net", "store")
+            .mayOnlyBeAccessedByLayers(
+                    "classic shading",
+                    "probe",
+                    "classic cluster",
+                    "transport",
+                    "method",
+                    "plan",
+                    "render",
+                    "engine",
+                    "net",
+                    "store")
             .whereLayer("bsdf")
-            .mayOnlyBeAccessedByLayers("world", "transport")
+            .mayOnlyBeAccessedByLayers("classic shading", "probe", "classic cluster", "world", "transport")
             .whereLayer("emitter")
-            .mayOnlyBeAccessedByLayers("world", "transport")
+            .mayOnlyBeAccessedByLayers("classic shading", "probe", "classic cluster", "world", "transport")
             .whereLayer("primitive")
-            .mayOnlyBeAccessedByLayers("emitter", "accel", "world", "transport", "method", "render")
+            .mayOnlyBeAccessedByLayers(
+                    "classic shading",
+                    "probe",
+                    "classic cluster",
+                    "emitter",
+                    "accel",
+                    "world",
+                    "transport",
+                    "method",
+                    "render")
             .whereLayer("world")
-            .mayOnlyBeAccessedByLayers("film", "transport", "method", "work", "plan", "render", "engine")
+            .mayOnlyBeAccessedByLayers(
+                    "classic shading",
+                    "probe",
+                    "classic cluster",
+                    "film",
+                    "transport",
+                    "method",
+                    "work",
+                    "plan",
+                    "render",
+                    "engine")
             .whereLayer("accel")
             .mayOnlyBeAccessedByLayers("world")
             .whereLayer("scene")
             .mayOnlyBeAccessedByLayers(
+                    "classic shading",
+                    "probe",
+                    "classic cluster",
                     "json",
                     "nff",
                     "world",
@@ -192,6 +236,9 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "world", "cli")
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers(
+                    "classic shading",
+                    "probe",
+                    "classic cluster",
                     "bsdf",
                     "emitter",
                     "surroundings",
@@ -209,7 +256,7 @@ class ArchitectureTest {
             .whereLayer("codec")
             .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings", "video")
             .whereLayer("surroundings")
-            .mayOnlyBeAccessedByLayers("world", "transport")
+            .mayOnlyBeAccessedByLayers("classic shading", "probe", "classic cluster", "world", "transport")
             .whereLayer("picture")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine", "measure", "cli")
             .whereLayer("texture")
@@ -276,26 +323,18 @@ class ArchitectureTest {
             .definedBy("enlightenment.transport.bidirectional")
             .layer("light")
             .definedBy("enlightenment.transport.light")
-            .layer("classic")
-            .definedBy("enlightenment.transport.classic")
-            .layer("probe")
-            .definedBy("enlightenment.transport.probe")
-            .whereLayer("probe")
-            .mayNotBeAccessedByAnyLayer()
-            .whereLayer("classic")
-            .mayOnlyBeAccessedByLayers("probe")
             .whereLayer("light")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("bidirectional")
             .mayOnlyBeAccessedByLayers("light")
             .whereLayer("path")
-            .mayOnlyBeAccessedByLayers("bidirectional", "probe")
+            .mayOnlyBeAccessedByLayers("bidirectional")
             .whereLayer("emission")
             .mayOnlyBeAccessedByLayers("bidirectional", "light")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers("path", "bidirectional")
             .whereLayer("direct")
-            .mayOnlyBeAccessedByLayers("image", "path", "bidirectional", "light", "classic", "probe")
+            .mayOnlyBeAccessedByLayers("image", "path", "bidirectional", "light")
             .whereLayer("media")
             .mayOnlyBeAccessedByLayers("direct", "image", "path", "bidirectional", "light");
 
@@ -531,6 +570,7 @@ class ArchitectureTest {
                     "enlightenment.world..",
                     "enlightenment.film",
                     "enlightenment.transport..",
+                    "enlightenment.classic..",
                     "enlightenment.method..")
             .should()
             .callMethod(Math.class, "sin", double.class)

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
+import enlightenment.classic.shading.ClassicShader;
 import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
@@ -20,7 +21,6 @@ import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
-import enlightenment.transport.classic.ClassicShader;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.parts.RayCounters;

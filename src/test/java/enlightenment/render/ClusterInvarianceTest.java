@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.classic.cluster.ClusterCost;
+import enlightenment.classic.cluster.ClusterMethod;
 import enlightenment.film.FilmTile;
-import enlightenment.method.cluster.ClusterCost;
-import enlightenment.method.cluster.ClusterMethod;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.Budget;

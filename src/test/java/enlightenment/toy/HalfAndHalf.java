@@ -1,5 +1,6 @@
 package enlightenment.toy;
 
+import enlightenment.classic.shading.ClassicShader;
 import enlightenment.method.Integrator;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.method.SplatIntegrator;
@@ -10,7 +11,6 @@ import enlightenment.sampling.Sampler;
 import enlightenment.scene.MethodExtension;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
-import enlightenment.transport.classic.ClassicShader;
 import enlightenment.transport.ray.Shader;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;

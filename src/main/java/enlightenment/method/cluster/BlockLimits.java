@@ -6,9 +6,9 @@ package enlightenment.method.cluster;
  * what is asked. With at most √P times the mean in a block, of P that were tried, a kind of block that none or one of them showed changes
  * the sum by about 1/√P; and a picture that is a single block gets just what is asked.
  */
-final class BlockLimits {
+public final class BlockLimits {
     /** No limits: of a method that only looks. */
-    static final BlockLimits NONE = new BlockLimits(0, 0, Double.POSITIVE_INFINITY);
+    public static final BlockLimits NONE = new BlockLimits(0, 0, Double.POSITIVE_INFINITY);
 
     private final double mean;
     private final double least;
@@ -36,18 +36,18 @@ final class BlockLimits {
      * @param samples the mean number of camera rays per pixel in blocks that show more than background
      * @param all how many of them there are
      */
-    static BlockLimits ofFew(double samples, int all) {
+    public static BlockLimits ofFew(double samples, int all) {
         double root = Math.sqrt(all);
         return new BlockLimits(samples, samples / root, samples * root);
     }
 
     /** The mean number of camera rays per pixel in blocks that show more than background; 0 if it is not known. */
-    double mean() {
+    public double mean() {
         return mean;
     }
 
     /** What is spent on a block that needs this much. */
-    double limited(double samples) {
+    public double limited(double samples) {
         return Math.min(Math.max(samples, least), most);
     }
 }

@@ -1,35 +1,35 @@
 package enlightenment.method.cluster;
 
 /** What rays through the corners of a block's pixels have seen: a colour for each, and a key of what it met. */
-abstract class Corners {
+public abstract class Corners {
     /** No path's key, but for one in 2⁶⁴. */
-    static final long DIFFERENT = Long.MIN_VALUE;
+    public static final long DIFFERENT = Long.MIN_VALUE;
 
     /** How many there are along a side of the block. */
-    final int side;
+    public final int side;
 
     /** How many there are. */
-    final int nodes;
+    public final int nodes;
 
     /** Red, green and blue of each corner, row by row. */
-    final double[] rgb;
+    public final double[] rgb;
 
-    final long[] keys;
+    public final long[] keys;
 
     /** @param blockSide of the largest block, in pixels */
-    Corners(int blockSide) {
+    public Corners(int blockSide) {
         side = blockSide + 1;
         nodes = side * side;
         rgb = new double[3 * nodes];
         keys = new long[nodes];
     }
 
-    final int node(int i, int j) {
+    public final int node(int i, int j) {
         return side * j + i;
     }
 
     /** What all corners of a pixel met, or {@link #DIFFERENT} if they did not meet the same. */
-    final long commonKey(int i, int j) {
+    public final long commonKey(int i, int j) {
         int k = node(i, j);
         int below = k + side;
         long key = keys[k];

@@ -3,8 +3,8 @@ package enlightenment.method.cluster;
 import java.util.function.DoubleUnaryOperator;
 
 /** Finds the effort that leads to a number of samples. */
-final class EffortSearch {
-    static final double LEAST_EFFORT = 1;
+public final class EffortSearch {
+    public static final double LEAST_EFFORT = 1;
 
     /** Binary logarithm of the largest effort: variances below the rounding of pixels are worth nothing. */
     private static final int MOST_EFFORT = 128;
@@ -19,12 +19,12 @@ final class EffortSearch {
      *
      * @param cost how many samples an effort costs; grows with it
      */
-    static double effort(DoubleUnaryOperator cost, double samples) {
+    public static double effort(DoubleUnaryOperator cost, double samples) {
         return power(search(cost, samples));
     }
 
     /** The effort that costs nearly this many samples, or a step of them more if that is nearer: of few pixels steps are large. */
-    static double nearest(DoubleUnaryOperator cost, double samples) {
+    public static double nearest(DoubleUnaryOperator cost, double samples) {
         double low = search(cost, samples);
         double below = power(low);
         double above = power(low + Math.scalb((double) MOST_EFFORT, -HALVINGS));

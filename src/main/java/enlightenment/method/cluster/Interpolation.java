@@ -1,12 +1,12 @@
 package enlightenment.method.cluster;
 
 /** The colour between the four corners of a pixel, bilinear: a control variate, whose mean over the pixel is known. */
-final class Interpolation {
+public final class Interpolation {
     /** Constant, by x, by y and by xy, for red, green and blue. */
     private final double[] corners = new double[12];
 
     /** Turns to a pixel of the block. */
-    void between(Corners survey, int i, int j) {
+    public void between(Corners survey, int i, int j) {
         int upper = 3 * survey.node(i, j);
         int lower = upper + 3 * survey.side;
         for (int c = 0; c < 3; c++) {
@@ -22,7 +22,7 @@ final class Interpolation {
     }
 
     /** Subtracts the colour at a place in the pixel from one. */
-    void subtract(double dx, double dy, double[] color) {
+    public void subtract(double dx, double dy, double[] color) {
         double dxy = dx * dy;
         for (int c = 0; c < 3; c++) {
             int k = 4 * c;
@@ -32,7 +32,7 @@ final class Interpolation {
     }
 
     /** The mean of a component over the pixel. */
-    double mean(int c) {
+    public double mean(int c) {
         int k = 4 * c;
         return corners[k] + (corners[k + 1] + corners[k + 2]) / 2 + corners[k + 3] / 4;
     }

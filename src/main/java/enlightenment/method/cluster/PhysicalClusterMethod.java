@@ -14,7 +14,7 @@ import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
- * The sampler of {@link ClusterMethod} for physical light. Rays through the corners of a block's pixels show what is certain: surfaces,
+ * The cluster method for physical light. Rays through the corners of a block's pixels show what is certain: surfaces,
  * edges, and light that is not left to chance, which is interpolated between them as a control variate. The first paths of each pixel show
  * how much paths vary, in what a screen shows; by that the other paths are allotted. See docs/cluster-sampler.md.
  *

@@ -1,9 +1,9 @@
 package enlightenment.method.cluster;
 
+import enlightenment.classic.shading.ClassicShader;
 import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.scene.RenderSettings;
-import enlightenment.transport.classic.ClassicShader;
 import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.ray.Shader;
 import enlightenment.world.CompiledScene;
@@ -55,7 +55,7 @@ public final class SeenBlocks {
      *
      * @param side of the blocks, in pixels
      */
-    static SeenBlocks of(CompiledScene scene, RenderSettings settings, int side) {
+    public static SeenBlocks of(CompiledScene scene, RenderSettings settings, int side) {
         SeenBlocks known = scene.once(SeenBlocks.class, () -> new SeenBlocks(scene, settings, side));
         return known.isOf(settings, side) ? known : new SeenBlocks(scene, settings, side);
     }
@@ -79,17 +79,17 @@ public final class SeenBlocks {
     }
 
     /** The share of the picture's pixels that are in such blocks. */
-    double share() {
+    public double share() {
         return share;
     }
 
     /** How many of the blocks that were looked at are such. */
-    int size() {
+    public int size() {
         return seen.size();
     }
 
     /** About so many of them, evenly spread over the picture, or all if there are no more; none only if there are none. */
-    List<Block> spread(int count) {
+    public List<Block> spread(int count) {
         // Where all are seen, these are Block.spread.
         double threshold = count / ((double) all * seen.size() / lookedAt);
         List<Block> some = new ArrayList<>();

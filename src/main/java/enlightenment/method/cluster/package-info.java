@@ -1,7 +1,5 @@
 /**
- * The paper's ray clusters ({@link enlightenment.method.cluster.ClusterMethod}): a survey of evenly spaced rays is a control
- * variate for the colour of each pixel and evidence of where samples are needed; the samples are allocated accordingly; and rays
- * that end on the same surface and light propose light points to each other. docs/cluster-sampler.md has the derivation and the
- * measurements. Internal.
+ * The cluster method for physical light, with paths that pixels share, and what the classic one has in common with it: blocks that show
+ * something, their limits, and the search for an effort.
  */
 package enlightenment.method.cluster;

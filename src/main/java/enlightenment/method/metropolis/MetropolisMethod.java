@@ -1,5 +1,6 @@
 package enlightenment.method.metropolis;
 
+import enlightenment.classic.shading.ClassicShader;
 import enlightenment.film.FilmTile;
 import enlightenment.film.TilePasses;
 import enlightenment.method.Block;
@@ -7,7 +8,6 @@ import enlightenment.method.RayTraceMethod;
 import enlightenment.method.TileIntegrator;
 import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RenderSettings;
-import enlightenment.transport.classic.ClassicShader;
 import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.ray.Shader;
 import enlightenment.transport.state.PathPart;

@@ -1,2 +1,0 @@
-/** The paper's shading: cosine lighting by points and surfaces of light, mirrors and glass. */
-package enlightenment.transport.classic;

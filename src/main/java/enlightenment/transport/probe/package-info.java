@@ -1,2 +1,0 @@
-/** What one pixel's rays meet, for tools that look. */
-package enlightenment.transport.probe;

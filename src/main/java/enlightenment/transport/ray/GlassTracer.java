@@ -40,7 +40,7 @@ public final class GlassTracer {
 
     private final GlassScattering scattering;
 
-    /** The opaque surface that {@link #arrive} chose among those that coincide, if the event is not one of glass. */
+    /** The primitive of the surface that {@link #arrive} chose among those that coincide. */
     int id;
 
     /** The opaque surface that coincides with the glass surface and comes after it, or -1. */
@@ -148,8 +148,9 @@ public final class GlassTracer {
     /**
      * Examines a hit together with the surfaces that coincide with it.
      *
-     * @param hit is replaced by that of the opaque surface that is seen, unless the event is one of glass
-     * @return whether the event is one of glass; otherwise {@link #id} is the opaque surface
+     * @param hit is replaced by that of the surface that the event is at, whose primitive is {@link #id} then: the opaque one that is seen, or
+     *     one by which the ray leaves glass
+     * @return whether the event is one of glass
      */
     boolean arrive(Ray ray, int struck, Hit hit) {
         id = struck;
@@ -171,6 +172,7 @@ public final class GlassTracer {
         if (leaving != NONE) {
             next = coincident.id(opaque);
             nextHit.set(coincident.hit(opaque));
+            id = coincident.id(leaving);
             hit.set(coincident.hit(leaving));
             return true;
         }

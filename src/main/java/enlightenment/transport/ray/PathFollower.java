@@ -165,7 +165,7 @@ public final class PathFollower {
         }
         key = Hash.mix(key - 1 - struck - ((long) hit.face << 32));
         boolean isGlass = glass.arrive(ray, struck, hit);
-        at.arrive(scene, isGlass ? struck : glass.id);
+        at.arrive(scene, glass.id);
         return isGlass ? Event.GLASS : Event.SURFACE;
     }
 

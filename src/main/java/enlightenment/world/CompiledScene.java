@@ -6,24 +6,17 @@ import enlightenment.accel.PrimitiveList;
 import enlightenment.color.DisplayCurve;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
-import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Shading;
-import enlightenment.surroundings.Surroundings;
 import enlightenment.world.camera.CompiledCamera;
-import enlightenment.world.camera.RayStarts;
 import enlightenment.world.contact.CoincidentHits;
 import enlightenment.world.contact.CoincidentSurfaces;
 import enlightenment.world.contact.GlassBoxes;
-import enlightenment.world.contact.TouchedBoxes;
 import enlightenment.world.light.CompiledLight;
-import enlightenment.world.light.LightBody;
 import enlightenment.world.light.LightImage;
-import enlightenment.world.light.LightImages;
 import enlightenment.world.light.OccluderSet;
-import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.material.FaceMaterials;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.CompiledPrimitives;
@@ -33,7 +26,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 
 /**
  * A scene made ready for rendering: only what it requires, in flat arrays. Immutable, shared by all threads.
@@ -42,9 +34,6 @@ import java.util.stream.Stream;
  * picture.
  */
 public final class CompiledScene {
-    /** How far boxes are widened, in units of the largest coordinate: more than the roundings of two surfaces together. */
-    private static final double WIDENING = Scale.gamma(128);
-
     public final SceneFrame frame;
     public final CompiledCamera camera;
 
@@ -128,109 +117,44 @@ public final class CompiledScene {
     /** What the pixels of its pictures are, and how they become what a screen takes. */
     public final DisplayCurve display;
 
-    CompiledScene(
-            SceneFrame frame,
-            CompiledCamera camera,
-            Shading shading,
-            CompiledLight[] lights,
-            List<PhysicalLight> points,
-            Surroundings surroundings,
-            CompiledPrimitives compiled,
-            Accelerator accelerator,
-            List<String> features,
-            List<String> absent,
-            DisplayCurve display,
-            Runnable poll,
-            CompiledScene... instants) {
-        this.display = display;
+    /** Takes what all passes have made. */
+    CompiledScene(ScenePasses made, CompiledScene... instants) {
         this.instants = instants;
-        this.frame = frame;
-        this.camera = camera;
-        this.shading = shading;
+        frame = made.frame;
+        camera = made.camera;
+        shading = made.scene.shading();
         classic = shading instanceof ClassicShading c ? c : null;
-        physical = shading instanceof PhysicalShading p
-                ? new PhysicalScene(p, frame, surroundings, compiled, accelerator, points, camera.startBounds(), poll)
-                : null;
-        this.lights = lights;
-        this.compiled = compiled;
-        this.primitives = compiled.primitives();
-        this.materials = compiled.materials();
-        this.kind = compiled.kind();
-        this.kindNames = compiled.kindNames();
-        this.glassSolids = compiled.glassSolids();
-        this.mediumRank = compiled.mediumRank();
+        display = shading instanceof PhysicalShading
+                ? DisplayCurve.of(
+                        made.scene.display().exposure(), made.scene.display().tone())
+                : DisplayCurve.NONE;
+        physical = made.physical;
+        lights = made.lights;
+        visibleLights =
+                Arrays.stream(lights).filter(light -> light.surface != null).toArray(CompiledLight[]::new);
+        lightBounds = Arrays.stream(visibleLights).map(CompiledLight::bounds).toArray(Bounds[]::new);
+        compiled = made.compiled;
+        primitives = compiled.primitives();
+        materials = compiled.materials();
+        kind = compiled.kind();
+        kindNames = compiled.kindNames();
+        glassSolids = compiled.glassSolids();
+        mediumRank = compiled.mediumRank();
         object = compiled.object();
         objects = compiled.objects();
-        this.accelerator = accelerator;
-        boolean few = accelerator instanceof PrimitiveList;
-        visibleLights = visible(lights);
-        lightBounds = new Bounds[visibleLights.length];
-        for (int i = 0; i < lightBounds.length; i++) {
-            lightBounds[i] = visibleLights[i].bounds();
-        }
-        bounds = new Bounds[few ? primitives.length : 0];
-        for (int id = 0; id < bounds.length; id++) {
-            bounds[id] = primitives[id].bounds();
-        }
-        coincident = CoincidentSurfaces.of(compiled, accelerator, poll);
-        boolean anyLies = false;
-        LightBody[] bodies = physical == null ? lights : physical.lights;
-        TouchedBoxes near = new TouchedBoxes(primitives, kind, kindNames.size(), accelerator);
-        if (physical != null) {
-            physical.lieOn(compiled, near, coincident, few, poll);
-        }
-        for (CompiledLight light : lights) {
-            light.lieOn(near);
-            anyLies |= light.surface != null && !light.lyingOn().isEmpty();
-        }
-        lightsLieOnSurfaces = anyLies;
-        glassBoxes = new GlassBoxes(glassSolids, id -> widened(primitives[id].bounds()));
-        cameraSolids = solidsAround(camera.rayStarts());
-        occluders = new OccluderSet(primitives, bodies, few);
-        if (physical != null && accelerator instanceof PrimitiveList all) {
-            physical.findOccluders(primitives, occluders, all);
-        }
-        mirrorBalls = physical == null ? null : MirrorBalls.of(compiled, coincident, physical, poll);
-        lightImages = physical == null ? new LightImage[0] : seenLights(poll);
-        PhysicalFeatures more =
-                physical == null ? null : new PhysicalFeatures(physical, materials.distinct(), mirrorBalls);
-        this.features = more == null ? List.copyOf(features) : joined(more.present, features);
-        this.absent = more == null ? List.copyOf(absent) : joined(more.absent, absent);
-    }
-
-    private static List<String> joined(List<String> some, List<String> more) {
-        return Stream.concat(some.stream(), more.stream()).toList();
-    }
-
-    private LightImage[] seenLights(Runnable poll) {
-        double background = Math.max(physical.backgroundR, Math.max(physical.backgroundG, physical.backgroundB));
-        return LightImages.of(camera, physical.lights, coincident, physical.surroundings, background, poll);
-    }
-
-    private static CompiledLight[] visible(CompiledLight[] lights) {
-        CompiledLight[] visible = new CompiledLight[lights.length];
-        int n = 0;
-        for (CompiledLight light : lights) {
-            if (light.surface != null) {
-                visible[n++] = light;
-            }
-        }
-        return Arrays.copyOf(visible, n);
-    }
-
-    private int[] solidsAround(RayStarts starts) {
-        int[] solids = new int[glassSolids.length];
-        int n = 0;
-        for (int id : glassSolids) {
-            if (starts.mayLieIn(widened(primitives[id].bounds()))) {
-                solids[n++] = id;
-            }
-        }
-        return Arrays.copyOf(solids, n);
-    }
-
-    private static Bounds widened(Bounds box) {
-        return CoincidentSurfaces.widened(box, WIDENING * box.maxAbs());
+        accelerator = made.accelerator;
+        bounds = accelerator instanceof PrimitiveList
+                ? Arrays.stream(primitives).map(Primitive::bounds).toArray(Bounds[]::new)
+                : new Bounds[0];
+        coincident = made.coincident;
+        lightsLieOnSurfaces = made.lightsLieOnSurfaces;
+        glassBoxes = made.glassBoxes;
+        cameraSolids = made.cameraSolids;
+        occluders = made.occluders;
+        mirrorBalls = made.mirrorBalls;
+        lightImages = made.lightImages;
+        features = List.copyOf(made.features);
+        absent = List.copyOf(made.absent);
     }
 
     /** The primitives with their materials. */

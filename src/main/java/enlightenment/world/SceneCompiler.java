@@ -1,46 +1,23 @@
 package enlightenment.world;
 
-import enlightenment.accel.Accelerator;
-import enlightenment.accel.Bvh;
-import enlightenment.accel.PrimitiveList;
-import enlightenment.bsdf.SpecularReflection;
-import enlightenment.camera.Camera;
-import enlightenment.color.DisplayCurve;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
-import enlightenment.material.Material;
-import enlightenment.material.Texture;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.Display;
-import enlightenment.scene.LightFeature;
 import enlightenment.scene.Method;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
-import enlightenment.texture.ImageTexture;
-import enlightenment.world.camera.CompiledCamera;
-import enlightenment.world.light.CompiledLight;
 import enlightenment.world.light.CompiledSurroundings;
 import enlightenment.world.light.GlowingObjects;
 import enlightenment.world.light.SceneImages;
-import enlightenment.world.material.Dyes;
-import enlightenment.world.material.PhysicalSurface;
-import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.CompiledPrimitives;
 import enlightenment.world.parts.SceneExtent;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.IdentityHashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
@@ -154,9 +131,9 @@ public final class SceneCompiler {
         requireMemory(scene);
         CompiledScene[] instants = new CompiledScene[scene.instants().size()];
         for (int i = 0; i < instants.length; i++) {
-            instants[i] = moment(scene.instants().get(i), settings, loopLimit, images, placement, poll);
+            instants[i] = new ScenePasses(scene.instants().get(i), images, poll).run(settings, loopLimit, placement);
         }
-        return moment(scene, settings, loopLimit, images, placement, poll, instants);
+        return new ScenePasses(scene, images, poll).run(settings, loopLimit, placement, instants);
     }
 
     private static void requireMemory(Scene scene) {
@@ -169,58 +146,6 @@ public final class SceneCompiler {
                             + (bytes >> 20) + " MiB of memory; there are "
                             + (Runtime.getRuntime().maxMemory() >> 20));
         }
-    }
-
-    private static CompiledScene moment(
-            Scene scene,
-            RenderSettings settings,
-            int loopLimit,
-            SceneImages images,
-            CompiledPrimitives.Placement placement,
-            Runnable poll,
-            CompiledScene... instants) {
-        SceneFrame frame = frameOf(scene);
-        CompiledCamera camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
-        boolean physical = scene.shading().model() == Shading.Model.PHYSICAL;
-        CompiledLight[] lights = new CompiledLight[physical ? 0 : scene.lights().size()];
-        for (int i = 0; i < lights.length; i++) {
-            lights[i] = new CompiledLight(scene.lights().get(i), frame);
-        }
-        Map<Material, SurfaceMaterial> surfaces = surfaces(scene, physical ? frame : null, images, poll);
-        GlowingObjects glowing = physical ? new GlowingObjects(scene, frame) : null;
-        if (physical) {
-            surfaces.putAll(glowing.surfaces);
-        }
-        List<SceneObject> objects = physical ? glowing.objects : scene.objects();
-        CompiledPrimitives compiled = CompiledPrimitives.of(objects, frame, surfaces, placement, poll);
-        Primitive[] primitives = compiled.primitives();
-        if (physical) {
-            SceneExtent.check(scene, frame, primitives);
-        }
-        boolean many = Math.max(primitives.length, objects.size()) > loopLimit;
-        Accelerator accelerator = many ? Bvh.build(primitives, poll) : PrimitiveList.of(primitives, compiled.kind());
-        Features features = new Features(scene, many, surfaces.values());
-        return new CompiledScene(
-                frame,
-                camera,
-                scene.shading(),
-                lights,
-                physical ? glowing.points : List.of(),
-                scene.shading() instanceof PhysicalShading p ? images.around(p.background()) : null,
-                compiled,
-                accelerator,
-                features.present(),
-                features.absent(),
-                display(scene),
-                poll,
-                instants);
-    }
-
-    private static DisplayCurve display(Scene scene) {
-        Display display = scene.display();
-        return scene.shading() instanceof PhysicalShading
-                ? DisplayCurve.of(display.exposure(), display.tone())
-                : DisplayCurve.NONE;
     }
 
     /**
@@ -254,105 +179,5 @@ public final class SceneCompiler {
             largest = Math.max(largest, SceneExtent.of(s.anchors(), s.reach(), frame));
         }
         return largest;
-    }
-
-    /** By identity: a material that is used many times is one object, and comparing records by value is slow to start. */
-    private static Map<Material, SurfaceMaterial> surfaces(
-            Scene scene, SceneFrame physical, SceneImages images, Runnable poll) {
-        Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
-        Dyes dyes = new Dyes(scene);
-        for (SceneObject o : scene.objects()) {
-            if (o.faces().isEmpty()) {
-                addSurface(scene, o.material(), physical, dyes, surfaces, images, poll);
-            }
-            for (Material m : o.faces()) {
-                addSurface(scene, m, physical, dyes, surfaces, images, poll);
-            }
-        }
-        return surfaces;
-    }
-
-    /** @param physical the frame if the shading is physical, else null */
-    private static void addSurface(
-            Scene scene,
-            Material m,
-            SceneFrame physical,
-            Dyes dyes,
-            Map<Material, SurfaceMaterial> surfaces,
-            SceneImages images,
-            Runnable poll) {
-        if (surfaces.containsKey(m)) {
-            return;
-        }
-        ImageTexture image = null;
-        if (m.color() instanceof Texture.File file) {
-            // What is prepared at once need not be asked for: a single image is such.
-            if (images.haveBeenRead()) {
-                poll.run();
-            }
-            image = images.of(file, physical != null, scene);
-        }
-        PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes);
-        surfaces.put(m, new SurfaceMaterial(m, image, surface));
-    }
-
-    /** Which features are modelled, and which are not because nothing requires them. */
-    private static final class Features {
-        private final List<String> present = new ArrayList<>();
-        private final List<String> absent = new ArrayList<>();
-
-        Features(Scene scene, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
-            if (scene.shading() instanceof ClassicShading shading) {
-                addClassic(scene, shading, surfaces);
-            } else {
-                addMatter(LightFeature.of(scene).keySet());
-            }
-            add(
-                    withBvh,
-                    "bounding volume hierarchy over " + scene.objects().size() + " primitives",
-                    "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
-        }
-
-        private void addMatter(Set<LightFeature> asked) {
-            for (LightFeature feature : LightFeature.values()) {
-                add(asked.contains(feature), feature.description(), feature.description());
-            }
-        }
-
-        private void addClassic(Scene scene, ClassicShading shading, Iterable<SurfaceMaterial> surfaces) {
-            boolean mirrors = false;
-            boolean glass = false;
-            boolean textures = false;
-            for (SurfaceMaterial m : surfaces) {
-                mirrors |= m.bsdf == SpecularReflection.INSTANCE;
-                glass |= m.isGlass;
-                textures |= m.hasImage();
-            }
-            int lights = scene.lights().size();
-            add(lights > 0, "direct light of " + lights + (lights == 1 ? " light" : " lights"), "direct light");
-            add(lights > 0 && shading.shadow() < 1, "shadows", "shadows");
-            add(mirrors, "mirrors", "mirrors");
-            add(glass, "refraction", "refraction");
-            add(textures, "image textures", "image textures");
-            if (scene.camera() instanceof Camera.Window w && w.pupilRadius() > 0) {
-                absent.add("the pupil's radius (it is for rays from lights, which classic shading has none of)");
-            }
-        }
-
-        private void add(boolean required, String there, String notThere) {
-            if (required) {
-                present.add(there);
-            } else {
-                absent.add(notThere);
-            }
-        }
-
-        List<String> present() {
-            return present;
-        }
-
-        List<String> absent() {
-            return absent;
-        }
     }
 }

@@ -1,0 +1,71 @@
+package enlightenment.world;
+
+import enlightenment.bsdf.SpecularReflection;
+import enlightenment.camera.Camera;
+import enlightenment.scene.ClassicShading;
+import enlightenment.scene.LightFeature;
+import enlightenment.scene.Scene;
+import enlightenment.world.material.SurfaceMaterial;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/** Which features are modelled, and which are not because nothing requires them. */
+final class SceneFeatures {
+    private final List<String> present = new ArrayList<>();
+    private final List<String> absent = new ArrayList<>();
+
+    SceneFeatures(Scene scene, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
+        if (scene.shading() instanceof ClassicShading shading) {
+            addClassic(scene, shading, surfaces);
+        } else {
+            addMatter(LightFeature.of(scene).keySet());
+        }
+        add(
+                withBvh,
+                "bounding volume hierarchy over " + scene.objects().size() + " primitives",
+                "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
+    }
+
+    private void addMatter(Set<LightFeature> asked) {
+        for (LightFeature feature : LightFeature.values()) {
+            add(asked.contains(feature), feature.description(), feature.description());
+        }
+    }
+
+    private void addClassic(Scene scene, ClassicShading shading, Iterable<SurfaceMaterial> surfaces) {
+        boolean mirrors = false;
+        boolean glass = false;
+        boolean textures = false;
+        for (SurfaceMaterial m : surfaces) {
+            mirrors |= m.bsdf == SpecularReflection.INSTANCE;
+            glass |= m.isGlass;
+            textures |= m.hasImage();
+        }
+        int lights = scene.lights().size();
+        add(lights > 0, "direct light of " + lights + (lights == 1 ? " light" : " lights"), "direct light");
+        add(lights > 0 && shading.shadow() < 1, "shadows", "shadows");
+        add(mirrors, "mirrors", "mirrors");
+        add(glass, "refraction", "refraction");
+        add(textures, "image textures", "image textures");
+        if (scene.camera() instanceof Camera.Window w && w.pupilRadius() > 0) {
+            absent.add("the pupil's radius (it is for rays from lights, which classic shading has none of)");
+        }
+    }
+
+    private void add(boolean required, String there, String notThere) {
+        if (required) {
+            present.add(there);
+        } else {
+            absent.add(notThere);
+        }
+    }
+
+    List<String> present() {
+        return present;
+    }
+
+    List<String> absent() {
+        return absent;
+    }
+}

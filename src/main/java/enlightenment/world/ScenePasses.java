@@ -1,0 +1,190 @@
+package enlightenment.world;
+
+import enlightenment.accel.Accelerator;
+import enlightenment.accel.Bvh;
+import enlightenment.accel.PrimitiveList;
+import enlightenment.frame.Bounds;
+import enlightenment.frame.SceneFrame;
+import enlightenment.numeric.Scale;
+import enlightenment.primitive.Primitive;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import enlightenment.surroundings.Surroundings;
+import enlightenment.world.camera.CompiledCamera;
+import enlightenment.world.camera.RayStarts;
+import enlightenment.world.contact.CoincidentSurfaces;
+import enlightenment.world.contact.GlassBoxes;
+import enlightenment.world.contact.TouchedBoxes;
+import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.GlowingObjects;
+import enlightenment.world.light.LightBody;
+import enlightenment.world.light.LightImage;
+import enlightenment.world.light.LightImages;
+import enlightenment.world.light.OccluderSet;
+import enlightenment.world.light.SceneImages;
+import enlightenment.world.parts.CompiledPrimitives;
+import enlightenment.world.parts.SceneExtent;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * The passes that make a scene ready for rendering, in their order: each sets its parts from the parts before it, and nothing is changed after
+ * the last. For one scene at one moment.
+ */
+final class ScenePasses {
+    /** How far boxes are widened, in units of the largest coordinate: more than the roundings of two surfaces together. */
+    private static final double WIDENING = Scale.gamma(128);
+
+    final Scene scene;
+    final Runnable poll;
+    private final SceneImages images;
+    private final boolean isPhysical;
+
+    SceneFrame frame;
+    CompiledCamera camera;
+    CompiledPrimitives compiled;
+
+    /** Lights and objects of physical shading; null for classic shading. */
+    private GlowingObjects glowing;
+
+    /** Lights of classic shading; none for physical shading. */
+    CompiledLight[] lights = {};
+
+    private List<SceneObject> objects;
+    Accelerator accelerator;
+    private boolean isLoop;
+    PhysicalScene physical;
+    CoincidentSurfaces coincident;
+    boolean lightsLieOnSurfaces;
+    GlassBoxes glassBoxes;
+    int[] cameraSolids;
+    OccluderSet occluders;
+    MirrorBalls mirrorBalls;
+    LightImage[] lightImages = {};
+    List<String> features;
+    List<String> absent;
+
+    /** @param poll called now and then; ends this by what it throws */
+    ScenePasses(Scene scene, SceneImages images, Runnable poll) {
+        this.scene = scene;
+        this.images = images;
+        this.poll = poll;
+        isPhysical = scene.shading() instanceof PhysicalShading;
+    }
+
+    /**
+     * Runs all of them.
+     *
+     * @param loopLimit with more primitives or objects than this there is a hierarchy
+     * @param placement what shapes become
+     * @param instants the moments that a picture of the scene is the mean of
+     */
+    CompiledScene run(
+            RenderSettings settings, int loopLimit, CompiledPrimitives.Placement placement, CompiledScene... instants) {
+        frame = SceneCompiler.frameOf(scene);
+        camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
+        CompiledMaterials materials = placePrimitives(placement);
+        buildAccelerator(loopLimit);
+        makeLights();
+        findContacts();
+        findGlass();
+        findOccluders();
+        findImages();
+        describe(materials);
+        return new CompiledScene(this, instants);
+    }
+
+    private CompiledMaterials placePrimitives(CompiledPrimitives.Placement placement) {
+        CompiledMaterials materials = new CompiledMaterials(scene, isPhysical ? frame : null, images, poll);
+        objects = scene.objects();
+        if (isPhysical) {
+            glowing = new GlowingObjects(scene, frame);
+            materials.bySource.putAll(glowing.surfaces);
+            objects = glowing.objects;
+        }
+        compiled = CompiledPrimitives.of(objects, frame, materials.bySource, placement, poll);
+        if (isPhysical) {
+            SceneExtent.check(scene, frame, compiled.primitives());
+        }
+        return materials;
+    }
+
+    private void buildAccelerator(int loopLimit) {
+        Primitive[] primitives = compiled.primitives();
+        isLoop = Math.max(primitives.length, objects.size()) <= loopLimit;
+        accelerator = isLoop ? PrimitiveList.of(primitives, compiled.kind()) : Bvh.build(primitives, poll);
+    }
+
+    private void makeLights() {
+        if (scene.shading() instanceof PhysicalShading shading) {
+            Surroundings around = images.around(shading.background());
+            physical = new PhysicalScene(
+                    shading, frame, around, compiled, accelerator, glowing.points, camera.startBounds(), poll);
+        } else {
+            lights = scene.lights().stream()
+                    .map(light -> new CompiledLight(light, frame))
+                    .toArray(CompiledLight[]::new);
+        }
+    }
+
+    /** Which faces coincide, and what lights lie on. */
+    private void findContacts() {
+        coincident = CoincidentSurfaces.of(compiled, accelerator, poll);
+        TouchedBoxes near = new TouchedBoxes(
+                compiled.primitives(), compiled.kind(), compiled.kindNames().size(), accelerator);
+        if (isPhysical) {
+            physical.lieOn(compiled, near, coincident, isLoop, poll);
+        }
+        for (CompiledLight light : lights) {
+            light.lieOn(near);
+            lightsLieOnSurfaces |= light.surface != null && !light.lyingOn().isEmpty();
+        }
+    }
+
+    /** Boxes around solids of glass, and the solids that camera rays may start in. */
+    private void findGlass() {
+        int[] solids = compiled.glassSolids();
+        glassBoxes = new GlassBoxes(solids, this::widened);
+        RayStarts starts = camera.rayStarts();
+        cameraSolids =
+                Arrays.stream(solids).filter(id -> starts.mayLieIn(widened(id))).toArray();
+    }
+
+    private Bounds widened(int id) {
+        Bounds box = compiled.primitives()[id].bounds();
+        return CoincidentSurfaces.widened(box, WIDENING * box.maxAbs());
+    }
+
+    private void findOccluders() {
+        LightBody[] bodies = isPhysical ? physical.lights : lights;
+        occluders = new OccluderSet(compiled.primitives(), bodies, isLoop);
+        if (isPhysical && accelerator instanceof PrimitiveList all) {
+            physical.findOccluders(compiled.primitives(), occluders, all);
+        }
+    }
+
+    /** Where lights are seen: straight by the eye, and in mirror balls. */
+    private void findImages() {
+        if (isPhysical) {
+            mirrorBalls = MirrorBalls.of(compiled, coincident, physical, poll);
+            double background = Math.max(physical.backgroundR, Math.max(physical.backgroundG, physical.backgroundB));
+            lightImages = LightImages.of(camera, physical.lights, coincident, physical.surroundings, background, poll);
+        }
+    }
+
+    /** Which features are modelled, and which are not because nothing requires them. */
+    private void describe(CompiledMaterials materials) {
+        SceneFeatures some = new SceneFeatures(scene, !isLoop, materials.bySource.values());
+        PhysicalFeatures more =
+                isPhysical ? new PhysicalFeatures(physical, compiled.materials().distinct(), mirrorBalls) : null;
+        features = more == null ? some.present() : joined(more.present, some.present());
+        absent = more == null ? some.absent() : joined(more.absent, some.absent());
+    }
+
+    private static List<String> joined(List<String> some, List<String> more) {
+        return Stream.concat(some.stream(), more.stream()).toList();
+    }
+}

@@ -6,6 +6,7 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
 import enlightenment.world.check.NarrowChains;
 import enlightenment.world.check.RefractingMedia;
+import enlightenment.world.check.SmallReflections;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -44,12 +45,15 @@ final class UndersampledLight {
         return found;
     }
 
-    /** Whether paths from the eye alone find what mirrors and smooth glass make of lights that are small as seen from there. */
+    /** Whether paths from the eye alone find lights in mirrors and smooth glass that are small as seen from there, or in the picture. */
     private static boolean reflectsSmallLights(CompiledScene moment) {
         PhysicalScene physical = moment.physical;
-        boolean isSmall = physical.hasCausticPass()
-                ? physical.caustics.hasSmallLights()
-                : physical.maxBounces == 1 && Arrays.stream(physical.lights).anyMatch(light -> !light.isPoint);
-        return physical.showsMirrored && isSmall;
+        if (!physical.showsMirrored) {
+            return false;
+        }
+        boolean isSmall = physical.hasCausticPass() && physical.caustics.hasSmallLights()
+                || physical.maxBounces <= 1 && Arrays.stream(physical.lights).anyMatch(light -> !light.isPoint)
+                || SmallReflections.mayBeThere(moment);
+        return isSmall;
     }
 }

@@ -66,7 +66,7 @@ class UndersampledLightTest {
     }
 
     private static String reason(BuiltInMethod method, Scene scene) {
-        RenderSettings settings = RenderSettings.of(scene).withSize(8, 8).withMethod(method);
+        RenderSettings settings = RenderSettings.of(scene).withMethod(method);
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         return String.join("; ", Integrators.undersampled(method, compiled));
     }
@@ -109,6 +109,39 @@ class UndersampledLightTest {
         }
         assertEquals("", reason(BuiltInMethod.LIGHT, 0.3, ball(0, wax(1, 0))));
         assertFalse(reason(BuiltInMethod.LIGHT, 0.3, ball(0, wax(1.4, 0))).contains("border"));
+    }
+
+    /** A lamp that is large as seen from a mirror ball, which is a few pixels large itself: its image is less than one. */
+    @ParameterizedTest
+    @CsvSource({"24, true", "960, false"})
+    void aLampIsSmallInAMirrorThatIsSmallItself(int width, boolean isSmall) {
+        String scene =
+                """
+                { "image": { "width": WIDTH, "height": WIDTH }, "shading": { "model": "physical" },
+                  "camera": { "type": "perspective", "eye": [0, 0, -6], "lookAt": [0, 0, 0], "fieldOfView": 40 },
+                  "lights": [ { "type": "sphere", "center": [2, 2, -9], "radius": 2.4, "color": "#ffffff", "radiance": [3, 3, 3] } ],
+                  "objects": [ { "type": "sphere", "center": [0, 0, 0], "radius": 0.12,
+                    "material": { "type": "mirror", "color": "#f0f0f0" } } ] }
+                """
+                        .replace("WIDTH", Integer.toString(width));
+        String said = reason(BuiltInMethod.RAYTRACE, SceneReader.readString(scene, Path.of(""), ""));
+        assertEquals(isSmall, said.contains("small lamps"), said);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0", "1", "5"})
+    void aSmallLampBehindAPaneIsUndersampledHoweverFewBouncesThereAre(int bounces) {
+        String scene =
+                """
+                { "image": { "width": 24, "height": 16 }, "shading": { "model": "physical", "maxBounces": BOUNCES },
+                  "camera": { "type": "perspective", "eye": [0, 0, -6], "lookAt": [0, 0, 0], "fieldOfView": 40 },
+                  "lights": [ { "type": "sphere", "center": [0.1, 0.1, 3], "radius": 0.02, "color": "#ffffff", "radiance": [3, 3, 3] } ],
+                  "objects": [ { "type": "rectangle", "corners": [[-3, -3, 0], [-3, 3, 0], [3, 3, 0], [3, -3, 0]],
+                    "material": { "type": "glass", "color": "#ffffff", "indexOfRefraction": 1.5 } } ] }
+                """
+                        .replace("BOUNCES", Integer.toString(bounces));
+        String said = reason(BuiltInMethod.RAYTRACE, SceneReader.readString(scene, Path.of(""), ""));
+        assertTrue(said.contains("small lamps"), said);
     }
 
     /** The scenes of the table in docs/error-estimation.md. */

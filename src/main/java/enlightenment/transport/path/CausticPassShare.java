@@ -22,7 +22,7 @@ public final class CausticPassShare implements PathStrategy {
         takesNarrow = pass.takesNarrow();
     }
 
-    /** Whether lobes are narrow ones whose light of small lights the pass may make. */
+    /** Whether the pass may sample what this BSDF makes of small lights. */
     public boolean isNarrow(Bsdf bsdf) {
         return takesNarrow && bsdf.isNarrow();
     }
@@ -32,9 +32,9 @@ public final class CausticPassShare implements PathStrategy {
 
     @Override
     public double weightOfHit(PathState state, Ray ray, int light) {
-        if (state.hasDirect || state.isAtCoincident) {
+        if (state.hasDirect || state.nextIsCoincident) {
             return state.leftSmallLights && light >= 0 && pass.takesNarrow(light) ? 0 : 1;
         }
-        return state.isConnectible() ? 0 : 1;
+        return light >= 0 && state.isSampledByCausticPass() ? 0 : 1;
     }
 }

@@ -22,9 +22,9 @@ import java.util.Arrays;
 
 /**
  * The radiance seen along one camera ray, by the rendering equation: a path is followed from surface to surface, at each of them direct
- * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997). What a path finds
- * twice, by sampling a light and by running into it, is weighted so that both together count once ({@link NextEventEstimation}). Nothing is
- * clamped: the mean over paths is the solution. See docs/physical-light.md.
+ * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997). Light that several
+ * strategies can sample is combined by multiple importance sampling ({@link enlightenment.transport.state.PathStrategy}). Nothing is clamped:
+ * the mean over paths is the solution. See docs/path-tracing.md.
  */
 public final class PathIntegrator extends EyePathTracer {
     private final PathState state = new PathState();
@@ -93,7 +93,7 @@ public final class PathIntegrator extends EyePathTracer {
     }
 
     /**
-     * Follows a path no further than {@link #certain} takes it, which tells the same after it as after {@link #shade}.
+     * Follows a path no further than {@link #certain} takes it, whose value is the same after it as after {@link #shade}.
      *
      * @param ray the camera ray, within the tile; the path overwrites it
      */
@@ -171,7 +171,7 @@ public final class PathIntegrator extends EyePathTracer {
     /** Adds what comes from where the path has left the scene. */
     private void escape(Ray ray) {
         if (!isAlbedo) {
-            nextEvent.escape(ray, state, causticPass == null || !state.isConnectible());
+            nextEvent.escape(ray, state, causticPass == null || !state.isSampledByCausticPass());
             value.addEscaped(nextEvent.gathered, nextEvent.hasConstantEnvironment(), path.key);
         }
     }
@@ -270,7 +270,7 @@ public final class PathIntegrator extends EyePathTracer {
             return leaveCut(ray, bsdf, s, sampler);
         }
         PathEvent event = isNarrow ? PathEvent.NARROW : PathEvent.WIDE;
-        boolean leaves = isNarrow && state.isConnectibleOverNarrow();
+        boolean leaves = isNarrow && state.isNarrowSampledByCausticPass();
         vertex.set(bsdf, s, surface, event, leaves);
         nextEvent.direct(vertex, state, sampler, value);
         if (mirrorCaustics != null) {
@@ -322,9 +322,7 @@ public final class PathIntegrator extends EyePathTracer {
             return false;
         }
         if (isRough) {
-            state.extend(PathEvent.ROUGH_BORDER, path.glass.border, vertex.leavesSmallLights);
-            state.isAtCoincident = path.glass.hasNext();
-            state.hasDirect = !state.isAtCoincident;
+            state.extendAtRoughGlass(path.glass.border, vertex.leavesSmallLights, path.glass.hasNext());
         } else {
             state.extendSpecular(-1);
         }
@@ -351,7 +349,7 @@ public final class PathIntegrator extends EyePathTracer {
         path.filter(surface);
         path.turnTo(0);
         boolean isNarrow = causticPass != null && causticPass.isNarrow(bsdf);
-        boolean leaves = isNarrow && state.isConnectibleOverNarrow();
+        boolean leaves = isNarrow && state.isNarrowSampledByCausticPass();
         vertex.set(bsdf, border, surface, PathEvent.ROUGH_BORDER, leaves);
         nextEvent.direct(vertex, state, sampler, value);
         return true;
@@ -380,7 +378,7 @@ public final class PathIntegrator extends EyePathTracer {
         return value.survives(r, g, b, sampler, state.events);
     }
 
-    /** Leaves the vertex that the path is cut at, where others share what arrives: what that becomes of is left to them. */
+    /** Leaves the vertex that the path is cut at: the radiance that arrives there is shared, and shaded by the paths that take it. */
     private boolean leaveCut(Ray ray, Bsdf bsdf, Scattering s, Sampler sampler) {
         nextEvent.sample(sampler, state.address, cut.lamp);
         if (!sample(bsdf, s, sampler)) {

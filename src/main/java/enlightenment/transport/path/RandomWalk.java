@@ -158,7 +158,7 @@ final class RandomWalk {
             // The flight has multiplied the throughput by it.
             return value.endsWith(white);
         }
-        PathEvent kind = index == 1 ? PathEvent.MEDIUM : PathEvent.ENCLOSED_MEDIUM;
+        PathEvent kind = index == 1 ? PathEvent.MEDIUM : PathEvent.REFRACTIVE_MEDIUM;
         boolean gathers = gathers();
         if (gathers) {
             along.end();
@@ -171,7 +171,7 @@ final class RandomWalk {
         if (gathers) {
             state.extend(kind, event, false);
         } else {
-            state.extendInTheDark();
+            state.extendWithoutDirect();
         }
         return survives(sampler, state.events);
     }

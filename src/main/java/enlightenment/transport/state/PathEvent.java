@@ -1,17 +1,17 @@
 package enlightenment.transport.state;
 
-/** How a path from the eye left a vertex, of which it matters here which strategies could have found the light that comes next. */
+/** The kinds of scattering events of a path from the eye, as far as multiple importance sampling distinguishes them. */
 public enum PathEvent {
-    /** In a single direction: by a mirror, by smooth glass, or by such a lobe of a surface. Nothing else is sampled there. */
+    /** A delta lobe: a mirror, smooth glass, or such a lobe of another surface. No next-event estimation. */
     SPECULAR,
-    /** Through or off a rough border of glass: direct light is sampled there, but no light path is connected to the eye. */
+    /** Rough glass: next-event estimation on both sides, but the caustic pass connects none of its vertices to the eye. */
     ROUGH_BORDER,
-    /** By a lobe that is {@linkplain enlightenment.bsdf.Bsdf#isNarrow narrow}. */
+    /** A glossy lobe that is {@linkplain enlightenment.bsdf.Bsdf#isNarrow narrow}, where the caustic pass takes such. */
     NARROW,
-    /** By any other lobe. */
+    /** Any other lobe. */
     WIDE,
-    /** Scattered by a medium of index 1, which paths from lights are scattered by as well. */
+    /** A medium of index 1, which scatters the paths of the caustic pass, too. */
     MEDIUM,
-    /** Scattered by a medium within a border that refracts: the caustic pass follows no light there. */
-    ENCLOSED_MEDIUM
+    /** A medium of another index: the caustic pass follows no light there. */
+    REFRACTIVE_MEDIUM
 }

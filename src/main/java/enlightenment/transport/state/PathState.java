@@ -3,30 +3,30 @@ package enlightenment.transport.state;
 import enlightenment.bsdf.Scattering;
 
 /**
- * What a path from the eye has behind it: of which kinds its events were, and how it left the last one. Every strategy's share of the light
- * that the path hits is a function of this and of what it hits ({@link PathStrategy#weightOfHit}). Surfaces that the path passes straight are
- * no events: connections pass them, too. Mutable, one per thread.
+ * The scattering events of a path from the eye, and the last direction that its BSDFs sampled: what multiple importance sampling of the light
+ * that the path hits depends on ({@link PathStrategy#weightOfHit}). Surfaces that the path passes straight are no events: shadow rays pass them,
+ * too. Mutable, one per thread.
  */
 public final class PathState {
     /** How many scattering events there were. */
     public int events;
 
-    /** How many of them, and of passages, have used random numbers: the address of the next ones. */
+    /** The address of the next random numbers: how many events and passages have used some. */
     public int address;
 
     /** Whether direct light was sampled at the last event, so that emission that the path hits is weighted. */
     public boolean hasDirect;
 
-    /** Whether the next hit coincides with the rough border that the path left: direct light is not sampled towards it. */
-    public boolean isAtCoincident;
+    /** Whether the next hit coincides with the rough glass that the path left: next-event estimation cannot reach it. */
+    public boolean nextIsCoincident;
 
     /** Whether direct light of {@linkplain enlightenment.world.light.CausticPass#takesNarrow small lights} was left out there. */
     public boolean leftSmallLights;
 
-    /** Density per solid angle with which the path left the last vertex where direct light was sampled. */
+    /** Density per solid angle of the BSDF sample at the last vertex with next-event estimation. */
     public double pdf;
 
-    /** The direction in which the path left it. */
+    /** Its direction. */
     public double dx;
 
     public double dy;
@@ -39,21 +39,21 @@ public final class PathState {
     private PathEvent firstScattering;
     private PathEvent last;
     private PathEvent beforeLast;
-    private boolean wasEnclosed;
+    private boolean wasInRefractiveMedium;
 
     /** Begins at the eye. */
     public void begin() {
         events = 0;
         address = 0;
         hasDirect = false;
-        isAtCoincident = false;
+        nextIsCoincident = false;
         leftSmallLights = false;
         first = null;
         firstScattering = null;
         last = null;
         beforeLast = null;
         mirror = -1;
-        wasEnclosed = false;
+        wasInRefractiveMedium = false;
     }
 
     /** Appends an event in a single direction, at the mirror of this id; -1 for glass, and for such lobes of other surfaces. */
@@ -78,17 +78,28 @@ public final class PathState {
         dz = sampled.iz;
     }
 
-    /** Appends that a medium scattered the path where no light was sampled. */
-    public void extendInTheDark() {
-        append(PathEvent.ENCLOSED_MEDIUM);
+    /** Appends scattering in a medium, at a vertex without next-event estimation. */
+    public void extendWithoutDirect() {
+        append(PathEvent.REFRACTIVE_MEDIUM);
         hasDirect = false;
+    }
+
+    /**
+     * Appends an event at rough glass.
+     *
+     * @param toCoincident whether the next hit coincides with it
+     */
+    public void extendAtRoughGlass(Scattering sampled, boolean leavesSmallLights, boolean toCoincident) {
+        extend(PathEvent.ROUGH_BORDER, sampled, leavesSmallLights);
+        nextIsCoincident = toCoincident;
+        hasDirect = !toCoincident;
     }
 
     private void append(PathEvent event) {
         beforeLast = last;
         last = event;
         mirror = -1;
-        isAtCoincident = false;
+        nextIsCoincident = false;
         if (first == null) {
             first = event;
         }
@@ -96,7 +107,7 @@ public final class PathState {
         if (scatters && firstScattering == null) {
             firstScattering = event;
         }
-        wasEnclosed |= event == PathEvent.ENCLOSED_MEDIUM;
+        wasInRefractiveMedium |= event == PathEvent.REFRACTIVE_MEDIUM;
     }
 
     /** How the path left the last vertex; null at the eye. */
@@ -116,19 +127,19 @@ public final class PathState {
 
     /** Whether the eye sees the vertex that the path is at, or the first that scattered it, in a mirror or through glass. */
     public boolean isSeenBySpecular() {
-        return first == PathEvent.SPECULAR || first == PathEvent.ROUGH_BORDER || wasEnclosed;
+        return first == PathEvent.SPECULAR || first == PathEvent.ROUGH_BORDER || wasInRefractiveMedium;
     }
 
     /**
-     * Whether the caustic pass makes such paths if they go on from a mirror or smooth glass to a light: from the light, over that, to the
-     * first vertex, which is connected to the eye.
+     * Whether the caustic pass samples such paths if their last event is specular and a light comes next: from the light, over that, to the
+     * first vertex, which it connects to the eye.
      */
-    public boolean isConnectible() {
+    public boolean isSampledByCausticPass() {
         return firstScattering != null && !isSeenBySpecular();
     }
 
-    /** The same of those that go on from a narrow lobe: the first vertex must have none. */
-    public boolean isConnectibleOverNarrow() {
-        return isConnectible() && firstScattering != PathEvent.NARROW;
+    /** As {@link #isSampledByCausticPass} for a narrow lobe as the last event: false if the first lobe that is not specular is narrow, too. */
+    public boolean isNarrowSampledByCausticPass() {
+        return isSampledByCausticPass() && firstScattering != PathEvent.NARROW;
     }
 }

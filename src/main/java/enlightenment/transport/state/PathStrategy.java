@@ -6,7 +6,7 @@ import enlightenment.sampling.Sampler;
 /**
  * One way in which light reaches a vertex of a path from the eye, with its share in multiple importance sampling. The weight of emission that
  * a path hits by BSDF sampling is the product of all strategies' weights: each says 1 of paths that it does not make, and of each
- * path at most one says anything else. So for every path the shares of all strategies add up to 1 (docs/path-tracing.md).
+ * path at most one says anything else. So for every path the shares add up to 1 (docs/path-tracing.md).
  */
 public interface PathStrategy {
     /**
@@ -17,8 +17,9 @@ public interface PathStrategy {
     void direct(PathVertex vertex, PathState state, Sampler sampler, PathValue value);
 
     /**
-     * The weight, 0 to 1, of emission that the path hits by BSDF sampling, given its events: one less the share of this strategy. A function
-     * of the path alone.
+     * The weight, 0 to 1, of emission that the path hits by BSDF sampling: one less the share of this strategy. It depends on the path
+     * alone, of which the strategy may have kept what {@link #direct} saw: that must have been called last at the last vertex that is not
+     * specular.
      *
      * @param ray by which the path came to it
      * @param light index of the light that was hit; negative if it is none that can be sampled

@@ -23,9 +23,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /**
- * Every kind of path from the eye to a light, up to five segments: the shares of all strategies add up to 1. A path is made from the eye
- * (by BSDF sampling, next-event estimation, or images of mirrors, whose shares of what they divide add up to 1) or by the caustic pass. Both
- * decide by themselves whether they make it, each in its own order of the vertices.
+ * Every kind of path from the eye to a light, up to five segments: it is sampled either from the eye (by BSDF sampling, next-event
+ * estimation, or images in mirrors, which divide it between them: {@code NextEventSharesTest}, {@code MirrorCausticsTest}) or by the caustic
+ * pass. Both decide by themselves whether they sample it, each in its own order of the vertices, and their shares add up to 1.
  */
 class StrategySharesTest {
     private static final int MOST_EVENTS = 4;
@@ -113,7 +113,7 @@ class StrategySharesTest {
             case METAL, MATTE -> PathEvent.WIDE;
             case POLISHED_GLASS, FROSTED_GLASS -> PathEvent.ROUGH_BORDER;
             case FOG -> PathEvent.MEDIUM;
-            case FOG_IN_GLASS -> PathEvent.ENCLOSED_MEDIUM;
+            case FOG_IN_GLASS -> PathEvent.REFRACTIVE_MEDIUM;
         };
     }
 
@@ -124,10 +124,10 @@ class StrategySharesTest {
         boolean leaves = false;
         for (Matter matter : path) {
             boolean isNarrow = matter.material != null && share.isNarrow(BSDF[matter.ordinal()]);
-            leaves = isNarrow && state.isConnectibleOverNarrow();
+            leaves = isNarrow && state.isNarrowSampledByCausticPass();
             switch (event(matter)) {
                 case SPECULAR -> state.extendSpecular(matter == Matter.MIRROR ? 0 : -1);
-                case ENCLOSED_MEDIUM -> state.extendInTheDark();
+                case REFRACTIVE_MEDIUM -> state.extendWithoutDirect();
                 default -> state.extend(event(matter), new Scattering(), leaves);
             }
         }
@@ -162,7 +162,7 @@ class StrategySharesTest {
     }
 
     @Test
-    void theSharesOfAllStrategiesAddUpToOne() {
+    void thePathIntegratorAndTheCausticPassAddUpToOne() {
         int ofPass = 0;
         for (List<Matter> path : paths()) {
             for (int light : new int[] {SMALL, LARGE}) {

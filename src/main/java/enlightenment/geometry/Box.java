@@ -38,4 +38,9 @@ public record Box(ExactPoint min, ExactPoint max) implements Shape {
     public double reach() {
         return 0;
     }
+
+    @Override
+    public boolean enclosesVolume() {
+        return true;
+    }
 }

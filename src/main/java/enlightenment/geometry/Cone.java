@@ -39,4 +39,9 @@ public record Cone(ExactPoint base, ExactPoint apex, double radius, double topRa
     public double reach() {
         return Math.max(radius, topRadius);
     }
+
+    @Override
+    public boolean enclosesVolume() {
+        return capped;
+    }
 }

@@ -36,4 +36,9 @@ public record Cube(ExactPoint center, double radius, Vec3 rotation) implements S
     public double reach() {
         return radius;
     }
+
+    @Override
+    public boolean enclosesVolume() {
+        return true;
+    }
 }

@@ -36,4 +36,9 @@ public record Cylinder(ExactPoint base, ExactPoint top, double radius, boolean c
     public double reach() {
         return radius;
     }
+
+    @Override
+    public boolean enclosesVolume() {
+        return capped;
+    }
 }

@@ -36,4 +36,9 @@ public record Disk(ExactPoint center, Vec3 normal, double radius) implements Sha
     public double reach() {
         return radius;
     }
+
+    @Override
+    public boolean enclosesVolume() {
+        return false;
+    }
 }

@@ -33,4 +33,9 @@ public record Rectangle(ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint u
     public double reach() {
         return 0;
     }
+
+    @Override
+    public boolean enclosesVolume() {
+        return false;
+    }
 }

@@ -19,4 +19,7 @@ public sealed interface Shape permits Sphere, Rectangle, Disk, Cylinder, Cone, C
 
     /** How far the shape reaches beyond the convex hull of its {@link #anchors}, at most: in scene units, at least 0. */
     double reach();
+
+    /** Whether it has an inside, which may be filled with glass or a medium; else it is a surface without thickness. */
+    boolean enclosesVolume();
 }

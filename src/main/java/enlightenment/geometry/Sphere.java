@@ -39,4 +39,9 @@ public record Sphere(ExactPoint center, double radius, double rotation) implemen
     public double reach() {
         return radius;
     }
+
+    @Override
+    public boolean enclosesVolume() {
+        return true;
+    }
 }

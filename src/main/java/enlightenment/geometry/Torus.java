@@ -42,4 +42,9 @@ public record Torus(ExactPoint center, Vec3 axis, double majorRadius, double min
     public double reach() {
         return majorRadius + minorRadius;
     }
+
+    @Override
+    public boolean enclosesVolume() {
+        return true;
+    }
 }

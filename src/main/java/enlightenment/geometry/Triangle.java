@@ -31,4 +31,9 @@ public record Triangle(ExactPoint a, ExactPoint b, ExactPoint c) implements Shap
     public double reach() {
         return 0;
     }
+
+    @Override
+    public boolean enclosesVolume() {
+        return false;
+    }
 }

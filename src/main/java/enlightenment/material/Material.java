@@ -52,6 +52,9 @@ public sealed interface Material
     /** The name of this kind of material in the scene format, such as {@code "matte"}. */
     String type();
 
+    /** Whether classic shading knows this kind of material; all others are for physical shading alone. */
+    boolean isForClassicShading();
+
     /**
      * A diffuse surface; in classic shading, shaded by the cosine rule.
      *
@@ -101,6 +104,11 @@ public sealed interface Material
         public String type() {
             return "matte";
         }
+
+        @Override
+        public boolean isForClassicShading() {
+            return true;
+        }
     }
 
     /**
@@ -137,6 +145,11 @@ public sealed interface Material
         @Override
         public String type() {
             return "mirror";
+        }
+
+        @Override
+        public boolean isForClassicShading() {
+            return true;
         }
     }
 
@@ -192,6 +205,11 @@ public sealed interface Material
         @Override
         public String type() {
             return "glossy";
+        }
+
+        @Override
+        public boolean isForClassicShading() {
+            return false;
         }
     }
 
@@ -313,6 +331,11 @@ public sealed interface Material
         public String type() {
             return "glass";
         }
+
+        @Override
+        public boolean isForClassicShading() {
+            return true;
+        }
     }
 
     /**
@@ -347,6 +370,11 @@ public sealed interface Material
         @Override
         public String type() {
             return "scattering";
+        }
+
+        @Override
+        public boolean isForClassicShading() {
+            return false;
         }
     }
 
@@ -392,6 +420,11 @@ public sealed interface Material
         @Override
         public String type() {
             return "fluorescent";
+        }
+
+        @Override
+        public boolean isForClassicShading() {
+            return false;
         }
     }
 }

@@ -1,12 +1,6 @@
 package enlightenment.scene;
 
 import enlightenment.camera.Camera;
-import enlightenment.geometry.Cone;
-import enlightenment.geometry.Cylinder;
-import enlightenment.geometry.Disk;
-import enlightenment.geometry.Rectangle;
-import enlightenment.geometry.Shape;
-import enlightenment.geometry.Triangle;
 import enlightenment.material.Material;
 import enlightenment.math.InvalidValueException;
 import java.util.LinkedHashMap;
@@ -67,7 +61,7 @@ final class ShadingFit {
     void look(SceneObject object, int index) {
         String place = "objects/" + index + "/material";
         look(object.material(), place);
-        if (model == Shading.Model.PHYSICAL && !enclosesVolume(object.shape())) {
+        if (model == Shading.Model.PHYSICAL && !object.shape().enclosesVolume()) {
             lookAtPane(object.material(), place);
         }
         for (int i = 0; i < object.faces().size(); i++) {
@@ -85,16 +79,6 @@ final class ShadingFit {
         }
     }
 
-    private static boolean enclosesVolume(Shape shape) {
-        if (shape instanceof Cylinder c) {
-            return c.capped();
-        }
-        if (shape instanceof Cone c) {
-            return c.capped();
-        }
-        return !(shape instanceof Rectangle || shape instanceof Disk || shape instanceof Triangle);
-    }
-
     private void look(Material material, String place) {
         LightFeature feature = model == Shading.Model.PHYSICAL ? LightFeature.of(material) : null;
         if (feature == LightFeature.DISPERSION && glass == null) {
@@ -102,7 +86,7 @@ final class ShadingFit {
         } else if (feature == LightFeature.FLUORESCENCE && dye == null) {
             dye = placeOf(named, material, place);
         }
-        if (model == Shading.Model.CLASSIC && needsPhysical(material)) {
+        if (model == Shading.Model.CLASSIC && !material.isForClassicShading()) {
             found.putIfAbsent(
                     placeOf(named, material, place) + "/type",
                     "\"" + material.type() + "\" needs \"shading\": {\"model\": \"physical\"}; classic shading has"
@@ -112,12 +96,6 @@ final class ShadingFit {
                     placeOf(named, material, place) + "/receivesShadows",
                     "must be true in physical shading: what stands in the way of light takes it from every surface alike");
         }
-    }
-
-    private static boolean needsPhysical(Material material) {
-        return material instanceof Material.Glossy
-                || material instanceof Material.Scattering
-                || material instanceof Material.Fluorescent;
     }
 
     /** Where a material stands: with its name, if it has one. */

@@ -307,7 +307,7 @@ final class RandomScenes {
             }
         }
         Material material = !faces.isEmpty() && random.nextBoolean() ? faces.get(0) : material();
-        while (isPhysical && needsVolume(material) && !hasVolume(shape)) {
+        while (isPhysical && needsVolume(material) && !shape.enclosesVolume()) {
             material = newMaterial();
         }
         return new SceneObject(name, shape, material, faces);
@@ -316,15 +316,6 @@ final class RandomScenes {
     private static boolean needsVolume(Material material) {
         return material instanceof Material.Scattering
                 || material instanceof Material.Glass glass && glass.roughness() > 0;
-    }
-
-    private static boolean hasVolume(Shape shape) {
-        return shape instanceof Sphere
-                || shape instanceof Cube
-                || shape instanceof Box
-                || shape instanceof Torus
-                || shape instanceof Cylinder cylinder && cylinder.capped()
-                || shape instanceof Cone cone && cone.capped();
     }
 
     private Shape shape() {

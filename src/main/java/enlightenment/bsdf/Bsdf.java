@@ -10,8 +10,7 @@ package enlightenment.bsdf;
  * {@link #sample} finds them, with a discrete probability in place of the density. {@link Scattering#delta} says which of the two was
  * sampled; it is never inferred from the size of a number.
  */
-public sealed interface Bsdf
-        permits DeltaBsdf, Lambert, RoughDiffuse, GlossyReflection, RoughDielectric, HenyeyGreenstein {
+public interface Bsdf {
     /** Whether all lobes are delta lobes: then {@link #evaluate} and {@link #pdf} are 0 for all directions. */
     boolean isDelta();
 

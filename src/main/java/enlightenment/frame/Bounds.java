@@ -56,6 +56,12 @@ public record Bounds(Vec3 min, Vec3 max) {
         return max.minus(min);
     }
 
+    /** One of its corners, by a number 0 to 7: bit 0 says whether x is the greatest rather than the least, bit 1 y, bit 2 z. */
+    public Vec3 corner(int k) {
+        return new Vec3(
+                (k & 1) == 0 ? min.x() : max.x(), (k & 2) == 0 ? min.y() : max.y(), (k & 4) == 0 ? min.z() : max.z());
+    }
+
     /** The largest absolute coordinate. */
     public double maxAbs() {
         return Math.max(min.maxAbs(), max.maxAbs());

@@ -51,9 +51,8 @@ final class UndersampledLight {
         if (!physical.showsMirrored) {
             return false;
         }
-        boolean isSmall = physical.hasCausticPass() && physical.caustics.hasSmallLights()
+        return physical.hasCausticPass() && physical.caustics.hasSmallLights()
                 || physical.maxBounces <= 1 && Arrays.stream(physical.lights).anyMatch(light -> !light.isPoint)
                 || SmallReflections.mayBeThere(moment);
-        return isSmall;
     }
 }

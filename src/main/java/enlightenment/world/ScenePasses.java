@@ -166,10 +166,12 @@ final class ScenePasses {
         }
     }
 
-    /** Where lights are seen: straight by the eye, and in mirror balls. */
+    /** Where lights are seen: in mirror balls, and straight by the eye; not through a medium that fills everything, which absorbs. */
     private void findImages() {
         if (isPhysical) {
             mirrorBalls = MirrorBalls.of(compiled, coincident, physical, poll);
+        }
+        if (isPhysical && physical.around == null) {
             double background = Math.max(physical.backgroundR, Math.max(physical.backgroundG, physical.backgroundB));
             lightImages = LightImages.of(camera, physical.lights, coincident, physical.surroundings, background, poll);
         }

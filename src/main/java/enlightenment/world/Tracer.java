@@ -132,6 +132,13 @@ public final class Tracer {
         return search(ray, hit, tile, tileLights, tileLightCount);
     }
 
+    /** Whether the closest surface that a ray meets is a light of physical shading, by its index, on a side that it shines on. */
+    public boolean meetsLight(Ray ray, Hit out, int index) {
+        return trace(ray, out)
+                && scene.physical.lightOf(id, out.face) == index
+                && scene.material(id, out.face).glowsTo(out.side);
+    }
+
     /**
      * Finds the first primitive or light that the ray meets.
      *

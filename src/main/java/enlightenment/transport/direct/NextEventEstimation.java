@@ -122,16 +122,25 @@ public final class NextEventEstimation implements PathStrategy {
 
     @Override
     public void direct(PathVertex vertex, PathState state, Sampler sampler, PathValue value) {
-        boolean isFirst = !state.hasScattered();
         if (vertex.isMatte()) {
-            gatherMatte(sampler, state.address, isFirst);
+            gatherMatte(sampler, state.address, !state.hasScattered());
             value.addReflected(gathered, vertex.color);
             return;
         }
-        boolean isBorder = vertex.event == PathEvent.ROUGH_BORDER;
+        direct(vertex, null, state, sampler, value);
+    }
+
+    /**
+     * As {@link #direct(PathVertex, PathState, Sampler, PathValue)} of a vertex that is not Lambertian.
+     *
+     * @param flight along which direct light was sampled as well, at a point of a medium; null elsewhere
+     */
+    public void direct(PathVertex vertex, FlightLight flight, PathState state, Sampler sampler, PathValue value) {
+        boolean isFirst = !state.hasScattered();
         begin(false, isFirst);
+        along = flight;
         leavesSmall = vertex.leavesSmallLights;
-        if (isBorder) {
+        if (vertex.event == PathEvent.ROUGH_BORDER) {
             nx = 0;
             ny = 0;
             nz = 0;
@@ -281,20 +290,6 @@ public final class NextEventEstimation implements PathStrategy {
         }
         double weighed = cosine / sample.pdf * PowerHeuristic.weight(cosine / Math.PI, probability * sample.pdf);
         return known == Tracer.Visibility.ALL || !shadow.isBlocked(l, sample) ? weighed : 0;
-    }
-
-    /**
-     * Gathers the light at a point of a medium.
-     *
-     * @param flight that ended there, along which light was looked for as well
-     */
-    public void directInMedium(
-            PathVertex vertex, FlightLight flight, PathState state, Sampler sampler, PathValue value) {
-        boolean isFirst = !state.hasScattered();
-        begin(false, isFirst);
-        along = flight;
-        gatherAll(vertex.bsdf, vertex.s, sampler, state.address, isFirst);
-        value.add(gathered);
     }
 
     private void gatherAll(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {

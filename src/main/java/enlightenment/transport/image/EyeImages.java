@@ -17,15 +17,14 @@ import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * The light that the eye has from lights with nothing in between, in pixels that their images do not cover entirely. Samples of a pixel may
- * all miss an image, or what of it is in the pixel, and then nothing tells of it; however bright the lamp is, it is missing. So every sample
- * takes a second place on the film, within what of the image is in the pixel, and what the first place sees of the image there does not
- * count: all light is found exactly once, whatever polygon the image is taken for. See docs/path-tracing.md. A mutable work object, one per
- * thread.
+ * Emission that the eye sees with nothing in between, in pixels that a light's image does not cover entirely. The samples of a pixel may all
+ * miss the image, and neither picture nor error estimate would show it. So every sample takes a second film position within the image's part of
+ * the pixel, and emission of that light seen from the first position counts only outside of it: each path is sampled exactly once, whatever
+ * polygon stands for the image. See docs/path-tracing.md. A mutable work object, one per thread.
  */
 public final class EyeImages implements PathStrategy {
-    /** So many columns and rows of pixels are remembered, by what is left of their numbers: blocks are smaller. */
-    private static final int REMEMBERED = 16;
+    /** Direct-mapped cache of 16 × 16 pixels: blocks are smaller. */
+    private static final int CACHE_SIDE = 16;
 
     private final CompiledScene scene;
     private final PathFollower path;
@@ -76,10 +75,9 @@ public final class EyeImages implements PathStrategy {
         this.path = path;
         eye = new EyeProjection(scene.camera);
         starts = scene.cameraSolids.length == 0 ? null : new PathFollower(scene, counters, 0);
-        // In a medium that fills everything absorption counts as well: left to chance.
-        all = isWanted && scene.physical.around == null ? scene.lightImages : new LightImage[0];
+        all = isWanted ? scene.lightImages : new LightImage[0];
         near = new LightImage[all.length];
-        pixels = new PixelImages[all.length == 0 ? 0 : REMEMBERED * REMEMBERED];
+        pixels = new PixelImages[all.length == 0 ? 0 : CACHE_SIDE * CACHE_SIDE];
     }
 
     /** Sets the tile of the paths to come, as {@link Shader#beginTile}. */
@@ -110,7 +108,7 @@ public final class EyeImages implements PathStrategy {
     }
 
     private PixelImages pixel(int column, int row) {
-        int at = row % REMEMBERED * REMEMBERED + column % REMEMBERED;
+        int at = row % CACHE_SIDE * CACHE_SIDE + column % CACHE_SIDE;
         PixelImages known = pixels[at];
         if (known == null || known.column != column || known.row != row) {
             known = PixelImages.of(column, row, near, nearCount, work);
@@ -142,9 +140,7 @@ public final class EyeImages implements PathStrategy {
             }
         }
         int light = part.image.light;
-        boolean isMet = path.tracer.trace(ray, met)
-                && scene.physical.lightOf(path.tracer.id, met.face) == light
-                && scene.material(path.tracer.id, met.face).glowsTo(met.side);
+        boolean isMet = path.tracer.meetsLight(ray, met, light);
         if (isMet) {
             PhysicalLight l = scene.physical.lights[light];
             red = here.share * l.r;
@@ -160,7 +156,7 @@ public final class EyeImages implements PathStrategy {
 
     @Override
     public double weightOfHit(PathState state, Ray camera, int light) {
-        return state.last() == null ? weight() : 1;
+        return weight();
     }
 
     /** The weight, 0 or 1, of what the surface that the path is at emits. */

@@ -32,11 +32,6 @@ final class MirroredLight {
         this.tracer = tracer;
     }
 
-    private boolean isLight(int light) {
-        return scene.physical.lightOf(tracer.id, met.face) == light
-                && scene.material(tracer.id, met.face).glowsTo(met.side);
-    }
-
     /** Sets the colour of the surface of a primitive that was met; returns its material. */
     private SurfaceMaterial colored(int id) {
         SurfaceMaterial material = scene.material(id, met.face);
@@ -70,6 +65,6 @@ final class MirroredLight {
         blue = event.valueB;
         counters.mirrorRays++;
         Optics.leave(ray, met, event);
-        return tracer.trace(ray, met) && isLight(light);
+        return tracer.meetsLight(ray, met, light);
     }
 }

@@ -163,7 +163,7 @@ final class RandomWalk {
         if (gathers) {
             along.end();
             vertex.set(medium.phase, event, white, kind, false);
-            direct.directInMedium(vertex, along, state, sampler, value);
+            direct.direct(vertex, along, state, sampler, value);
         }
         sampler.pair(state.address++, Sampler.Purpose.DIRECTION, pair);
         medium.phase.sample(event, pair[0], pair[1], 0);

@@ -11,7 +11,7 @@ public final class Optics {
 
     /** Sets direction and shading normal of the surface where the ray arrives. */
     public static void arrive(Scattering s, Ray ray, SurfaceInteraction at) {
-        arrive(s, ray, at.hit);
+        setOutgoing(s, ray);
         s.nx = at.nx;
         s.ny = at.ny;
         s.nz = at.nz;
@@ -19,13 +19,18 @@ public final class Optics {
 
     /** Sets direction and geometric normal of the place where the ray arrives. */
     public static void arrive(Scattering s, Ray ray, Hit hit) {
+        setOutgoing(s, ray);
+        s.nx = hit.nx * hit.side;
+        s.ny = hit.ny * hit.side;
+        s.nz = hit.nz * hit.side;
+    }
+
+    /** Sets the unit direction to where the ray came from. */
+    private static void setOutgoing(Scattering s, Ray ray) {
         double scale = 1 / Math.sqrt(ray.dd);
         s.ox = -ray.dx * scale;
         s.oy = -ray.dy * scale;
         s.oz = -ray.dz * scale;
-        s.nx = hit.nx * hit.side;
-        s.ny = hit.ny * hit.side;
-        s.nz = hit.nz * hit.side;
     }
 
     /**

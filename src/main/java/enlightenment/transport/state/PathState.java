@@ -110,12 +110,7 @@ public final class PathState {
         wasInRefractiveMedium |= event == PathEvent.REFRACTIVE_MEDIUM;
     }
 
-    /** How the path left the last vertex; null at the eye. */
-    public PathEvent last() {
-        return last;
-    }
-
-    /** How it left the one before; null if there is none. */
+    /** The event before the last; null if there is none. */
     public PathEvent beforeLast() {
         return beforeLast;
     }

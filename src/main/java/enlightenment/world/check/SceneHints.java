@@ -275,11 +275,7 @@ public final class SceneHints {
         }
         return box -> {
             for (int k = 0; k < 8; k++) {
-                Vec3 corner = new Vec3(
-                        (k & 1) == 0 ? box.min().x() : box.max().x(),
-                        (k & 2) == 0 ? box.min().y() : box.max().y(),
-                        (k & 4) == 0 ? box.min().z() : box.max().z());
-                if (!isInPyramid(corners, forward, corner.minus(eye))) {
+                if (!isInPyramid(corners, forward, box.corner(k).minus(eye))) {
                     return false;
                 }
             }

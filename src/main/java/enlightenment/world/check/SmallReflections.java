@@ -40,12 +40,13 @@ public final class SmallReflections {
 
     private static boolean isCurvedAndSharp(CompiledScene scene, int id) {
         Primitive p = scene.primitives[id];
-        boolean isSharp = false;
         for (int face = 0; face < p.faceCount(); face++) {
-            isSharp |= SpecularThings.isSharp(scene.material(id, face))
-                    && !p.support(face).isFlat();
+            if (SpecularThings.isSharp(scene.material(id, face))
+                    && !p.support(face).isFlat()) {
+                return true;
+            }
         }
-        return isSharp;
+        return false;
     }
 
     /** The area of the box around the thing in the picture; of one that reaches behind the eye, that of the picture. */
@@ -55,11 +56,8 @@ public final class SmallReflections {
         double top = 1;
         double bottom = 0;
         for (int k = 0; k < 8; k++) {
-            boolean isBefore = eye.place(
-                    (k & 1) == 0 ? box.min().x() : box.max().x(),
-                    (k & 2) == 0 ? box.min().y() : box.max().y(),
-                    (k & 4) == 0 ? box.min().z() : box.max().z());
-            if (!isBefore) {
+            Vec3 corner = box.corner(k);
+            if (!eye.place(corner.x(), corner.y(), corner.z())) {
                 return scene.camera.columns * (double) scene.camera.rows;
             }
             left = Math.min(left, eye.x);

@@ -13,15 +13,12 @@ import java.util.List;
  * Finds the lights that samples of a pixel may miss, as they are seen with nothing in between. Whether something hides them is not asked.
  *
  * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are
- * bright beside what is likely to be behind them: not dimmer than a sixteenth of the brightest light, nor than twice the background. Black
- * takes the light's place among the samples of the pixel, and must be nearer to what is behind than the light is. The choice is the same
- * however bright all lights together are.
+ * bright beside what is likely to be behind them: not dimmer than a sixteenth of the brightest light, nor than twice the background. Where the
+ * image is sampled apart, a pixel sample that hits the light is worth 0: that has less variance only if the light is at least twice as bright as
+ * what is behind it. The choice does not depend on the scale of all lights.
  */
 public final class LightImages {
-    /**
-     * So many images that are not smaller than a pixel are taken, the first ones: most edges in a mesh that glows are no edges of the
-     * light.
-     */
+    /** The most images of a pixel or more that are kept, the first ones: most edges in a mesh that glows are no edges of the light. */
     private static final int MOST_LARGE = 64;
 
     /**

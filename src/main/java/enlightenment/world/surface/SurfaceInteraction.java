@@ -10,22 +10,20 @@ import enlightenment.world.material.SurfaceMaterial;
  * place where hits become interactions. A mutable work object, one per path.
  */
 public final class SurfaceInteraction {
-    /** No primitive: the path is in a medium. */
-    public static final int NOWHERE = -1;
+    private static final int NOWHERE = -1;
 
-    /** No light: the surface emits nothing, or nothing that could be sampled. */
-    public static final int NO_LIGHT = -1;
+    private static final int NO_LIGHT = -1;
 
     /** Point, geometric normal (it points to the outside), side and face. Rays that leave the surface start there. */
     public final Hit hit = new Hit();
 
-    /** The primitive's id; {@link #NOWHERE} in a medium. */
+    /** The primitive's id; -1 in a medium. */
     public int id = NOWHERE;
 
     /** The material of the face; null in a medium. */
     public SurfaceMaterial material;
 
-    /** The index of the light that the face is, or {@link #NO_LIGHT}. */
+    /** The index of the light that the face is; -1 if it emits nothing, or nothing that could be sampled. */
     public int light = NO_LIGHT;
 
     /** The unit shading normal on the side that the path came from; (0, 0, 0) in a medium. */

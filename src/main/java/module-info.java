@@ -24,6 +24,7 @@ module enlightenment {
 
     exports enlightenment.math;
     exports enlightenment.color;
+    exports enlightenment.mesh;
     exports enlightenment.geometry;
     exports enlightenment.material;
     exports enlightenment.light;

@@ -59,6 +59,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.video")
             .layer("texture")
             .definedBy("enlightenment.texture")
+            .layer("mesh")
+            .definedBy("enlightenment.mesh")
             .layer("geometry")
             .definedBy("enlightenment.geometry")
             .layer("primitive")
@@ -127,7 +129,7 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("net", "cli")
             .whereLayer("file")
             .mayOnlyBeAccessedByLayers(
-                    "codec", "image", "video", "json", "nff", "job", "checkpoint", "net", "measure", "cli")
+                    "codec", "image", "video", "mesh", "json", "nff", "job", "checkpoint", "net", "measure", "cli")
             .whereLayer("job")
             .mayOnlyBeAccessedByLayers("checkpoint", "net", "cli")
             .whereLayer("checkpoint")

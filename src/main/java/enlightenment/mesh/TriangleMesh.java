@@ -1,0 +1,398 @@
+package enlightenment.mesh;
+
+import enlightenment.check.Check;
+import enlightenment.file.ContentHash;
+import enlightenment.math.Vec3;
+import enlightenment.numeric.Products;
+import java.nio.ByteBuffer;
+import java.security.MessageDigest;
+import java.util.Arrays;
+import java.util.Optional;
+
+/**
+ * Triangles that share vertices, in coordinates of their own (object space). A triangle's geometric normal, (b − a) × (c − a), points to its
+ * outside; a mesh is seen from both sides. Vertices may have a normal, by which surfaces are shaded as if they were smooth, and texture
+ * coordinates, u to the right and v upwards. Immutable; equal meshes have equal numbers.
+ *
+ * <p>Coordinates are kept as floats where each is one, else as doubles. Triangles without an area are left out, and counted: files are full of
+ * them.
+ */
+public final class TriangleMesh {
+    private final float[] positions;
+
+    /** The same where they are no floats; else null. */
+    private final double[] longPositions;
+
+    private final int[] indices;
+    private final float[] normals;
+    private final float[] uv;
+    private final int dropped;
+    private volatile String digest;
+    private volatile OpenEdges openEdges;
+
+    /** Takes the arrays as they are: positions, or the longer ones; normals and texture coordinates may be null. */
+    TriangleMesh(float[] positions, double[] longPositions, int[] indices, float[] normals, float[] uv) {
+        this.positions = positions;
+        this.longPositions = longPositions;
+        this.normals = normals;
+        this.uv = uv;
+        check(indices);
+        this.indices = withArea(indices);
+        dropped = (indices.length - this.indices.length) / 3;
+        Check.that(this.indices.length > 0, "indices", "must hold at least one triangle with an area");
+    }
+
+    private TriangleMesh(TriangleMesh of, float[] normals, float[] uv) {
+        positions = of.positions;
+        longPositions = of.longPositions;
+        indices = of.indices;
+        dropped = of.dropped;
+        this.normals = normals;
+        this.uv = uv;
+        checkAttributes();
+    }
+
+    /** The same mesh, made of one from which so many triangles were left out. */
+    private TriangleMesh(TriangleMesh of, int dropped) {
+        positions = of.positions;
+        longPositions = of.longPositions;
+        indices = of.indices;
+        normals = of.normals;
+        uv = of.uv;
+        this.dropped = dropped;
+    }
+
+    /**
+     * The mesh of these triangles; the arrays are copied.
+     *
+     * @param positions x, y, z of each vertex, finite
+     * @param indices three vertices of each triangle, counted from 0
+     * @throws enlightenment.math.InvalidValueException (key {@code positions} or {@code indices}) for a coordinate that is not finite, an
+     *     index that is out of range, an incomplete vertex or triangle, or if no triangle has an area
+     */
+    public static TriangleMesh of(float[] positions, int[] indices) {
+        return new TriangleMesh(positions.clone(), null, indices.clone(), null, null);
+    }
+
+    /** The same with coordinates of twice the precision. */
+    public static TriangleMesh of(double[] positions, int[] indices) {
+        return of(positions.clone(), indices.clone(), null, null);
+    }
+
+    /** The same with arrays that are kept, and attributes or null. */
+    static TriangleMesh of(double[] positions, int[] indices, float[] normals, float[] uv) {
+        float[] floats = new float[positions.length];
+        for (int i = 0; i < floats.length; i++) {
+            floats[i] = (float) positions[i];
+            if (floats[i] != positions[i]) {
+                return new TriangleMesh(null, positions, indices, normals, uv);
+            }
+        }
+        return new TriangleMesh(floats, null, indices, normals, uv);
+    }
+
+    /**
+     * This mesh with a normal for each vertex.
+     *
+     * @param values x, y, z for each vertex, of any length; the zero vector has no direction: there the geometric normal counts
+     * @throws enlightenment.math.InvalidValueException (key {@code normals}) unless there is a finite one for each vertex
+     */
+    public TriangleMesh withNormals(float[] values) {
+        return new TriangleMesh(this, values.clone(), uv);
+    }
+
+    /** This mesh without normals of vertices: each triangle is flat. */
+    public TriangleMesh flat() {
+        return normals == null ? this : new TriangleMesh(this, null, uv);
+    }
+
+    /** This mesh, smooth everywhere: the normal of a vertex is the mean of those of the triangles around it, weighted by their angles. */
+    public TriangleMesh smooth() {
+        return smooth(180);
+    }
+
+    /**
+     * The same, but with edges: at a vertex, normals of triangles that differ from a triangle's own by more than an angle do not count for it.
+     * Vertices are split where triangles disagree. Vertices in the same place count as one.
+     *
+     * @param crease the angle in degrees, 0..180
+     */
+    public TriangleMesh smooth(double crease) {
+        Check.range("crease", crease, 0, 180);
+        return SmoothNormals.of(this, crease);
+    }
+
+    /**
+     * This mesh with texture coordinates for each vertex.
+     *
+     * @param values u and v for each vertex
+     * @throws enlightenment.math.InvalidValueException (key {@code uv}) unless there are two finite numbers for each vertex
+     */
+    public TriangleMesh withUv(float[] values) {
+        return new TriangleMesh(this, normals, values.clone());
+    }
+
+    private void check(int[] all) {
+        int numbers = positions == null ? longPositions.length : positions.length;
+        Check.that(numbers % 3 == 0, "positions", "must be three numbers for each vertex, not " + numbers + " in all");
+        Check.that(all.length % 3 == 0, "indices", "must be three for each triangle, not " + all.length + " in all");
+        for (int i = 0; i < numbers; i++) {
+            double v = number(i);
+            if (!Double.isFinite(v)) {
+                Check.that(false, "positions", "vertex " + i / 3 + " has a coordinate that is not finite: " + v);
+            }
+        }
+        for (int i = 0; i < all.length; i++) {
+            int v = all[i];
+            if (v < 0 || v >= numbers / 3) {
+                Check.that(
+                        false,
+                        "indices",
+                        "triangle " + i / 3 + " has the vertex " + v + "; there are " + numbers / 3 + " from 0");
+            }
+        }
+        checkAttributes();
+    }
+
+    private void checkAttributes() {
+        check(normals, 3, "normals");
+        check(uv, 2, "uv");
+    }
+
+    private void check(float[] attribute, int each, String key) {
+        if (attribute == null) {
+            return;
+        }
+        Check.that(
+                attribute.length == each * vertices(),
+                key,
+                "must be " + each + " numbers for each of " + vertices() + " vertices, not " + attribute.length);
+        for (int i = 0; i < attribute.length; i++) {
+            if (!Float.isFinite(attribute[i])) {
+                Check.that(false, key, "vertex " + i / each + " has a number that is not finite: " + attribute[i]);
+            }
+        }
+    }
+
+    /** The triangles whose three corners do not lie in one line, as far as doubles can tell. */
+    private int[] withArea(int[] all) {
+        double[] n = new double[3];
+        int kept = 0;
+        for (int i = 0; i < all.length; i += 3) {
+            if (normal(all[i], all[i + 1], all[i + 2], n)) {
+                if (kept < i) {
+                    System.arraycopy(all, i, all, kept, 3);
+                }
+                kept += 3;
+            }
+        }
+        return kept == all.length ? all : Arrays.copyOf(all, kept);
+    }
+
+    private boolean normal(int a, int b, int c, double[] out) {
+        double ux = coordinate(b, 0) - coordinate(a, 0);
+        double uy = coordinate(b, 1) - coordinate(a, 1);
+        double uz = coordinate(b, 2) - coordinate(a, 2);
+        double vx = coordinate(c, 0) - coordinate(a, 0);
+        double vy = coordinate(c, 1) - coordinate(a, 1);
+        double vz = coordinate(c, 2) - coordinate(a, 2);
+        out[0] = Products.difference(uy, vz, uz, vy);
+        out[1] = Products.difference(uz, vx, ux, vz);
+        out[2] = Products.difference(ux, vy, uy, vx);
+        double size = Math.abs(out[0]) + Math.abs(out[1]) + Math.abs(out[2]);
+        return size > 0 && size < Double.POSITIVE_INFINITY;
+    }
+
+    private double number(int i) {
+        return positions == null ? longPositions[i] : positions[i];
+    }
+
+    /**
+     * The same triangles with other vertices, which are copies of the old ones.
+     *
+     * @param old by new vertex: the old one
+     * @param corners the new indices
+     * @param newNormals by new vertex
+     */
+    TriangleMesh rearranged(int[] old, int[] corners, float[] newNormals) {
+        float[] p = positions == null ? null : picked(positions, 3, old);
+        double[] q = positions == null ? new double[3 * old.length] : null;
+        for (int i = 0; q != null && i < q.length; i++) {
+            q[i] = longPositions[3 * old[i / 3] + i % 3];
+        }
+        TriangleMesh mesh = new TriangleMesh(p, q, corners, newNormals, uv == null ? null : picked(uv, 2, old));
+        return dropped == 0 ? mesh : new TriangleMesh(mesh, dropped);
+    }
+
+    private static float[] picked(float[] values, int each, int[] old) {
+        float[] some = new float[each * old.length];
+        for (int i = 0; i < some.length; i++) {
+            some[i] = values[each * old[i / each] + i % each];
+        }
+        return some;
+    }
+
+    /** The number of vertices. */
+    public int vertices() {
+        return (positions == null ? longPositions.length : positions.length) / 3;
+    }
+
+    /** The number of triangles, at least 1, without those that were left out. */
+    public int triangles() {
+        return indices.length / 3;
+    }
+
+    /** How many triangles had no area and were left out. */
+    public int dropped() {
+        return dropped;
+    }
+
+    /** The vertex at a corner of a triangle; corner 0, 1 or 2. */
+    public int vertex(int triangle, int corner) {
+        return indices[3 * triangle + corner];
+    }
+
+    /** A coordinate of a vertex; axis 0, 1 or 2. */
+    public double coordinate(int vertex, int axis) {
+        return number(3 * vertex + axis);
+    }
+
+    /** The position of a vertex. */
+    public Vec3 position(int vertex) {
+        return new Vec3(coordinate(vertex, 0), coordinate(vertex, 1), coordinate(vertex, 2));
+    }
+
+    /** Whether each coordinate is a float. */
+    public boolean isOfFloats() {
+        return positions != null;
+    }
+
+    /** Whether vertices have normals. */
+    public boolean hasNormals() {
+        return normals != null;
+    }
+
+    /** Whether vertices have texture coordinates. */
+    public boolean hasUv() {
+        return uv != null;
+    }
+
+    /** The normal of a vertex, as it was given: of any length. */
+    public Vec3 normal(int vertex) {
+        return new Vec3(normals[3 * vertex], normals[3 * vertex + 1], normals[3 * vertex + 2]);
+    }
+
+    /** A texture coordinate of a vertex: 0 for u, 1 for v. */
+    public double uv(int vertex, int which) {
+        return uv[2 * vertex + which];
+    }
+
+    /** The geometric normal of a triangle, as long as twice its area: the sum of these over a closed mesh is 0. */
+    public Vec3 areaNormal(int triangle) {
+        double[] n = new double[3];
+        normal(vertex(triangle, 0), vertex(triangle, 1), vertex(triangle, 2), n);
+        return new Vec3(n[0], n[1], n[2]);
+    }
+
+    /** The number of edges that keep the mesh from being closed: those that do not have exactly one triangle on each side. */
+    public long openEdges() {
+        OpenEdges edges = openEdges;
+        if (edges == null) {
+            edges = new OpenEdges(this);
+            openEdges = edges;
+        }
+        return edges.count;
+    }
+
+    /**
+     * Whether it encloses a volume: each edge has exactly two triangles, which run along it in opposite directions. Vertices in the same place
+     * count as one. Whether the mesh intersects itself is not looked at.
+     */
+    public boolean isClosed() {
+        return openEdges() == 0;
+    }
+
+    /** The bytes that its arrays take. */
+    public long bytes() {
+        return 4L * indices.length
+                + (positions == null ? 8L * longPositions.length : 4L * positions.length)
+                + 4L * ((normals == null ? 0 : normals.length) + (uv == null ? 0 : uv.length));
+    }
+
+    /** The arrays themselves, for this package and for reading only: x, y, z of the vertices, or null if they are doubles. */
+    float[] floatPositions() {
+        return positions;
+    }
+
+    int[] indices() {
+        return indices;
+    }
+
+    Optional<float[]> normals() {
+        return Optional.ofNullable(normals);
+    }
+
+    Optional<float[]> uv() {
+        return Optional.ofNullable(uv);
+    }
+
+    /** A hash of all its numbers: 64 hexadecimal digits, equal for equal meshes and, as far as anybody knows, for no others. */
+    public String digest() {
+        String known = digest;
+        if (known == null) {
+            known = computeDigest();
+            digest = known;
+        }
+        return known;
+    }
+
+    private String computeDigest() {
+        MessageDigest sha = ContentHash.sha256();
+        ByteBuffer piece = ByteBuffer.allocate(1 << 13);
+        int numbers = 3 * vertices();
+        piece.putInt(numbers).putInt(indices.length);
+        piece.putInt((normals == null ? 0 : 1) + (uv == null ? 0 : 2));
+        for (int i = 0; i < numbers; i++) {
+            flushIfFull(sha, piece);
+            piece.putDouble(number(i) + 0.0);
+        }
+        for (int v : indices) {
+            flushIfFull(sha, piece);
+            piece.putInt(v);
+        }
+        update(sha, piece, normals);
+        update(sha, piece, uv);
+        sha.update(piece.flip());
+        return ContentHash.fromBytes(sha.digest()).toString();
+    }
+
+    private static void update(MessageDigest sha, ByteBuffer piece, float[] values) {
+        for (int i = 0; values != null && i < values.length; i++) {
+            flushIfFull(sha, piece);
+            piece.putFloat(values[i] + 0f);
+        }
+    }
+
+    private static void flushIfFull(MessageDigest sha, ByteBuffer piece) {
+        if (piece.remaining() < Double.BYTES) {
+            sha.update(piece.flip());
+            piece.clear();
+        }
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof TriangleMesh o
+                && (o == this || triangles() == o.triangles() && digest().equals(o.digest()));
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * vertices() + triangles();
+    }
+
+    @Override
+    public String toString() {
+        return "TriangleMesh[" + triangles() + " triangles, " + vertices() + " vertices]";
+    }
+}

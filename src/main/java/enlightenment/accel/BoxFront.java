@@ -1,5 +1,6 @@
 package enlightenment.accel;
 
+import enlightenment.bvh.Nodes;
 import enlightenment.frame.Bounds;
 import enlightenment.primitive.Ray;
 import java.util.function.ToDoubleFunction;
@@ -57,7 +58,7 @@ public final class BoxFront implements RaySearch {
     private void open(int node, ToDoubleFunction<Bounds> depth) {
         for (int slot = 2 * node; slot < 2 * node + 2; slot++) {
             double d = depth.applyAsDouble(bvh.box(slot));
-            if (bvh.child[slot] == Bvh.EMPTY || d == Double.POSITIVE_INFINITY) {
+            if (bvh.child[slot] == Nodes.EMPTY || d == Double.POSITIVE_INFINITY) {
                 continue;
             }
             int i = size++;

@@ -1,35 +1,25 @@
 package enlightenment.accel;
 
+import enlightenment.bvh.Nodes;
+import enlightenment.bvh.ItemBoxes;
+import enlightenment.bvh.BvhBuilder;
 import enlightenment.frame.BallCone;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
+import java.util.function.IntFunction;
 
 /**
  * A bounding volume hierarchy: finds the closest or any intersection of a ray without testing every primitive.
  *
- * <p>A binary tree of boxes, built by the surface area heuristic ({@link BvhBuilder}). A node is its two children: their boxes lie
- * side by side, twelve numbers in a flat array, so that one visit decides on both; {@code child[2n]} and {@code child[2n + 1]} are
- * the children of node n. A link that is not negative is a node; a negative one is a leaf,
- * {@code ~(first place << 3 | number of places)}, of {@link Leaves}. Nodes lie in depth-first order, node 0 is the root.
+ * <p>A binary tree of boxes, built by the surface area heuristic ({@link BvhBuilder}), in the layout of {@link Nodes}: the boxes of a node's
+ * two children lie side by side, twelve numbers in a flat array, so that one visit decides on both. A leaf is a range of {@link Leaves}.
  *
  * <p>Boxes only cull, conservatively; {@link Closest} decides what is closer. So the answers are those of a loop over all
  * primitives, bit for bit. This class holds the searches with boxes of any precision; {@link FloatBvh} has faster ones.
  */
 public abstract class Bvh implements Accelerator {
-    /** The depth of the tree is at most this. */
-    static final int MAX_DEPTH = 64;
-
-    /** Numbers of a node: two boxes. */
-    static final int NODE = 12;
-
-    /** A leaf without places: the link of a child that does not exist. */
-    static final int EMPTY = ~0;
-
-    private static final int COUNT_BITS = 3;
-    private static final int COUNT_MASK = (1 << COUNT_BITS) - 1;
-
     final int[] child;
     final Leaves leaves;
 
@@ -53,7 +43,7 @@ public abstract class Bvh implements Accelerator {
      * @param poll called now and then; ends the building by what it throws
      */
     public static Bvh build(Primitive[] primitives, Runnable poll) {
-        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(primitives), poll);
+        BvhBuilder builder = new BvhBuilder(boxes(primitives), poll);
         return of(builder, new PrimitiveLeaves(primitives, builder.order(), builder.order()));
     }
 
@@ -63,7 +53,7 @@ public abstract class Bvh implements Accelerator {
         for (int i = 0; i < some.length; i++) {
             some[i] = all[ids[i]];
         }
-        BvhBuilder builder = new BvhBuilder(PrimitiveBoxes.of(some), () -> {});
+        BvhBuilder builder = new BvhBuilder(boxes(some), () -> {});
         int[] order = builder.order().clone();
         for (int i = 0; i < order.length; i++) {
             order[i] = ids[order[i]];
@@ -71,23 +61,15 @@ public abstract class Bvh implements Accelerator {
         return of(builder, new PrimitiveLeaves(some, builder.order(), order));
     }
 
+    private static ItemBoxes boxes(Primitive[] primitives) {
+        IntFunction<Bounds> boxes = i -> primitives[i].bounds();
+        return new ItemBoxes(primitives.length, boxes);
+    }
+
     private static Bvh of(BvhBuilder builder, Leaves leaves) {
         return builder.fitsFloats()
                 ? new FloatBvh(builder, leaves)
                 : new DoubleBvh(builder.child(), leaves, builder.reach());
-    }
-
-    /** The link of a leaf. */
-    static int leaf(int first, int count) {
-        return ~(first << COUNT_BITS | count);
-    }
-
-    static int first(int leaf) {
-        return ~leaf >>> COUNT_BITS;
-    }
-
-    static int end(int leaf) {
-        return (~leaf >>> COUNT_BITS) + (~leaf & COUNT_MASK);
     }
 
     /** The number of nodes, each of two children; at least 1. */
@@ -110,9 +92,9 @@ public abstract class Bvh implements Accelerator {
         int depth = 0;
         int node = 0;
         while (true) {
-            int next = EMPTY;
+            int next = Nodes.EMPTY;
             if (node < 0) {
-                leaves.offer(ray, first(node), end(node), state);
+                leaves.offer(ray, Nodes.first(node), Nodes.end(node), state);
             } else {
                 double limit = slabs.limit(state.t());
                 double l = entry(slabs, node, 0, limit);
@@ -128,13 +110,13 @@ public abstract class Bvh implements Accelerator {
                 }
             }
             // A box entered exactly where the best crossing lies may hold one that wins the tie.
-            while (next == EMPTY && depth > 0) {
+            while (next == Nodes.EMPTY && depth > 0) {
                 depth--;
                 if (entries[depth] <= slabs.limit(state.t())) {
                     next = stack[depth];
                 }
             }
-            if (next == EMPTY) {
+            if (next == Nodes.EMPTY) {
                 return;
             }
             node = next;
@@ -162,7 +144,7 @@ public abstract class Bvh implements Accelerator {
         while (depth > 0) {
             int node = stack[--depth];
             if (node < 0) {
-                if (leaves.block(ray, first(node), end(node), tMax, query)) {
+                if (leaves.block(ray, Nodes.first(node), Nodes.end(node), tMax, query)) {
                     return true;
                 }
                 continue;
@@ -195,7 +177,7 @@ public abstract class Bvh implements Accelerator {
         while (depth > 0) {
             int node = stack[--depth];
             if (node < 0) {
-                if (leaves.blocksAll(cone, first(node), end(node), judge, query)) {
+                if (leaves.blocksAll(cone, Nodes.first(node), Nodes.end(node), judge, query)) {
                     return true;
                 }
                 continue;
@@ -218,7 +200,7 @@ public abstract class Bvh implements Accelerator {
         while (depth > 0) {
             int node = stack[--depth];
             if (node < 0) {
-                leaves.collect(box, first(node), end(node), query);
+                leaves.collect(box, Nodes.first(node), Nodes.end(node), query);
                 continue;
             }
             for (int side = 0; side < 2; side++) {
@@ -267,25 +249,25 @@ public abstract class Bvh implements Accelerator {
      * The children's boxes as unions of the leaves' boxes, nothing rounded: by node the left one's lower and upper corner, the right one's.
      */
     final double[] exactBoxes() {
-        double[] boxes = new double[NODE * nodeCount()];
+        double[] boxes = new double[Nodes.NODE * nodeCount()];
         // Children come after their parents.
         for (int node = nodeCount() - 1; node >= 0; node--) {
             for (int side = 0; side < 2; side++) {
-                setExact(boxes, NODE * node + PrimitiveBoxes.BOX * side, child[2 * node + side]);
+                setExact(boxes, Nodes.NODE * node + ItemBoxes.BOX * side, child[2 * node + side]);
             }
         }
         return boxes;
     }
 
     private void setExact(double[] boxes, int at, int link) {
-        PrimitiveBoxes.clear(boxes, at);
+        ItemBoxes.clear(boxes, at);
         if (link >= 0) {
-            PrimitiveBoxes.merge(boxes, NODE * link, boxes, at);
-            PrimitiveBoxes.merge(boxes, NODE * link + PrimitiveBoxes.BOX, boxes, at);
+            ItemBoxes.merge(boxes, Nodes.NODE * link, boxes, at);
+            ItemBoxes.merge(boxes, Nodes.NODE * link + ItemBoxes.BOX, boxes, at);
             return;
         }
-        for (int place = first(link); place < end(link); place++) {
-            PrimitiveBoxes.merge(leaves.bounds(place), boxes, at);
+        for (int place = Nodes.first(link); place < Nodes.end(link); place++) {
+            ItemBoxes.merge(leaves.bounds(place), boxes, at);
         }
     }
 }

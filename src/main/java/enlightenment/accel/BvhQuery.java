@@ -1,5 +1,8 @@
 package enlightenment.accel;
 
+import enlightenment.bvh.Nodes;
+import enlightenment.bvh.FloatSlabs;
+import enlightenment.bvh.ItemBoxes;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import java.util.Arrays;
@@ -44,10 +47,10 @@ public final class BvhQuery {
     /** Nodes to be opened, a ring. */
     final int[] queue = new int[QUEUE_MASK + 1];
 
-    private final int[] stack = new int[Bvh.MAX_DEPTH + MAX_FRONT + 2];
+    private final int[] stack = new int[Nodes.MAX_DEPTH + MAX_FRONT + 2];
 
     /** A box. */
-    final double[] box = new double[PrimitiveBoxes.BOX];
+    final double[] box = new double[ItemBoxes.BOX];
 
     /**
      * An empty list.
@@ -86,7 +89,7 @@ public final class BvhQuery {
     /** Whether a primitive has a crossing with tMin ≤ t ≤ tMax. */
     public boolean blocks(Primitive p, int id, Ray ray, double tMax) {
         tests[kinds[id]]++;
-        return p.nearest(ray, tMax) <= tMax;
+        return p.blocks(ray, tMax);
     }
 
     /** Empties the list. */

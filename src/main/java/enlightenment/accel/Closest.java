@@ -1,5 +1,7 @@
 package enlightenment.accel;
 
+import enlightenment.bvh.Nodes;
+import enlightenment.bvh.FloatSlabs;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
@@ -12,6 +14,7 @@ import enlightenment.primitive.Ray;
 public final class Closest {
     private double t;
     private int id;
+    private int element;
     private Primitive primitive;
     private final int[] kinds;
     private final long[] tests;
@@ -24,13 +27,13 @@ public final class Closest {
     final FloatSlabs floatSlabs = new FloatSlabs();
 
     /** The traversal stack of a search: links to follow later. */
-    final int[] stack = new int[Bvh.MAX_DEPTH + BoxFront.MAX];
+    final int[] stack = new int[Nodes.MAX_DEPTH + BoxFront.MAX];
 
     /** By place on the stack: the t at which the ray enters the box. */
-    final double[] entries = new double[Bvh.MAX_DEPTH + BoxFront.MAX];
+    final double[] entries = new double[Nodes.MAX_DEPTH + BoxFront.MAX];
 
     /** The same as bits of a float. */
-    final int[] floatEntries = new int[Bvh.MAX_DEPTH + BoxFront.MAX];
+    final int[] floatEntries = new int[Nodes.MAX_DEPTH + BoxFront.MAX];
 
     /** Where the ray meets the plane of the wall that {@link RoomWalls} asks: several threads ask the same walls. */
     double met;
@@ -74,6 +77,7 @@ public final class Closest {
         if (s < t || s == t && wins(ray, p, candidate)) {
             t = s;
             id = candidate;
+            element = ray.element;
             primitive = p;
         }
     }
@@ -82,13 +86,23 @@ public final class Closest {
         if (primitive == null) {
             return true;
         }
+        int own = ray.element;
         boolean leaves = leaves(ray, p);
-        return leaves == leaves(ray, primitive) ? candidate < id : leaves;
+        ray.element = element;
+        boolean known = leaves(ray, primitive);
+        ray.element = own;
+        return leaves == known ? candidate < id : leaves;
     }
 
     private boolean leaves(Ray ray, Primitive p) {
         p.complete(ray, t, scratch);
         return scratch.side == Ray.INSIDE;
+    }
+
+    /** Fills the hit at the closest crossing, if there is one. */
+    public void complete(Ray ray, Hit hit) {
+        ray.element = element;
+        primitive.complete(ray, t, hit);
     }
 
     /** The t of the closest crossing, or the limit. */

@@ -1,5 +1,7 @@
 package enlightenment.accel;
 
+import enlightenment.bvh.Nodes;
+import enlightenment.bvh.ItemBoxes;
 import enlightenment.frame.BallCone;
 import enlightenment.numeric.Scale;
 
@@ -41,9 +43,9 @@ public final class ConeSearch {
 
     private boolean anyReaches(BallCone cone, ConeJudge judge, BvhQuery query) {
         double[] root = query.box;
-        PrimitiveBoxes.clear(root, 0);
-        PrimitiveBoxes.merge(boxes, 0, root, 0);
-        PrimitiveBoxes.merge(boxes, PrimitiveBoxes.BOX, root, 0);
+        ItemBoxes.clear(root, 0);
+        ItemBoxes.merge(boxes, 0, root, 0);
+        ItemBoxes.merge(boxes, ItemBoxes.BOX, root, 0);
         if (misses(root, 0, cone)) {
             return false;
         }
@@ -53,13 +55,13 @@ public final class ConeSearch {
         while (depth > 0) {
             int node = stack[--depth];
             if (node < 0) {
-                if (bvh.leaves.judge(Bvh.first(node), Bvh.end(node), judge) != ConeJudge.CLEAR) {
+                if (bvh.leaves.judge(Nodes.first(node), Nodes.end(node), judge) != ConeJudge.CLEAR) {
                     return true;
                 }
                 continue;
             }
             for (int side = 0; side < 2; side++) {
-                if (!misses(boxes, Bvh.NODE * node + PrimitiveBoxes.BOX * side, cone)) {
+                if (!misses(boxes, Nodes.NODE * node + ItemBoxes.BOX * side, cone)) {
                     stack[depth++] = bvh.child[2 * node + side];
                 }
             }

@@ -1,5 +1,7 @@
 package enlightenment.accel;
 
+import enlightenment.bvh.Nodes;
+import enlightenment.bvh.ItemBoxes;
 /** A hierarchy with boxes of doubles: for scenes whose primitives are so small, seen from their distance, that floats would blur them. */
 final class DoubleBvh extends Bvh {
     /** By node: the lower and the upper corner of the left child's box, then of the right one's. */
@@ -12,11 +14,11 @@ final class DoubleBvh extends Bvh {
 
     @Override
     double entry(SlabTest slabs, int node, int side, double limit) {
-        return slabs.entry(boxes, NODE * node + PrimitiveBoxes.BOX * side, limit);
+        return slabs.entry(boxes, Nodes.NODE * node + ItemBoxes.BOX * side, limit);
     }
 
     @Override
     double bound(int node, int side, boolean upper, int axis) {
-        return boxes[NODE * node + PrimitiveBoxes.BOX * side + (upper ? 3 : 0) + axis];
+        return boxes[Nodes.NODE * node + ItemBoxes.BOX * side + (upper ? 3 : 0) + axis];
     }
 }

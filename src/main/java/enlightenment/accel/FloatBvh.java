@@ -1,5 +1,8 @@
 package enlightenment.accel;
 
+import enlightenment.bvh.Nodes;
+import enlightenment.bvh.FloatSlabs;
+import enlightenment.bvh.BvhBuilder;
 import enlightenment.frame.BallCone;
 import enlightenment.primitive.Ray;
 
@@ -25,18 +28,18 @@ final class FloatBvh extends Bvh {
 
     @Override
     double entry(SlabTest slabs, int node, int side, double limit) {
-        return slabs.entry(boxes, NODE * node + side, limit);
+        return slabs.entry(boxes, Nodes.NODE * node + side, limit);
     }
 
     @Override
     double bound(int node, int side, boolean upper, int axis) {
-        int k = NODE * node + 2 * axis + side;
+        int k = Nodes.NODE * node + 2 * axis + side;
         return upper ? (double) boxes[k] + boxes[k + 6] : (double) boxes[k] - boxes[k + 6];
     }
 
     @Override
     public void search(Ray ray, Closest state) {
-        if (!state.floatSlabs.set(ray, reach)) {
+        if (!isFor(state.floatSlabs, ray)) {
             super.search(ray, state);
             return;
         }
@@ -45,11 +48,15 @@ final class FloatBvh extends Bvh {
         follow(ray, state, 1);
     }
 
+    private boolean isFor(FloatSlabs slabs, Ray ray) {
+        return slabs.set(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.dd, ray.tMin, reach);
+    }
+
     /** Starts with the boxes of the front that the ray meets: the farthest goes to the bottom of the stack. */
     @Override
     void search(Ray ray, Closest state, BoxFront front) {
         FloatSlabs slabs = state.floatSlabs;
-        if (!slabs.set(ray, reach)) {
+        if (!isFor(slabs, ray)) {
             super.search(ray, state);
             return;
         }
@@ -57,7 +64,7 @@ final class FloatBvh extends Bvh {
         int depth = 0;
         for (int i = front.size - 1; i >= 0; i--) {
             int slot = front.slots[i];
-            int entry = slabs.entry(boxes, NODE * (slot >> 1) + (slot & 1), limit);
+            int entry = slabs.entry(boxes, Nodes.NODE * (slot >> 1) + (slot & 1), limit);
             if (entry < FloatSlabs.MISS) {
                 state.floatEntries[depth] = entry;
                 state.stack[depth++] = child[slot];
@@ -80,8 +87,8 @@ final class FloatBvh extends Bvh {
             }
             int node = stack[depth];
             while (node >= 0) {
-                int l = slabs.entry(boxes, NODE * node, limit);
-                int r = slabs.entry(boxes, NODE * node + 1, limit);
+                int l = slabs.entry(boxes, Nodes.NODE * node, limit);
+                int r = slabs.entry(boxes, Nodes.NODE * node + 1, limit);
                 int nearer = l <= r ? 0 : 1;
                 int link = 2 * node;
                 node = child[link + nearer];
@@ -89,11 +96,11 @@ final class FloatBvh extends Bvh {
                     entries[depth] = Math.max(l, r);
                     stack[depth++] = child[link + 1 - nearer];
                 } else if (Math.min(l, r) == FloatSlabs.MISS) {
-                    node = EMPTY;
+                    node = Nodes.EMPTY;
                 }
             }
-            if (node != EMPTY) {
-                leaves.offer(ray, first(node), end(node), state);
+            if (node != Nodes.EMPTY) {
+                leaves.offer(ray, Nodes.first(node), Nodes.end(node), state);
                 limit = FloatSlabs.limit(state.t());
             }
         }
@@ -109,7 +116,7 @@ final class FloatBvh extends Bvh {
             return false;
         }
         FloatSlabs slabs = query.floatSlabs;
-        if (!slabs.set(ray, reach)) {
+        if (!isFor(slabs, ray)) {
             return super.occludedWithin(ray, tMax, query);
         }
         int limit = FloatSlabs.limit(tMax);
@@ -117,12 +124,12 @@ final class FloatBvh extends Bvh {
         int node = stack[--depth];
         while (true) {
             if (node < 0) {
-                if (leaves.block(ray, first(node), end(node), tMax, query)) {
+                if (leaves.block(ray, Nodes.first(node), Nodes.end(node), tMax, query)) {
                     return true;
                 }
             } else {
-                boolean l = slabs.entry(boxes, NODE * node, limit) < FloatSlabs.MISS;
-                boolean r = slabs.entry(boxes, NODE * node + 1, limit) < FloatSlabs.MISS;
+                boolean l = slabs.entry(boxes, Nodes.NODE * node, limit) < FloatSlabs.MISS;
+                boolean r = slabs.entry(boxes, Nodes.NODE * node + 1, limit) < FloatSlabs.MISS;
                 int link = 2 * node;
                 if (l) {
                     if (r) {
@@ -167,7 +174,7 @@ final class FloatBvh extends Bvh {
             int node = head == 0 ? 0 : child[queue[head & BvhQuery.QUEUE_MASK]];
             head++;
             for (int side = 0; side < 2; side++) {
-                if (!shaft.meets(boxes, NODE * node + side)) {
+                if (!shaft.meets(boxes, Nodes.NODE * node + side)) {
                     continue;
                 }
                 int link = child[2 * node + side];
@@ -175,7 +182,7 @@ final class FloatBvh extends Bvh {
                     queue[tail++ & BvhQuery.QUEUE_MASK] = 2 * node + side;
                     continue;
                 }
-                int verdict = leaves.gather(first(link), end(link), judge, query);
+                int verdict = leaves.gather(Nodes.first(link), Nodes.end(link), judge, query);
                 if (verdict == ConeJudge.BLOCKS_ALL) {
                     return BLOCKED;
                 }
@@ -196,7 +203,7 @@ final class FloatBvh extends Bvh {
 
     /** Sets the ball around a box, whose widening covers what is rounded here. */
     private void setBall(ApexBalls balls, int k, int slot) {
-        int at = NODE * (slot >> 1) + (slot & 1);
+        int at = Nodes.NODE * (slot >> 1) + (slot & 1);
         double hx = boxes[at + 6];
         double hy = boxes[at + 8];
         double hz = boxes[at + 10];

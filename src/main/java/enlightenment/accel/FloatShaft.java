@@ -1,5 +1,6 @@
 package enlightenment.accel;
 
+import enlightenment.bvh.FloatSlabs;
 import enlightenment.frame.BallCone;
 
 /**

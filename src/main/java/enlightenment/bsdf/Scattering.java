@@ -20,6 +20,15 @@ public final class Scattering {
     public double ny;
     public double nz;
 
+    /** The normal of the surface itself, on the same side, where {@link #nx} and so on is one that it is only shaded by; else the same. */
+    public double gx;
+
+    public double gy;
+    public double gz;
+
+    /** Whether o leads to a light, along a path that begins there; read where the two normals differ. */
+    public boolean fromLight;
+
     /** The surface's colour here. */
     public double red = 1;
 
@@ -84,11 +93,25 @@ public final class Scattering {
         nx = from.nx;
         ny = from.ny;
         nz = from.nz;
+        gx = from.gx;
+        gy = from.gy;
+        gz = from.gz;
+        fromLight = from.fromLight;
         red = from.red;
         green = from.green;
         blue = from.blue;
         eta = from.eta;
         radiance = from.radiance;
+    }
+
+    /** The cosine between the surface's own normal and i. */
+    public double geometricCosineIn() {
+        return ix * gx + iy * gy + iz * gz;
+    }
+
+    /** The cosine between the surface's own normal and o. */
+    public double geometricCosineOut() {
+        return ox * gx + oy * gy + oz * gz;
     }
 
     /** The cosine between normal and o. */

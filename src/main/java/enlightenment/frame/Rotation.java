@@ -41,6 +41,18 @@ public record Rotation(Vec3 r0, Vec3 r1, Vec3 r2) {
         return aboutZ(degrees.z()).times(aboutY(degrees.y())).times(aboutX(degrees.x()));
     }
 
+    /** About an axis of any length, counterclockwise seen from where it points (Rodrigues). */
+    public static Rotation about(Vec3 axis, double degrees) {
+        Vec3 u = axis.scaledBy(-axis.exponent()).normalized();
+        double c = cos(degrees);
+        double s = sin(degrees);
+        double d = 1 - c;
+        return new Rotation(
+                new Vec3(c + d * u.x() * u.x(), d * u.x() * u.y() - s * u.z(), d * u.x() * u.z() + s * u.y()),
+                new Vec3(d * u.y() * u.x() + s * u.z(), c + d * u.y() * u.y(), d * u.y() * u.z() - s * u.x()),
+                new Vec3(d * u.z() * u.x() - s * u.y(), d * u.z() * u.y() + s * u.x(), c + d * u.z() * u.z()));
+    }
+
     /** The rotated vector. */
     public Vec3 apply(Vec3 v) {
         return new Vec3(r0.dot(v), r1.dot(v), r2.dot(v));

@@ -9,7 +9,7 @@ import java.util.List;
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
  * of range or a degenerate shape, and {@link NullPointerException} for a missing value. Angles are degrees.
  */
-public sealed interface Shape permits Sphere, Rectangle, Disk, Cylinder, Cone, Cube, Box, Torus, Triangle {
+public sealed interface Shape permits Sphere, Rectangle, Disk, Cylinder, Cone, Cube, Box, Torus, Triangle, Mesh {
 
     /** The name of this kind of shape in the scene format, such as {@code "sphere"}. */
     String type();

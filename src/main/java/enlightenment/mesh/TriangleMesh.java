@@ -2,6 +2,7 @@ package enlightenment.mesh;
 
 import enlightenment.check.Check;
 import enlightenment.file.ContentHash;
+import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Products;
 import java.nio.ByteBuffer;
@@ -18,6 +19,9 @@ import java.util.Optional;
  * them.
  */
 public final class TriangleMesh {
+    /** Coordinates beyond this have squares that doubles cannot multiply; a transform makes meshes larger. */
+    private static final double LARGEST = 1e30;
+
     private final float[] positions;
 
     /** The same where they are no floats; else null. */
@@ -29,6 +33,8 @@ public final class TriangleMesh {
     private final int dropped;
     private volatile String digest;
     private volatile OpenEdges openEdges;
+    private volatile Bounds bounds;
+    private TriangleTree tree;
 
     /** Takes the arrays as they are: positions, or the longer ones; normals and texture coordinates may be null. */
     TriangleMesh(float[] positions, double[] longPositions, int[] indices, float[] normals, float[] uv) {
@@ -40,6 +46,11 @@ public final class TriangleMesh {
         this.indices = withArea(indices);
         dropped = (indices.length - this.indices.length) / 3;
         Check.that(this.indices.length > 0, "indices", "must hold at least one triangle with an area");
+        double size = bounds().maxAbs();
+        Check.that(
+                size <= LARGEST && size >= 1 / LARGEST,
+                "positions",
+                "must have a largest coordinate between 1e-30 and 1e30, not " + size);
     }
 
     private TriangleMesh(TriangleMesh of, float[] normals, float[] uv) {
@@ -189,6 +200,11 @@ public final class TriangleMesh {
         return kept == all.length ? all : Arrays.copyOf(all, kept);
     }
 
+    /** Writes the geometric normal of a triangle, as long as twice its area. */
+    void normal(int triangle, double[] out) {
+        normal(vertex(triangle, 0), vertex(triangle, 1), vertex(triangle, 2), out);
+    }
+
     private boolean normal(int a, int b, int c, double[] out) {
         double ux = coordinate(b, 0) - coordinate(a, 0);
         double uy = coordinate(b, 1) - coordinate(a, 1);
@@ -290,7 +306,7 @@ public final class TriangleMesh {
     /** The geometric normal of a triangle, as long as twice its area: the sum of these over a closed mesh is 0. */
     public Vec3 areaNormal(int triangle) {
         double[] n = new double[3];
-        normal(vertex(triangle, 0), vertex(triangle, 1), vertex(triangle, 2), n);
+        normal(triangle, n);
         return new Vec3(n[0], n[1], n[2]);
     }
 
@@ -312,6 +328,43 @@ public final class TriangleMesh {
         return openEdges() == 0;
     }
 
+    /** The box around all triangles. */
+    public Bounds bounds() {
+        Bounds known = bounds;
+        if (known == null) {
+            known = boundsOf(this);
+            bounds = known;
+        }
+        return known;
+    }
+
+    private static Bounds boundsOf(TriangleMesh mesh) {
+        double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        for (int t = 0; t < mesh.triangles(); t++) {
+            for (int k = 0; k < 3; k++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    double c = mesh.coordinate(mesh.vertex(t, k), axis);
+                    low[axis] = Math.min(low[axis], c);
+                    high[axis] = Math.max(high[axis], c);
+                }
+            }
+        }
+        return new Bounds(new Vec3(low[0], low[1], low[2]), new Vec3(high[0], high[1], high[2]));
+    }
+
+    /**
+     * The hierarchy of its triangles, made when it is first asked for: all instances share it.
+     *
+     * @param poll called now and then; ends the building by what it throws
+     */
+    public synchronized TriangleTree tree(Runnable poll) {
+        if (tree == null) {
+            tree = new TriangleTree(this, poll);
+        }
+        return tree;
+    }
+
     /** The bytes that its arrays take. */
     public long bytes() {
         return 4L * indices.length
@@ -322,6 +375,11 @@ public final class TriangleMesh {
     /** The arrays themselves, for this package and for reading only: x, y, z of the vertices, or null if they are doubles. */
     float[] floatPositions() {
         return positions;
+    }
+
+    /** The same if they are doubles, else null. */
+    double[] doublePositions() {
+        return longPositions;
     }
 
     int[] indices() {

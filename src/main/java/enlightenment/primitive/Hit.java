@@ -28,6 +28,20 @@ public final class Hit {
     /** Which face of the primitive; its meaning is the primitive's. */
     public int face;
 
+    /** Which element of a primitive that has many, such as a triangle of a mesh; of others it means nothing. */
+    public int element;
+
+    /** Of a triangle of a mesh, the weights of its second and third corner at the crossing. */
+    double weightB;
+
+    double weightC;
+
+    /** The unit normal that surfaces are shaded by, which points to {@link Ray#OUTSIDE}; set by {@link Primitive#shadingNormal}. */
+    public double sx;
+
+    public double sy;
+    public double sz;
+
     /** The primitive that was hit. */
     public Primitive primitive;
 
@@ -53,6 +67,12 @@ public final class Hit {
         nz = o.nz;
         side = o.side;
         face = o.face;
+        element = o.element;
+        weightB = o.weightB;
+        weightC = o.weightC;
+        sx = o.sx;
+        sy = o.sy;
+        sz = o.sz;
         primitive = o.primitive;
         u = o.u;
         v = o.v;

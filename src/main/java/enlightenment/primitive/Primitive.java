@@ -25,7 +25,8 @@ public abstract sealed class Primitive
                 TorusPrimitive,
                 BoxPrimitive,
                 CubePrimitive,
-                TrianglePrimitive {
+                TrianglePrimitive,
+                MeshPrimitive {
 
     /** The t of no crossing. */
     public static final double MISS = Double.POSITIVE_INFINITY;
@@ -82,6 +83,16 @@ public abstract sealed class Primitive
         return hit.side;
     }
 
+    /** Whether there is a crossing with tMin ≤ t ≤ tMax that is not the end of the ray. */
+    public final boolean blocks(Ray ray, double tMax) {
+        return extreme || ray.special ? nearestSpecial(ray, tMax) <= tMax : blocksOrdinary(ray, tMax);
+    }
+
+    /** {@link #blocks} for ordinary magnitudes. */
+    boolean blocksOrdinary(Ray ray, double tMax) {
+        return nearestOrdinary(ray, tMax) <= tMax;
+    }
+
     /** {@link #nearest} for ordinary magnitudes. */
     abstract double nearestOrdinary(Ray ray, double tMax);
 
@@ -91,8 +102,27 @@ public abstract sealed class Primitive
     /** Sets the texture coordinates of a hit on this primitive. */
     public abstract void textureCoordinates(Hit hit);
 
+    /**
+     * Sets the hit's shading normal {@link Hit#sx} and so on: on the same side as the geometric one.
+     *
+     * @return false if it is the geometric normal; then nothing is set
+     */
+    public boolean shadingNormal(Hit hit) {
+        return false;
+    }
+
+    /** Whether u is periodic: 0 and 1 are the same column of a texture, without a seam. */
+    public boolean repeatsTextures() {
+        return false;
+    }
+
     /** A box that encloses the primitive, rounded outwards. */
     public abstract Bounds bounds();
+
+    /** How often a line meets it at most; a torus is of the fourth degree. */
+    public int crossings() {
+        return 4;
+    }
 
     /** Whether the primitive encloses a volume. */
     public boolean isSolid() {
@@ -155,28 +185,30 @@ public abstract sealed class Primitive
     /** {@link #nearest} for an extreme ray or primitive, and for a ray that starts or ends on several primitives. */
     private double nearestSpecial(Ray ray, double tMax) {
         Primitive start = ray.start;
+        int element = ray.startElement;
         int side = ray.startSide;
         startHere(ray);
         double t = extreme || ray.extreme ? nearestExtreme(ray, tMax) : nearestOrdinary(ray, tMax);
         boolean ends = ray.endsOn(this, t);
-        ray.from(start, side);
+        ray.from(start, element, side);
         // If the nearest crossing is the end of the ray, this primitive does not occlude it.
         return ends ? MISS : t;
     }
 
     private boolean intersectSpecial(Ray ray, Hit hit) {
         Primitive start = ray.start;
+        int element = ray.startElement;
         int side = ray.startSide;
         startHere(ray);
         boolean met = extreme || ray.extreme ? intersectExtreme(ray, hit) : intersectOrdinary(ray, hit);
-        ray.from(start, side);
+        ray.from(start, element, side);
         return met;
     }
 
     private void startHere(Ray ray) {
         int side = ray.sideOf(this);
         if (side != 0) {
-            ray.from(this, side);
+            ray.from(this, ray.elementOf(this), side);
         }
     }
 
@@ -184,6 +216,7 @@ public abstract sealed class Primitive
         Rescaled r = new Rescaled(ray);
         double t = r.primitive.nearestOrdinary(
                 r.ray, tMax == Double.MAX_VALUE ? tMax : Math.scalb(tMax, r.lengths - r.directions));
+        ray.element = r.ray.element;
         return t == MISS ? MISS : Math.min(Math.scalb(t, r.directions - r.lengths), Double.MAX_VALUE);
     }
 
@@ -196,6 +229,7 @@ public abstract sealed class Primitive
         r.primitive.completeOrdinary(r.ray, t, hit);
         hit.t = Math.scalb(t, r.directions - r.lengths);
         hit.primitive = this;
+        ray.element = r.ray.element;
         hit.setPoint(Scale.scalb(hit.px, -r.lengths), Scale.scalb(hit.py, -r.lengths), Scale.scalb(hit.pz, -r.lengths));
         return true;
     }
@@ -213,7 +247,7 @@ public abstract sealed class Primitive
             primitive = scaledBy(lengths);
             ray = original.scaledBy(lengths, directions);
             if (original.start == Primitive.this) {
-                ray.from(primitive, original.startSide);
+                ray.from(primitive, original.startElement, original.startSide);
             }
         }
     }

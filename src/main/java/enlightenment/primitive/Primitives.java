@@ -8,12 +8,14 @@ import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.math.Vec3;
+import enlightenment.mesh.TriangleMesh;
 import java.util.List;
 
 /** Places shapes, which are exact descriptions, in a frame, where they are primitives that rays can intersect. */
@@ -48,7 +50,27 @@ public final class Primitives {
         } else if (shape instanceof Torus t) {
             return torus(t, frame);
         }
+        if (shape instanceof Mesh m) {
+            return new MeshPrimitive(m.triangles().tree(() -> {}), Placing.of(m.transform(), frame));
+        }
         throw new AssertionError("no primitive for the shape " + shape.type());
+    }
+
+    /** The triangles of a mesh, each a primitive of its own: lights are sampled by them. */
+    public static List<Primitive> triangles(Mesh shape, SceneFrame frame) {
+        TriangleMesh mesh = shape.triangles();
+        Placing placing = Placing.of(shape.transform(), frame);
+        Primitive[] all = new Primitive[mesh.triangles()];
+        for (int t = 0; t < all.length; t++) {
+            all[t] = new TrianglePrimitive(
+                    corner(mesh, t, 0, placing), corner(mesh, t, 1, placing), corner(mesh, t, 2, placing));
+        }
+        return List.of(all);
+    }
+
+    private static Vec3 corner(TriangleMesh mesh, int triangle, int corner, Placing placing) {
+        int v = mesh.vertex(triangle, corner);
+        return placing.point(mesh.coordinate(v, 0), mesh.coordinate(v, 1), mesh.coordinate(v, 2));
     }
 
     private static Primitive sphere(Sphere s, SceneFrame frame) {

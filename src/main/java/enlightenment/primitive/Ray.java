@@ -1,6 +1,7 @@
 package enlightenment.primitive;
 
 import enlightenment.math.Vec3;
+import enlightenment.mesh.MeshRay;
 import enlightenment.numeric.Scale;
 import java.util.Arrays;
 
@@ -56,12 +57,19 @@ public final class Ray {
     /** The primitive that the origin lies on, or null. */
     public Primitive start;
 
+    /** The element of {@link #start} that the origin lies on, if that has many. */
+    public int startElement;
+
+    /** The element that the last test found, if the primitive has many. */
+    public int element;
+
     /** The side of {@link #start} that the ray travels on: {@link #OUTSIDE} or {@link #INSIDE}. */
     public int startSide;
 
     /** Other primitives that the origin lies on as well, and the sides that the ray travels on. */
     private Primitive[] alsoStarts = NONE;
 
+    private int[] alsoElements = new int[0];
     private int[] alsoSides = new int[0];
     private int alsoCount;
 
@@ -90,6 +98,8 @@ public final class Ray {
     /** Scratch of the torus test: made at the first torus that the ray comes near, then kept. */
     TorusLine torusLine;
 
+    private MeshRay meshRay;
+
     /** A ray to be {@link #set} before use. */
     public Ray() {}
 
@@ -114,6 +124,7 @@ public final class Ray {
         dd = dirX * dirX + dirY * dirY + dirZ * dirZ;
         tMin = from;
         start = null;
+        startElement = 0;
         startSide = 0;
         sheared = false;
         inverted = false;
@@ -125,20 +136,42 @@ public final class Ray {
         return this;
     }
 
-    /** Sets the primitive that the ray starts on and the side that it travels on. */
+    /** Sets the surface that the ray starts on, that of a hit, and the side that it travels on. */
+    public Ray from(Hit hit, int side) {
+        return from(hit.primitive, hit.element, side);
+    }
+
+    /** The same for a primitive that has not many elements. */
     public Ray from(Primitive primitive, int side) {
+        return from(primitive, 0, side);
+    }
+
+    /** The same for an element of a primitive. */
+    Ray from(Primitive primitive, int part, int side) {
         start = primitive;
+        startElement = part;
         startSide = side;
         return this;
     }
 
+    /** Adds a surface that the ray starts on as well, or ends on: that of a hit. */
+    public void alsoFrom(Hit hit, int side) {
+        alsoFrom(hit.primitive, hit.element, side);
+    }
+
     /** Adds a primitive that the ray starts on as well: its surface coincides there with that of {@link #start}. */
     public void alsoFrom(Primitive primitive, int side) {
+        alsoFrom(primitive, 0, side);
+    }
+
+    private void alsoFrom(Primitive primitive, int part, int side) {
         if (alsoCount == alsoStarts.length) {
             alsoStarts = Arrays.copyOf(alsoStarts, 2 * alsoCount + 2);
+            alsoElements = Arrays.copyOf(alsoElements, 2 * alsoCount + 2);
             alsoSides = Arrays.copyOf(alsoSides, 2 * alsoCount + 2);
         }
         alsoStarts[alsoCount] = primitive;
+        alsoElements[alsoCount] = part;
         alsoSides[alsoCount++] = side;
         special = true;
     }
@@ -180,6 +213,37 @@ public final class Ray {
             }
         }
         return 0;
+    }
+
+    /** The element of a primitive that the ray starts on. */
+    int elementOf(Primitive primitive) {
+        if (start == primitive) {
+            return startElement;
+        }
+        for (int k = 0; k < alsoCount; k++) {
+            if (alsoStarts[k] == primitive) {
+                return alsoElements[k];
+            }
+        }
+        return 0;
+    }
+
+    /** Another element than {@link #startElement} of a primitive that the ray starts or ends on; −1 if there is none. */
+    int otherElementOf(Primitive primitive) {
+        for (int k = 0; k < alsoCount; k++) {
+            if (alsoStarts[k] == primitive && alsoElements[k] != startElement) {
+                return alsoElements[k];
+            }
+        }
+        return -1;
+    }
+
+    /** The ray in the coordinates of the mesh that is being tested. */
+    MeshRay meshRay() {
+        if (meshRay == null) {
+            meshRay = new MeshRay();
+        }
+        return meshRay;
     }
 
     /** This ray with the origin times 2^k and the direction times 2^j, both exact; t becomes t·2^(k−j). */

@@ -143,6 +143,12 @@ public final class SpherePrimitive extends Primitive {
         hit.v = Angles.atan2(Math.sqrt(hit.nx * hit.nx + hit.nz * hit.nz), hit.ny) / Math.PI;
     }
 
+    /** Around the axis. */
+    @Override
+    public boolean repeatsTextures() {
+        return true;
+    }
+
     @Override
     public Bounds bounds() {
         return Bounds.around(center(), new Vec3(radius, radius, radius));

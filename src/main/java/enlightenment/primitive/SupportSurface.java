@@ -1,6 +1,9 @@
 package enlightenment.primitive;
 
+import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
+import enlightenment.mesh.TriangleTree;
+import java.util.Arrays;
 
 /**
  * The surface that a face of a primitive is part of: a plane, a sphere, a cone or cylinder of revolution, a torus. Two faces share
@@ -8,7 +11,7 @@ import enlightenment.math.Vec3;
  * in the frame with a tolerance that the caller derives from the roundings of placing.
  */
 public sealed interface SupportSurface
-        permits SupportSurface.Plane, SupportSurface.Ball, SupportSurface.Lateral, SupportSurface.Ring {
+        permits SupportSurface.Plane, SupportSurface.Ball, SupportSurface.Lateral, SupportSurface.Ring, SupportSurface.Facets {
 
     /**
      * Whether the two faces are parts of the same surface.
@@ -245,6 +248,38 @@ public sealed interface SupportSurface
         @Override
         public double extent() {
             return majorRadius + minorRadius;
+        }
+    }
+
+    /**
+     * A whole mesh in a place: it coincides only with the same mesh in the same place.
+     *
+     * @param numbers of its placing
+     */
+    record Facets(TriangleTree tree, Bounds bounds, double[] numbers) implements SupportSurface {
+        @Override
+        public boolean coincides(SupportSurface other, double tolerance) {
+            return other instanceof Facets o
+                    && o.tree == tree
+                    && o.bounds.min().minus(bounds.min()).maxAbs() <= tolerance
+                    && o.bounds.max().minus(bounds.max()).maxAbs() <= tolerance
+                    && Arrays.equals(o.numbers, 3, numbers.length, numbers, 3, numbers.length);
+        }
+
+        /** A point on a mesh is not looked for: lamps lie beside meshes, not on them. */
+        @Override
+        public boolean passes(Vec3 point, double tolerance) {
+            return false;
+        }
+
+        @Override
+        public boolean overlaps(SupportSurface other, double tolerance) {
+            return true;
+        }
+
+        @Override
+        public double extent() {
+            return bounds.extent().maxAbs();
         }
     }
 }

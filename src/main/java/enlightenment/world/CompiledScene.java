@@ -74,6 +74,9 @@ public final class CompiledScene {
     /** The kinds of shapes in the scene. */
     public final List<String> kindNames;
 
+    /** How many surfaces a line meets at most. */
+    public final int crossings;
+
     /** Ids of solids made of glass. */
     public final int[] glassSolids;
 
@@ -138,6 +141,9 @@ public final class CompiledScene {
         materials = compiled.materials();
         kind = compiled.kind();
         kindNames = compiled.kindNames();
+        crossings = (int) Math.min(
+                Integer.MAX_VALUE,
+                Arrays.stream(primitives).mapToLong(Primitive::crossings).sum());
         glassSolids = compiled.glassSolids();
         mediumRank = compiled.mediumRank();
         object = compiled.object();

@@ -172,7 +172,7 @@ public final class Tracer {
             return false;
         }
         counters.hits[scene.kind[id]]++;
-        scene.primitives[id].complete(ray, t, hit);
+        closest.complete(ray, hit);
         if (scene.coincident.concerns(id)) {
             id = coincident.choose(ray, id, hit);
         }
@@ -299,7 +299,7 @@ public final class Tracer {
         if (met != endId && (endId == NOTHING || !scene.coincident.concerns(endId))) {
             return false;
         }
-        scene.primitives[met].complete(ray, closest.t(), end);
+        closest.complete(ray, end);
         return isEnd(ray, length - closest.t(), met, end, endId, endFace);
     }
 

@@ -292,7 +292,7 @@ final class ClassicDirectLight {
     private boolean isBlocked() {
         path.poll.tick();
         shadowRay.set(hit.px, hit.py, hit.pz, view.dx, view.dy, view.dz, 0);
-        shadowRay.from(hit.primitive, hit.side);
+        shadowRay.from(hit, hit.side);
         if (glass.surfaces() > 1) {
             glass.startOnAll(shadowRay);
         }

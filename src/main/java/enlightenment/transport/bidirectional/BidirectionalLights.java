@@ -177,7 +177,7 @@ final class BidirectionalLights {
 
     private void weigh(PhysicalLight l, double density) {
         Scattering s = eye.s;
-        double here = eye.projected(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz);
+        double here = eye.projected(s.geometricCosineIn());
         double there = l.isPoint ? 1 : Math.abs(sample.cosine);
         double run = l.isPoint ? 0 : eye.survival * s.pdf / density;
         double ofLight = SubpathDensities.square(run);

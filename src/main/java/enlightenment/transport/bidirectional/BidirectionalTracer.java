@@ -330,7 +330,7 @@ public final class BidirectionalTracer implements Shader {
         s.ix = x / d;
         s.iy = y / d;
         s.iz = z / d;
-        double here = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz;
+        double here = s.geometricCosineIn();
         if (!(d > 0) || !(eye.isBorder || eye.isMedium || here > 0)) {
             return;
         }
@@ -339,7 +339,7 @@ public final class BidirectionalTracer implements Shader {
         there.ix = -s.ix;
         there.iy = -s.iy;
         there.iz = -s.iz;
-        double beyond = there.ix * there.nx + there.iy * there.ny + there.iz * there.nz;
+        double beyond = there.geometricCosineIn();
         if (!(bsdf.transmits() || beyond > 0)) {
             return;
         }

@@ -21,7 +21,8 @@ public final class PathVertices {
     private static final int SURVIVAL = 18;
     private static final int ULTRAVIOLET = 19;
     private static final int MEDIUM = 20;
-    private static final int NUMBERS = 21;
+    private static final int SURFACE = 21;
+    private static final int NUMBERS = 24;
 
     private static final int ID = 0;
     private static final int FACE = 1;
@@ -77,6 +78,7 @@ public final class PathVertices {
         int k = size * NUMBERS;
         set(k + X, hit.px, hit.py, hit.pz);
         set(k + NORMAL, s.nx, s.ny, s.nz);
+        set(k + SURFACE, s.gx, s.gy, s.gz);
         set(k + FROM, s.ox, s.oy, s.oz);
         set(k + COLOR, color[0], color[1], color[2]);
         numbers[k + ETA] = s.eta;
@@ -137,12 +139,16 @@ public final class PathVertices {
         return bsdfs[k];
     }
 
-    /** Sets all of a Scattering but the direction i. */
+    /** Sets all of a Scattering but the direction i, of a vertex of a path from a light. */
     void get(int k, Scattering s) {
         int n = k * NUMBERS;
         s.nx = numbers[n + NORMAL];
         s.ny = numbers[n + NORMAL + 1];
         s.nz = numbers[n + NORMAL + 2];
+        s.gx = numbers[n + SURFACE];
+        s.gy = numbers[n + SURFACE + 1];
+        s.gz = numbers[n + SURFACE + 2];
+        s.fromLight = true;
         s.ox = numbers[n + FROM];
         s.oy = numbers[n + FROM + 1];
         s.oz = numbers[n + FROM + 2];

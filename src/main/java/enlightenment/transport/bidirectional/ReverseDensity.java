@@ -20,6 +20,9 @@ public final class ReverseDensity {
         turned.nx = side * s.nx;
         turned.ny = side * s.ny;
         turned.nz = side * s.nz;
+        turned.gx = side * s.gx;
+        turned.gy = side * s.gy;
+        turned.gz = side * s.gz;
         turned.red = s.red;
         turned.green = s.green;
         turned.blue = s.blue;

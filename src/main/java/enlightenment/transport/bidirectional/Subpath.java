@@ -159,7 +159,7 @@ abstract class Subpath extends CarriedLight {
         }
         SurfaceMaterial material = path.at.material;
         glowing = material.glows ? material : null;
-        opaque(material, material.bsdf);
+        opaque(material, path.at.bsdf);
         return Event.SURFACE;
     }
 
@@ -175,7 +175,7 @@ abstract class Subpath extends CarriedLight {
         bsdf = scatters;
         isBorder = false;
         survival = survival(most);
-        if (bsdf instanceof GlossyReflection metal) {
+        if (material.bsdf instanceof GlossyReflection metal && bsdf != Lambert.INSTANCE) {
             // Along the surface it reflects more.
             metal.reflectAtNormal(s);
             survival = survival(0.5 + 0.5 * Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
@@ -200,7 +200,7 @@ abstract class Subpath extends CarriedLight {
 
     private void arrive() {
         Hit at = path.at.hit;
-        double cosine = SubpathDensities.cosine(projected(s.ox * s.nx + s.oy * s.ny + s.oz * s.nz));
+        double cosine = SubpathDensities.cosine(projected(s.geometricCosineOut()));
         boolean isDelta = bsdf.isDelta();
         if (isFirst && isDelta) {
             beginDensitiesOfDelta();
@@ -302,9 +302,9 @@ abstract class Subpath extends CarriedLight {
         lastY = path.at.hit.py;
         lastZ = path.at.hit.pz;
         boolean takesFromAllSides = isBorder && connects;
-        lastNx = takesFromAllSides ? 0 : at.nx;
-        lastNy = takesFromAllSides ? 0 : at.ny;
-        lastNz = takesFromAllSides ? 0 : at.nz;
+        lastNx = takesFromAllSides ? 0 : at.gx;
+        lastNy = takesFromAllSides ? 0 : at.gy;
+        lastNz = takesFromAllSides ? 0 : at.gz;
     }
 
     /** Leaves the surface or the border that the path is at; returns whether it goes on. */
@@ -356,7 +356,7 @@ abstract class Subpath extends CarriedLight {
     }
 
     private void leave(Scattering at) {
-        double cosine = projected(at.ix * at.nx + at.iy * at.ny + at.iz * at.nz);
+        double cosine = projected(at.geometricCosineIn());
         densities.leave(cosine, survival * at.pdf, survival * reverse.of(bsdf, at));
     }
 

@@ -118,7 +118,7 @@ public final class MirrorCaustics implements PathStrategy {
         path.poll.tick();
         Hit at = path.at.hit;
         MirrorImage image = images[k];
-        shadow.set(at.px, at.py, at.pz, image.dx, image.dy, image.dz, 0).from(at.primitive, at.side);
+        shadow.set(at.px, at.py, at.pz, image.dx, image.dy, image.dz, 0).from(at, at.side);
         path.glass.startOnAll(shadow);
         return !path.glass.entersAtOnce() && mirrored.isMetBy(shadow, balls.id[k], balls.light[k]);
     }

@@ -3,7 +3,6 @@ package enlightenment.transport.image;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
-import enlightenment.primitive.SpherePrimitive;
 import enlightenment.transport.ray.Optics;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.Tracer;
@@ -38,7 +37,7 @@ final class MirroredLight {
         if (material.isTextured()) {
             met.primitive.textureCoordinates(met);
         }
-        material.color(met.u, met.v, met.primitive instanceof SpherePrimitive, color);
+        material.color(met.u, met.v, met.primitive.repeatsTextures(), color);
         return material;
     }
 

@@ -89,7 +89,7 @@ public final class BidirectionalLightTracer extends LightPathTracer {
         if (!isSeen(light.bsdf, s, light.isBorder ? light.color : null)) {
             return;
         }
-        double weight = weight(light.projected(s.ix * s.nx + s.iy * s.ny + s.iz * s.nz));
+        double weight = weight(light.projected(s.geometricCosineIn()));
         int vertices = light.vertices.size() + 1;
         double f = eye.importance() * (strategies == null ? weight : strategies.weight(vertices, 1, weight));
         PathWavelength wavelength = light.path.glass.wavelength;

@@ -163,7 +163,7 @@ abstract class LightWalker extends LightPathTracer {
             flight.begin();
         }
         SurfaceMaterial material = path.at.material;
-        Bsdf bsdf = isGlass ? Lambert.INSTANCE : material.bsdf;
+        Bsdf bsdf = isGlass ? Lambert.INSTANCE : path.at.bsdf;
         if (material.isBlack || !caustic.goesOn(bsdf)) {
             return false;
         }

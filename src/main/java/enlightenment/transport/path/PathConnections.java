@@ -239,8 +239,8 @@ public final class PathConnections {
     }
 
     private boolean isOccluded(int n, Hit a, Hit b) {
-        ray.set(b.px, b.py, b.pz, x[n] - b.px, y[n] - b.py, z[n] - b.pz, 0).from(b.primitive, b.side);
-        ray.alsoFrom(a.primitive, a.side);
+        ray.set(b.px, b.py, b.pz, x[n] - b.px, y[n] - b.py, z[n] - b.pz, 0).from(b, b.side);
+        ray.alsoFrom(a, a.side);
         return tracer.occludedSegment(ray);
     }
 }

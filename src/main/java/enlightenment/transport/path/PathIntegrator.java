@@ -193,9 +193,9 @@ public final class PathIntegrator extends EyePathTracer {
         if (material.isDelta) {
             return reflect(ray, material, sampler);
         }
-        return material.bsdf == Lambert.INSTANCE
+        return path.at.bsdf == Lambert.INSTANCE
                 ? matte(ray, material.reradiation, sampler)
-                : rough(ray, material.bsdf, sampler);
+                : rough(ray, path.at.bsdf, sampler);
     }
 
     /** Adds what the surface emits, by the share of it that no other strategy finds. */
@@ -225,7 +225,9 @@ public final class PathIntegrator extends EyePathTracer {
     /** A mirror. */
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
         int mirror = path.at.id;
-        path.scatter(ray, material, surface, 0, 0, 0);
+        if (!path.scatter(ray, material, surface, 0, 0, 0)) {
+            return false;
+        }
         state.extendSpecular(mirror);
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }

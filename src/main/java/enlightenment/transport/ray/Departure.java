@@ -14,7 +14,7 @@ public final class Departure {
      * @return whether a surface that coincides with the vertex is in its way, wherever rounding puts that; a walk may pass it
      */
     public static boolean from(PathFollower path, Ray ray, boolean atBorder, boolean through) {
-        ray.from(path.at.hit.primitive, through ? -path.at.hit.side : path.at.hit.side);
+        ray.from(path.at.hit, through ? -path.at.hit.side : path.at.hit.side);
         if (atBorder) {
             path.glass.startAtBorder(ray, through);
         } else if (path.glass.surfaces() > 1) {

@@ -15,6 +15,9 @@ public final class Optics {
         s.nx = at.nx;
         s.ny = at.ny;
         s.nz = at.nz;
+        s.gx = at.hit.nx * at.hit.side;
+        s.gy = at.hit.ny * at.hit.side;
+        s.gz = at.hit.nz * at.hit.side;
     }
 
     /** Sets direction and geometric normal of the place where the ray arrives. */
@@ -23,6 +26,9 @@ public final class Optics {
         s.nx = hit.nx * hit.side;
         s.ny = hit.ny * hit.side;
         s.nz = hit.nz * hit.side;
+        s.gx = s.nx;
+        s.gy = s.ny;
+        s.gz = s.nz;
     }
 
     /** Sets the unit direction to where the ray came from. */
@@ -53,11 +59,11 @@ public final class Optics {
 
     /** Lets the ray leave in the direction that was sampled. */
     public static void leave(Ray ray, Hit hit, Scattering s) {
-        ray.set(hit.px, hit.py, hit.pz, s.ix, s.iy, s.iz, 0).from(hit.primitive, s.transmitted ? -hit.side : hit.side);
+        ray.set(hit.px, hit.py, hit.pz, s.ix, s.iy, s.iz, 0).from(hit, s.transmitted ? -hit.side : hit.side);
     }
 
     /** Lets the ray pass straight through, to the other side. */
     public static void pass(Ray ray, Hit hit) {
-        ray.set(hit.px, hit.py, hit.pz, ray.dx, ray.dy, ray.dz, 0).from(hit.primitive, -hit.side);
+        ray.set(hit.px, hit.py, hit.pz, ray.dx, ray.dy, ray.dz, 0).from(hit, -hit.side);
     }
 }

@@ -5,7 +5,6 @@ import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
-import enlightenment.primitive.SpherePrimitive;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sampler;
 import enlightenment.world.CompiledScene;
@@ -78,7 +77,7 @@ public final class PathFollower {
         around = scene.physical == null ? null : scene.physical.around;
         this.counters = counters;
         this.maxBounces = maxBounces;
-        maxStraight = MAX_CROSSINGS * scene.primitives.length;
+        maxStraight = scene.crossings;
         tracer = new Tracer(scene, counters);
         glass = new GlassTracer(scene, counters);
         poll = new Poll();
@@ -105,6 +104,7 @@ public final class PathFollower {
 
     /** The same with one that is not counted, as it begins no sample. */
     public void beginAgain(Ray ray) {
+        scattering.fromLight = false;
         glass.begin(ray, scene.cameraSolids, null);
         begin(0);
     }
@@ -115,6 +115,7 @@ public final class PathFollower {
      * @param source it has just been emitted there
      */
     public void beginAtLight(Ray ray, PathSource source) {
+        scattering.fromLight = true;
         glass.begin(ray, source.media(), source.faces());
         begin(1);
     }
@@ -180,7 +181,7 @@ public final class PathFollower {
         }
         Hit hit = at.hit;
         hit.primitive.textureCoordinates(hit);
-        material.color(hit.u, hit.v, hit.primitive instanceof SpherePrimitive, rgb);
+        material.color(hit.u, hit.v, hit.primitive.repeatsTextures(), rgb);
     }
 
     /**
@@ -212,7 +213,7 @@ public final class PathFollower {
      */
     public boolean scatter(Ray ray, SurfaceMaterial material, double[] color, double u, double v, double choice) {
         arrive(ray, color);
-        if (!material.bsdf.sample(scattering, u, v, choice)) {
+        if (!at.bsdf.sample(scattering, u, v, choice)) {
             return false;
         }
         color[0] = scattering.valueR;

@@ -321,7 +321,7 @@ public final class CoincidentHits {
             Primitive p = primitives[ids[k]];
             boolean isEntered = isGlassSolid(k) && hits[k].side == Ray.OUTSIDE;
             if (p != ray.start && isGlass(k) && !(covered && isEntered)) {
-                ray.alsoFrom(p, -hits[k].side);
+                ray.alsoFrom(hits[k], -hits[k].side);
             }
         }
         for (int k = 0; k < leftCount; k++) {
@@ -334,7 +334,7 @@ public final class CoincidentHits {
         for (int k = 0; k < size; k++) {
             Primitive p = primitives[ids[k]];
             if (p != ray.start) {
-                ray.alsoFrom(p, hits[k].side);
+                ray.alsoFrom(hits[k], hits[k].side);
             }
         }
     }

@@ -4,6 +4,7 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.ClassicDielectric;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Reradiation;
+import enlightenment.bsdf.SmoothShading;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
@@ -17,6 +18,9 @@ import enlightenment.texture.ImageTexture;
 public final class SurfaceMaterial {
     /** How the surface scatters light. */
     public final Bsdf bsdf;
+
+    /** The same where surfaces are shaded by normals of vertices; null for glass, which refracts by the normals of its triangles. */
+    public final Bsdf smooth;
 
     /** Whether all that it scatters goes in single directions: {@link Bsdf#isDelta}. */
     public final boolean isDelta;
@@ -116,6 +120,7 @@ public final class SurfaceMaterial {
         dispersion = physical == null ? 0 : physical.dispersion();
         isDelta = bsdf.isDelta();
         isGlass = bsdf.transmits();
+        smooth = isGlass ? null : new SmoothShading(bsdf);
         Texture texture = material.color();
         double[] first = {0, 0, 0};
         double[] second = null;

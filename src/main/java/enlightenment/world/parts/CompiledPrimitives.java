@@ -1,9 +1,11 @@
 package enlightenment.world.parts;
 
 import enlightenment.frame.SceneFrame;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Shape;
 import enlightenment.material.Material;
 import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
 import enlightenment.scene.SceneObject;
 import enlightenment.world.material.FaceMaterials;
 import enlightenment.world.material.SurfaceMaterial;
@@ -52,7 +54,14 @@ public record CompiledPrimitives(
                 poll.run();
             }
             SceneObject o = objects.get(i);
-            placed.add(i, o, placement.place(o.shape(), frame));
+            boolean isGlowingMesh =
+                    o.shape() instanceof Mesh && surfaces.get(o.material()).glows;
+            placed.add(
+                    i,
+                    o,
+                    isGlowingMesh
+                            ? Primitives.triangles((Mesh) o.shape(), frame)
+                            : placement.place(o.shape(), frame));
         }
         return of(placed, placed.canonicalOrder(), objects.size());
     }

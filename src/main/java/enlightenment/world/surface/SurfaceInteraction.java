@@ -1,5 +1,6 @@
 package enlightenment.world.surface;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.world.CompiledScene;
@@ -23,6 +24,9 @@ public final class SurfaceInteraction {
     /** The material of the face; null in a medium. */
     public SurfaceMaterial material;
 
+    /** How the face scatters light; null in a medium. */
+    public Bsdf bsdf;
+
     /** The index of the light that the face is; -1 if it emits nothing, or nothing that could be sampled. */
     public int light = NO_LIGHT;
 
@@ -37,6 +41,14 @@ public final class SurfaceInteraction {
         id = atId;
         material = scene.material(atId, hit.face);
         light = material.glows && scene.physical != null ? scene.physical.lightOf(atId, hit.face) : NO_LIGHT;
+        bsdf = material.bsdf;
+        if (material.smooth != null && hit.primitive.shadingNormal(hit)) {
+            bsdf = material.smooth;
+            nx = hit.sx * hit.side;
+            ny = hit.sy * hit.side;
+            nz = hit.sz * hit.side;
+            return;
+        }
         nx = hit.nx * hit.side;
         ny = hit.ny * hit.side;
         nz = hit.nz * hit.side;
@@ -54,6 +66,7 @@ public final class SurfaceInteraction {
         hit.primitive = null;
         id = NOWHERE;
         material = null;
+        bsdf = null;
         light = NO_LIGHT;
         nx = 0;
         ny = 0;

@@ -1,6 +1,4 @@
-package enlightenment.accel;
-
-import enlightenment.primitive.Ray;
+package enlightenment.bvh;
 
 /**
  * The test of a ray against boxes of floats, each given by its centre c and its half extents h. Along an axis the ray, with inverse
@@ -21,12 +19,12 @@ import enlightenment.primitive.Ray;
  * negative entry loses against tMin ≥ 0, a negative exit makes the smallest exit negative: a miss. Comparing ints takes one
  * instruction where {@link Math#max(float, float)} takes five.
  */
-final class FloatSlabs {
+public final class FloatSlabs {
     /** What {@link #entry} returns for a box that the ray misses: more than the bits of infinity. */
-    static final int MISS = Integer.MAX_VALUE;
+    public static final int MISS = Integer.MAX_VALUE;
 
     /** Squared lengths of directions, and coordinates, for which nothing leaves the range of floats. */
-    static final double LARGEST = 0x1p40;
+    public static final double LARGEST = 0x1p40;
 
     private static final double SMALLEST = 0x1p-40;
 
@@ -51,25 +49,29 @@ final class FloatSlabs {
     /**
      * Prepares the test.
      *
-     * @param ray the ray
+     * @param ox the ray's origin: ox, oy, oz
+     * @param dx its direction: dx, dy, dz
+     * @param dd the squared length of the direction
+     * @param from the least t that counts
      * @param reach the largest absolute coordinate of any box, in the range that {@link #suits} asks for
      * @return whether this test is right for the ray
      */
-    boolean set(Ray ray, double reach) {
-        double o = Math.max(Math.abs(ray.ox), Math.max(Math.abs(ray.oy), Math.abs(ray.oz)));
-        if (!(ray.dd >= SMALLEST && ray.dd <= LARGEST && o <= 2 * reach && ray.tMin >= 0)) {
+    public boolean set(
+            double ox, double oy, double oz, double dx, double dy, double dz, double dd, double from, double reach) {
+        double o = Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz)));
+        if (!(dd >= SMALLEST && dd <= LARGEST && o <= 2 * reach && from >= 0)) {
             return false;
         }
-        invX = inverse(ray.dx);
-        invY = inverse(ray.dy);
-        invZ = inverse(ray.dz);
+        invX = inverse(dx);
+        invY = inverse(dy);
+        invZ = inverse(dz);
         sizeX = Math.abs(invX);
         sizeY = Math.abs(invY);
         sizeZ = Math.abs(invZ);
-        offsetX = (float) (-ray.ox * invX);
-        offsetY = (float) (-ray.oy * invY);
-        offsetZ = (float) (-ray.oz * invZ);
-        tMin = Float.floatToRawIntBits(Math.max(0f, down(ray.tMin)));
+        offsetX = (float) (-ox * invX);
+        offsetY = (float) (-oy * invY);
+        offsetZ = (float) (-oz * invZ);
+        tMin = Float.floatToRawIntBits(Math.max(0f, down(from)));
         return true;
     }
 
@@ -78,12 +80,12 @@ final class FloatSlabs {
     }
 
     /** Whether a scene with this largest absolute coordinate is in range. */
-    static boolean suits(double reach) {
+    public static boolean suits(double reach) {
         return reach <= LARGEST && reach >= SMALLEST;
     }
 
     /** What half extents of boxes are widened by. */
-    static double widening(double reach) {
+    public static double widening(double reach) {
         return WIDENING * reach;
     }
 
@@ -91,7 +93,7 @@ final class FloatSlabs {
      * Where the ray enters the box whose numbers (x, y, z of centre and half extents) begin at b[k] and lie two apart, at least tMin, as
      * bits of a float; {@link #MISS} if it misses the box or enters it beyond the limit, which is the bits of a float too.
      */
-    int entry(float[] b, int k, int limit) {
+    public int entry(float[] b, int k, int limit) {
         float mx = Math.fma(b[k], invX, offsetX);
         float my = Math.fma(b[k + 2], invY, offsetY);
         float mz = Math.fma(b[k + 4], invZ, offsetZ);
@@ -110,18 +112,18 @@ final class FloatSlabs {
     }
 
     /** A limit of t for {@link #entry}; of a negative one, and of no other, the bits are negative. */
-    static int limit(double t) {
+    public static int limit(double t) {
         return Float.floatToRawIntBits(up(t) + 0f);
     }
 
     /** The largest float that is not greater. */
-    static float down(double v) {
+    public static float down(double v) {
         float f = (float) v;
         return f > v ? Math.nextDown(f) : f;
     }
 
     /** The smallest float that is not less; infinity beyond the range. */
-    static float up(double v) {
+    public static float up(double v) {
         float f = (float) v;
         return f < v ? Math.nextUp(f) : f;
     }

@@ -1,20 +1,20 @@
-package enlightenment.accel;
+package enlightenment.bvh;
 
 import java.util.Arrays;
 
 /**
- * Builds a {@link Bvh} top-down: a range of items is split where the surface area heuristic, evaluated at the borders of equal bins
+ * Builds a hierarchy in the layout of {@link Nodes}, top-down: a range of items is split where the surface area heuristic, evaluated at the borders of equal bins
  * of centroids on each axis, expects the least work (Wald, "On fast construction of SAH-based bounding volume hierarchies",
  * 2007). One thread, plain arithmetic: the same tree on every machine.
  *
  * <p>Where no such split exists (all centroids coincide), or where the tree is so deep that it has degenerated, a range is
  * split at the median, so the depth is bounded whatever the scene.
  */
-final class BvhBuilder {
+public final class BvhBuilder {
     private static final int MAX_LEAF = 4;
 
     /** From this depth on, ranges are split at the median: 2^28 primitives then end before {@link Bvh#MAX_DEPTH}. */
-    private static final int MEDIAN_DEPTH = Bvh.MAX_DEPTH - 32;
+    private static final int MEDIAN_DEPTH = Nodes.MAX_DEPTH - 32;
 
     /** The cost of visiting a node, in tests of primitives. */
     private static final double NODE_COST = 2;
@@ -30,9 +30,9 @@ final class BvhBuilder {
     /** Who waits for the end of the building is asked before ranges of so many items: smaller ones take far less than a millisecond. */
     private static final int POLLED = 1024;
 
-    private final PrimitiveBoxes items;
+    private final ItemBoxes items;
     private final BinnedSplit split;
-    private final double[] box = new double[PrimitiveBoxes.BOX];
+    private final double[] box = new double[ItemBoxes.BOX];
     private final double widening;
     private float[] boxes;
     private int[] child;
@@ -41,7 +41,7 @@ final class BvhBuilder {
     private int smallLeaves;
 
     /** @param poll called now and then; ends the building by what it throws */
-    BvhBuilder(PrimitiveBoxes items, Runnable poll) {
+    public BvhBuilder(ItemBoxes items, Runnable poll) {
         int n = items.size();
         if (n >= MAX_ITEMS) {
             throw new IllegalArgumentException(
@@ -52,16 +52,16 @@ final class BvhBuilder {
         widening = FloatSlabs.widening(items.reach());
         // Leaves of about two: half as many nodes as items.
         int capacity = n / 2 + n / 16 + 1;
-        boxes = new float[Bvh.NODE * capacity];
+        boxes = new float[Nodes.NODE * capacity];
         child = new int[2 * capacity];
         grow(n, poll);
-        boxes = Arrays.copyOf(boxes, Bvh.NODE * nodes);
+        boxes = Arrays.copyOf(boxes, Nodes.NODE * nodes);
         child = Arrays.copyOf(child, 2 * nodes);
     }
 
     /** Makes the nodes in depth-first order, with a stack of ranges (start, end, depth, slot in a parent) instead of recursion. */
     private void grow(int n, Runnable poll) {
-        int[] todo = new int[4 * (Bvh.MAX_DEPTH + 1)];
+        int[] todo = new int[4 * (Nodes.MAX_DEPTH + 1)];
         int top = push(todo, 0, 0, n, 0, NO_PARENT);
         while (top > 0) {
             top -= 4;
@@ -79,7 +79,7 @@ final class BvhBuilder {
                 int at = slot == NO_PARENT ? 2 * newNode() : slot;
                 setLeaf(at, start, end);
                 if (slot == NO_PARENT) {
-                    set(at + 1, Bvh.EMPTY);
+                    set(at + 1, Nodes.EMPTY);
                 }
             } else {
                 int node = newNode();
@@ -103,14 +103,14 @@ final class BvhBuilder {
     private int newNode() {
         if (2 * nodes == child.length) {
             int capacity = nodes + nodes / 4 + 1;
-            boxes = Arrays.copyOf(boxes, Bvh.NODE * capacity);
+            boxes = Arrays.copyOf(boxes, Nodes.NODE * capacity);
             child = Arrays.copyOf(child, 2 * capacity);
         }
         return nodes++;
     }
 
     private void setLeaf(int slot, int start, int end) {
-        set(slot, Bvh.leaf(start, end - start));
+        set(slot, Nodes.leaf(start, end - start));
         double extent = 0;
         for (int k = 0; k < 3 && start < end; k++) {
             extent = Math.max(extent, box[3 + k] - box[k]);
@@ -122,7 +122,7 @@ final class BvhBuilder {
     /** Fills a child's slot: slot 2n + s is side s of node n. */
     private void set(int slot, int link) {
         child[slot] = link;
-        int at = Bvh.NODE * (slot / 2) + slot % 2;
+        int at = Nodes.NODE * (slot / 2) + slot % 2;
         for (int k = 0; k < 3; k++) {
             boolean empty = !(box[k] <= box[3 + k]);
             // The box of nothing is a point, not infinite: no search may compute with infinities.
@@ -155,26 +155,26 @@ final class BvhBuilder {
     }
 
     /** Whether boxes of floats are fine enough: more than half of the leaves are large beside the roundings. */
-    boolean fitsFloats() {
+    public boolean fitsFloats() {
         return items.size() == 0 || FloatSlabs.suits(items.reach()) && 2 * smallLeaves <= leaves;
     }
 
-    double reach() {
+    public double reach() {
         return items.reach();
     }
 
     /** By place in the leaves: the index of the item. */
-    int[] order() {
+    public int[] order() {
         return items.ids();
     }
 
-    /** The children's boxes, rounded outwards, as {@link FloatBvh} has them. */
-    float[] floats() {
+    /** The children's boxes, rounded outwards, as {@link FloatSlabs} takes them. */
+    public float[] floats() {
         return boxes;
     }
 
     /** Two links for each node. */
-    int[] child() {
+    public int[] child() {
         return child;
     }
 }

@@ -1,14 +1,13 @@
-package enlightenment.accel;
+package enlightenment.bvh;
 
 import enlightenment.frame.Bounds;
 import enlightenment.numeric.Scale;
-import enlightenment.primitive.Primitive;
 import java.util.function.IntFunction;
 
-/** The boxes of primitives in one flat array that is rearranged while a hierarchy is built, so that siblings are adjacent. */
-final class PrimitiveBoxes {
+/** Boxes of items in one flat array that is rearranged while a hierarchy is built, so that siblings are adjacent. */
+public final class ItemBoxes {
     /** Numbers of a box: its lower corner, its upper corner. */
-    static final int BOX = 6;
+    public static final int BOX = 6;
 
     private final double[] b;
     private final int[] ids;
@@ -18,23 +17,31 @@ final class PrimitiveBoxes {
 
     private final double reach;
 
-    private PrimitiveBoxes(int n, IntFunction<Bounds> boxes) {
+    /** Sets the box of an item: the six numbers at out[at]. */
+    public interface Boxes {
+        void set(int item, double[] out, int at);
+    }
+
+    /** @param boxes by item */
+    public ItemBoxes(int n, IntFunction<Bounds> boxes) {
+        this(n, (i, out, at) -> set(boxes.apply(i), out, at));
+    }
+
+    /** @param boxes writes the box of an item */
+    public ItemBoxes(int n, Boxes boxes) {
         b = new double[BOX * n];
         ids = new int[n];
         double largest = 0;
         for (int i = 0; i < n; i++) {
-            Bounds box = boxes.apply(i);
             ids[i] = i;
-            set(box, b, BOX * i);
-            largest = Math.max(largest, box.maxAbs());
+            boxes.set(i, b, BOX * i);
+            for (int k = BOX * i; k < BOX * i + BOX; k++) {
+                largest = Math.max(largest, Math.abs(b[k]));
+            }
         }
         reach = largest;
         // Clamped so that the factor itself is a normal number.
         unit = Math.scalb(1.0, -Math.max(-1000, Math.min(1000, Scale.exponent(reach))));
-    }
-
-    static PrimitiveBoxes of(Primitive[] primitives) {
-        return new PrimitiveBoxes(primitives.length, i -> primitives[i].bounds());
     }
 
     private static void set(Bounds box, double[] out, int at) {
@@ -89,7 +96,7 @@ final class PrimitiveBoxes {
     }
 
     /** Sets the six numbers at out[at] to the box that encloses nothing. */
-    static void clear(double[] out, int at) {
+    public static void clear(double[] out, int at) {
         for (int k = 0; k < 3; k++) {
             out[at + k] = Double.POSITIVE_INFINITY;
             out[at + 3 + k] = Double.NEGATIVE_INFINITY;
@@ -102,7 +109,7 @@ final class PrimitiveBoxes {
     }
 
     /** Enlarges the box at out[at] by the box at in[from]. */
-    static void merge(double[] in, int from, double[] out, int at) {
+    public static void merge(double[] in, int from, double[] out, int at) {
         for (int k = 0; k < 3; k++) {
             if (in[from + k] < out[at + k]) {
                 out[at + k] = in[from + k];
@@ -135,7 +142,7 @@ final class PrimitiveBoxes {
     }
 
     /** Enlarges the box at out[at] by another. */
-    static void merge(Bounds box, double[] out, int at) {
+    public static void merge(Bounds box, double[] out, int at) {
         double[] numbers = new double[BOX];
         set(box, numbers, 0);
         merge(numbers, 0, out, at);

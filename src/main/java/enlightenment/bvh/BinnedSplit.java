@@ -1,4 +1,4 @@
-package enlightenment.accel;
+package enlightenment.bvh;
 
 import java.util.Arrays;
 
@@ -9,7 +9,7 @@ final class BinnedSplit {
     /** Up to this many items are sorted by their bins: sixteen bins on three axes would be mostly empty. */
     private static final int FEW = 8;
 
-    private final PrimitiveBoxes items;
+    private final ItemBoxes items;
     private final double[] lowest = new double[3];
     private final double[] highest = new double[3];
     private final double[] scale = new double[3];
@@ -28,7 +28,7 @@ final class BinnedSplit {
     private int border;
     private double cost;
 
-    BinnedSplit(PrimitiveBoxes items) {
+    BinnedSplit(ItemBoxes items) {
         this.items = items;
     }
 
@@ -64,12 +64,12 @@ final class BinnedSplit {
             fewBins[k] = bin;
             fewItems[k] = start + i;
         }
-        PrimitiveBoxes.clear(sweep, 0);
+        ItemBoxes.clear(sweep, 0);
         for (int k = n - 1; k > 0; k--) {
             items.add(fewItems[k], sweep, 0);
             System.arraycopy(sweep, 0, fewBoxes, 6 * k, 6);
         }
-        PrimitiveBoxes.clear(sweep, 0);
+        ItemBoxes.clear(sweep, 0);
         for (int k = 1; k < n; k++) {
             items.add(fewItems[k - 1], sweep, 0);
             if (fewBins[k - 1] < fewBins[k]) {
@@ -119,7 +119,7 @@ final class BinnedSplit {
     private void fill(int start, int end) {
         Arrays.fill(binCounts, 0);
         for (int k = 0; k < 3 * BINS; k++) {
-            PrimitiveBoxes.clear(binBoxes, 6 * k);
+            ItemBoxes.clear(binBoxes, 6 * k);
         }
         for (int i = start; i < end; i++) {
             for (int a = 0; a < 3; a++) {
@@ -134,17 +134,17 @@ final class BinnedSplit {
 
     private void sweep(int a, int total) {
         int n = 0;
-        PrimitiveBoxes.clear(sweep, 0);
+        ItemBoxes.clear(sweep, 0);
         for (int k = BINS - 1; k > 0; k--) {
             n += binCounts[BINS * a + k];
-            PrimitiveBoxes.merge(binBoxes, 6 * (BINS * a + k), sweep, 0);
+            ItemBoxes.merge(binBoxes, 6 * (BINS * a + k), sweep, 0);
             rightCost[k] = n == 0 ? Double.POSITIVE_INFINITY : n * items.area(sweep, 0);
         }
         n = 0;
-        PrimitiveBoxes.clear(sweep, 0);
+        ItemBoxes.clear(sweep, 0);
         for (int k = 1; k < BINS && n < total; k++) {
             n += binCounts[BINS * a + k - 1];
-            PrimitiveBoxes.merge(binBoxes, 6 * (BINS * a + k - 1), sweep, 0);
+            ItemBoxes.merge(binBoxes, 6 * (BINS * a + k - 1), sweep, 0);
             double c = n == 0 ? Double.POSITIVE_INFINITY : n * items.area(sweep, 0) + rightCost[k];
             if (c < cost) {
                 cost = c;

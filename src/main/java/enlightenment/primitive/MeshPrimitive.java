@@ -1,0 +1,245 @@
+package enlightenment.primitive;
+
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.mesh.MeshRay;
+import enlightenment.mesh.TriangleMesh;
+import enlightenment.mesh.TriangleTree;
+import enlightenment.numeric.Scale;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * An instance of a mesh: rays are mapped to its coordinates and follow its tree. It is one surface, curved as far as others need to know, of
+ * which {@link Hit#element} says the triangle. Where its normals are smooth, {@link Hit} has the shading normal.
+ */
+public final class MeshPrimitive extends Primitive {
+    /** Directions that {@link #contains} looks along: one that no edge of a modelled mesh is likely to be parallel to. */
+    private static final double[] ASIDE = {0.5773, 0.2911, 0.7631};
+
+    private final TriangleTree tree;
+    private final TriangleMesh mesh;
+    private final Placing placing;
+    private final Bounds bounds;
+
+    MeshPrimitive(TriangleTree tree, Placing placing) {
+        this(tree, placing, bounds(tree, placing));
+    }
+
+    private MeshPrimitive(TriangleTree tree, Placing placing, Bounds bounds) {
+        super(bounds.maxAbs(), bounds.extent().maxAbs());
+        this.tree = tree;
+        this.placing = placing;
+        this.bounds = bounds;
+        mesh = tree.mesh();
+    }
+
+    private static Bounds bounds(TriangleTree tree, Placing placing) {
+        Bounds all = null;
+        for (Bounds part : placing.isMove ? List.of(tree.bounds()) : tree.parts()) {
+            for (int k = 0; k < 8; k++) {
+                Vec3 c = part.corner(k);
+                Vec3 p = placing.point(c.x(), c.y(), c.z());
+                all = all == null ? Bounds.of(p) : all.union(Bounds.of(p));
+            }
+        }
+        Vec3 slack = placing.slack(tree.bounds().maxAbs());
+        return new Bounds(all.min().minus(slack), all.max().plus(slack));
+    }
+
+    @Override
+    double nearestOrdinary(Ray ray, double tMax) {
+        MeshRay local = local(ray);
+        if (!local.closest(tMax)) {
+            return MISS;
+        }
+        ray.element = local.triangle;
+        return local.t;
+    }
+
+    @Override
+    boolean blocksOrdinary(Ray ray, double tMax) {
+        return local(ray).isBlocked(tMax);
+    }
+
+    /** The ray in the mesh's coordinates, with the triangles that it starts on. */
+    private MeshRay local(Ray ray) {
+        MeshRay local = ray.meshRay();
+        double x = ray.ox - placing.offset.x();
+        double y = ray.oy - placing.offset.y();
+        double z = ray.oz - placing.offset.z();
+        if (placing.isMove) {
+            local.set(tree, x, y, z, ray.dx, ray.dy, ray.dz, ray.tMin);
+        } else {
+            local.set(
+                    tree,
+                    placing.local(0, x, y, z),
+                    placing.local(1, x, y, z),
+                    placing.local(2, x, y, z),
+                    placing.local(0, ray.dx, ray.dy, ray.dz),
+                    placing.local(1, ray.dx, ray.dy, ray.dz),
+                    placing.local(2, ray.dx, ray.dy, ray.dz),
+                    ray.tMin);
+        }
+        if (ray.start == this) {
+            double size = ray.maxAbsOrigin() + placing.offset.maxAbs();
+            local.startOn(ray.startElement, ray.startSide, Scale.gamma(16) * size * placing.largestInverse());
+            if (ray.special) {
+                local.leaveOut(ray.otherElementOf(this));
+            }
+        }
+        return local;
+    }
+
+    @Override
+    void completeOrdinary(Ray ray, double t, Hit hit) {
+        int triangle = ray.element;
+        MeshRay local = local(ray);
+        local.complete(triangle);
+        hit.element = triangle;
+        hit.face = 0;
+        hit.weightB = local.weightB;
+        hit.weightC = local.weightC;
+        double a = 1 - local.weightB - local.weightC;
+        Vec3 p = mesh.position(mesh.vertex(triangle, 0));
+        Vec3 q = mesh.position(mesh.vertex(triangle, 1));
+        Vec3 r = mesh.position(mesh.vertex(triangle, 2));
+        Vec3 at = placing.point(
+                between(p.x(), q.x(), r.x(), a, local.weightB, local.weightC),
+                between(p.y(), q.y(), r.y(), a, local.weightB, local.weightC),
+                between(p.z(), q.z(), r.z(), a, local.weightB, local.weightC));
+        hit.setPoint(at.x(), at.y(), at.z());
+        Vec3 n = mesh.areaNormal(triangle);
+        Vec3 normal = placing.isMove ? n : placing.normal(n.x(), n.y(), n.z());
+        normal = normal.scaledBy(-normal.exponent());
+        hit.setNormal(normal.x(), normal.y(), normal.z());
+        hit.side = local.side;
+    }
+
+    private static double between(double p, double q, double r, double a, double b, double c) {
+        return Math.fma(c, r, Math.fma(b, q, a * p));
+    }
+
+    @Override
+    public boolean shadingNormal(Hit hit) {
+        if (!mesh.hasNormals()) {
+            return false;
+        }
+        double a = 1 - hit.weightB - hit.weightC;
+        Vec3 p = mesh.normal(mesh.vertex(hit.element, 0));
+        Vec3 q = mesh.normal(mesh.vertex(hit.element, 1));
+        Vec3 r = mesh.normal(mesh.vertex(hit.element, 2));
+        double x = between(p.x(), q.x(), r.x(), a, hit.weightB, hit.weightC);
+        double y = between(p.y(), q.y(), r.y(), a, hit.weightB, hit.weightC);
+        double z = between(p.z(), q.z(), r.z(), a, hit.weightB, hit.weightC);
+        Vec3 n = placing.isMove ? new Vec3(x, y, z) : placing.normal(x, y, z);
+        if (!(n.maxAbs() > 0)) {
+            return false;
+        }
+        n = n.scaledBy(-n.exponent()).normalized();
+        double cosine = n.x() * hit.nx + n.y() * hit.ny + n.z() * hit.nz;
+        if (!(cosine > 0)) {
+            return false;
+        }
+        hit.sx = n.x();
+        hit.sy = n.y();
+        hit.sz = n.z();
+        return true;
+    }
+
+    /** Those of the vertices, interpolated; without any, the triangle's corners are (0, 0), (1, 0) and (0, 1). */
+    @Override
+    public void textureCoordinates(Hit hit) {
+        if (!mesh.hasUv()) {
+            hit.u = hit.weightB;
+            hit.v = 1 - hit.weightC;
+            return;
+        }
+        double a = 1 - hit.weightB - hit.weightC;
+        int p = mesh.vertex(hit.element, 0);
+        int q = mesh.vertex(hit.element, 1);
+        int r = mesh.vertex(hit.element, 2);
+        hit.u = between(mesh.uv(p, 0), mesh.uv(q, 0), mesh.uv(r, 0), a, hit.weightB, hit.weightC);
+        hit.v = 1 - between(mesh.uv(p, 1), mesh.uv(q, 1), mesh.uv(r, 1), a, hit.weightB, hit.weightC);
+    }
+
+    @Override
+    public boolean repeatsTextures() {
+        return true;
+    }
+
+    @Override
+    public int crossings() {
+        return mesh.triangles();
+    }
+
+    @Override
+    public Bounds bounds() {
+        return bounds;
+    }
+
+    @Override
+    public boolean isSolid() {
+        return mesh.isClosed();
+    }
+
+    /** By the divergence theorem. */
+    @Override
+    public double volume() {
+        Vec3 middle = tree.bounds().center();
+        double sum = 0;
+        for (int t = 0; t < mesh.triangles(); t++) {
+            sum += mesh.areaNormal(t).dot(mesh.position(mesh.vertex(t, 0)).minus(middle));
+        }
+        return Math.abs(sum) / 6 * placing.volumeFactor();
+    }
+
+    @Override
+    public boolean isConvex() {
+        return false;
+    }
+
+    @Override
+    public boolean isWhole() {
+        return true;
+    }
+
+    /** Whether the closest triangle along some direction is met from its inside. */
+    @Override
+    public boolean contains(double x, double y, double z) {
+        if (!isSolid()) {
+            return false;
+        }
+        Ray ray = new Ray().set(x, y, z, ASIDE[0], ASIDE[1], ASIDE[2], 0);
+        MeshRay local = local(ray);
+        return local.closest(Double.MAX_VALUE) && local.side < 0;
+    }
+
+    @Override
+    public SupportSurface support(int face) {
+        return new SupportSurface.Facets(tree, bounds, placing.numbers());
+    }
+
+    @Override
+    Primitive scaledBy(int k) {
+        return new MeshPrimitive(tree, placing.scaledBy(k));
+    }
+
+    /** Where it is, and which mesh: by the digest. */
+    @Override
+    public double[] parameters() {
+        double[] placed = placing.numbers();
+        String digest = mesh.digest();
+        int pieces = 8;
+        double[] all = Arrays.copyOf(placed, placed.length + pieces);
+        for (int i = 0; i < pieces; i++) {
+            all[placed.length + i] = Long.parseLong(digest.substring(8 * i, 8 * i + 8), 16);
+        }
+        return all;
+    }
+
+    /** The mesh. */
+    public TriangleMesh mesh() {
+        return mesh;
+    }
+}

@@ -3,7 +3,7 @@ package enlightenment.geometry;
 import enlightenment.frame.Bounds;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.mesh.MeshSource;
+import enlightenment.mesh.MeshOrigin;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.numeric.Scale;
 import java.util.ArrayList;
@@ -16,14 +16,14 @@ import java.util.Optional;
  * media may fill it.
  *
  * @param triangles the mesh, in its own coordinates
- * @param source where it was read from, which a scene file names; empty for one that was made otherwise
+ * @param origin where it was read from, which a scene file names; empty for one that was made otherwise
  * @param transform from the mesh's coordinates to those of the scene
  */
-public record Mesh(TriangleMesh triangles, Optional<MeshSource> source, Transform transform) implements Shape {
+public record Mesh(TriangleMesh triangles, Optional<MeshOrigin> origin, Transform transform) implements Shape {
     /** All must be there. */
     public Mesh {
         Objects.requireNonNull(triangles, "triangles");
-        Objects.requireNonNull(source, "source");
+        Objects.requireNonNull(origin, "origin");
         Objects.requireNonNull(transform, "transform");
     }
 

@@ -6,8 +6,11 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
+import enlightenment.mesh.MeshFiles;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.json.FileNames;
 import enlightenment.scene.json.SceneWriter;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
@@ -20,7 +23,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 
 /**
  * A scene as bytes, in which image files are named by the hashes of their contents: the number of the scene's instants, these, each with
@@ -54,11 +56,12 @@ public final class SceneDocument {
      * @throws SceneException if an image file cannot be read or the scene cannot be written down
      */
     public static SceneDocument of(Scene scene, Images shared) {
-        return new SceneDocument(scenes(scene, file -> shared.name(file, scene)), shared.contents);
+        return new SceneDocument(scenes(scene, shared.of(scene)), shared.contents);
     }
 
-    /** Image files of several scenes. */
+    /** The files of several scenes: images, and meshes as PLY files of just their numbers, whatever they were read from. */
     public static final class Images {
+        private final Map<TriangleMesh, ContentHash> byMesh = new LinkedHashMap<>();
         private final Map<Path, ContentHash> byPath = new LinkedHashMap<>();
         private final Map<ContentHash, byte[]> contents = new LinkedHashMap<>();
 
@@ -72,10 +75,44 @@ public final class SceneDocument {
                     .toString();
         }
 
+        private FileNames of(Scene scene) {
+            return new FileNames() {
+                @Override
+                public String of(Path file) {
+                    return name(file, scene);
+                }
+
+                @Override
+                public Optional<String> of(TriangleMesh mesh) {
+                    return Optional.of(name(mesh));
+                }
+            };
+        }
+
+        private String name(TriangleMesh mesh) {
+            return byMesh.computeIfAbsent(mesh, m -> {
+                        byte[] content = ply(m);
+                        ContentHash hash = ContentHash.of(content);
+                        contents.put(hash, content);
+                        return hash;
+                    })
+                    .toString();
+        }
+
         /** Their contents, by their hashes. */
         public Map<ContentHash, byte[]> contents() {
             return Collections.unmodifiableMap(contents);
         }
+    }
+
+    private static byte[] ply(TriangleMesh mesh) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try {
+            MeshFiles.writePly(mesh, bytes);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return bytes.toByteArray();
     }
 
     private static byte[] read(Path file, Scene scene) {
@@ -95,7 +132,7 @@ public final class SceneDocument {
         }
     }
 
-    private static byte[] scenes(Scene scene, Function<Path, String> names) {
+    private static byte[] scenes(Scene scene, FileNames names) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeInt(scene.instants().size());
@@ -111,7 +148,7 @@ public final class SceneDocument {
         return bytes.toByteArray();
     }
 
-    private static byte[] json(Scene scene, Function<Path, String> names) {
+    private static byte[] json(Scene scene, FileNames names) {
         return SceneWriter.toJson(scene.withoutAnimation().withInstants(List.of()), names)
                 .getBytes(StandardCharsets.UTF_8);
     }

@@ -1,42 +1,65 @@
 package enlightenment.mesh;
 
-import enlightenment.check.Check;
+import enlightenment.file.InputFile;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Objects;
 
-/**
- * Where a mesh comes from: a file, a part of it, and what is made of its normals.
- *
- * @param file the file; where scenes have no folder, a name
- * @param part which part of the file, counted from 0: the shape of a file of several; 0 for other files
- * @param normals which normals its vertices have
- * @param crease for {@link Normals#SMOOTH}: normals of triangles that differ by more than so many degrees, 0..180, do not count for another
- */
-public record MeshSource(Path file, int part, Normals normals, double crease) {
-    /** Which normals vertices have. */
-    public enum Normals {
-        /** Those of the file, if it has some. */
-        FILE,
-        /** None: triangles are flat. */
-        FLAT,
-        /** The mean of those of the triangles around a vertex. */
-        SMOOTH
+/** The bytes of a mesh file, on disk or in memory, with their number and the name that messages give them. */
+final class MeshSource {
+    final String name;
+    final long size;
+    private final Path file;
+
+    /** The content; null if it is read from the file. */
+    private final byte[] content;
+
+    private MeshSource(String name, long size, Path file, byte[] content) {
+        this.name = name;
+        this.size = size;
+        this.file = file;
+        this.content = content;
     }
 
-    /** @throws enlightenment.math.InvalidValueException for a crease out of range or a part below 0 */
-    public MeshSource {
-        Objects.requireNonNull(file, "file");
-        Objects.requireNonNull(normals, "normals");
-        Check.that(part >= 0, "part", "must be at least 0, not " + part);
-        Check.range("crease", crease, 0, 180);
+    /** A file. Pipes are read at once, as their length is not known; devices are refused. */
+    static MeshSource of(Path file) throws IOException {
+        if (Files.isRegularFile(file)) {
+            return new MeshSource(file.toString(), Files.size(file), file, null);
+        }
+        return of(InputFile.bytes(file), file.toString());
     }
 
-    /** The mesh of a file, with the normals that are asked for. */
-    public TriangleMesh shaped(TriangleMesh read) {
-        return switch (normals) {
-            case FILE -> read;
-            case FLAT -> read.flat();
-            case SMOOTH -> read.smooth(crease);
-        };
+    static MeshSource of(byte[] content, String name) {
+        return new MeshSource(name, content.length, null, content);
+    }
+
+    /** A stream of the bytes from an offset on, which is at most the size. */
+    InputStream open(long offset) throws IOException {
+        if (content != null) {
+            return new ByteArrayInputStream(content, (int) offset, content.length - (int) offset);
+        }
+        InputStream in = InputFile.open(file);
+        try {
+            in.skipNBytes(offset);
+            return in;
+        } catch (IOException e) {
+            in.close();
+            throw e;
+        }
+    }
+
+    /** The first bytes, or all if there are fewer. */
+    byte[] start(int most) throws IOException {
+        try (InputStream in = open(0)) {
+            return in.readNBytes(most);
+        }
+    }
+
+    /** A failure whose message is {@code NAME: REASON}. */
+    FileSystemException failure(String reason) {
+        return new FileSystemException(name, null, reason);
     }
 }

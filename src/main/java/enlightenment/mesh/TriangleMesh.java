@@ -8,6 +8,7 @@ import enlightenment.numeric.Products;
 import java.nio.ByteBuffer;
 import java.security.MessageDigest;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -100,6 +101,35 @@ public final class TriangleMesh {
             }
         }
         return new TriangleMesh(floats, null, indices, normals, uv);
+    }
+
+    /** All triangles of several meshes in one; normals and texture coordinates are kept where all have some. */
+    static TriangleMesh joined(List<MeshFiles.Part> parts) {
+        if (parts.size() == 1) {
+            return parts.get(0).mesh();
+        }
+        boolean hasNormals = parts.stream().allMatch(p -> p.mesh().hasNormals());
+        boolean hasUv = parts.stream().allMatch(p -> p.mesh().hasUv());
+        MeshBuilder all = new MeshBuilder();
+        int dropped = 0;
+        for (MeshFiles.Part part : parts) {
+            TriangleMesh m = part.mesh();
+            int first = all.vertices();
+            dropped += m.dropped;
+            for (int v = 0; v < m.vertices(); v++) {
+                all.vertex(m.coordinate(v, 0), m.coordinate(v, 1), m.coordinate(v, 2));
+                if (hasNormals) {
+                    all.normal(m.normals[3 * v], m.normals[3 * v + 1], m.normals[3 * v + 2]);
+                }
+                if (hasUv) {
+                    all.uv(m.uv[2 * v], m.uv[2 * v + 1]);
+                }
+            }
+            for (int t = 0; t < m.triangles(); t++) {
+                all.triangle(first + m.vertex(t, 0), first + m.vertex(t, 1), first + m.vertex(t, 2));
+            }
+        }
+        return new TriangleMesh(all.build(), dropped);
     }
 
     /**

@@ -254,7 +254,7 @@ class ArchitectureTest {
                     "cli")
             .whereLayer("text")
             .mayOnlyBeAccessedByLayers(
-                    "codec", "image", "scene", "json", "engine", "render", "listen", "net", "cli", "store")
+                    "codec", "image", "mesh", "scene", "json", "engine", "render", "listen", "net", "cli", "store")
             .whereLayer("codec")
             .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings", "video")
             .whereLayer("surroundings")

@@ -2,7 +2,9 @@ package enlightenment.cli.input;
 
 import enlightenment.file.ContentHash;
 import enlightenment.file.InputFile;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
+import enlightenment.scene.json.FileNames;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -11,6 +13,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Tells a scene from all others. */
 public final class SceneFingerprint {
@@ -36,7 +39,17 @@ public final class SceneFingerprint {
     private String json(Scene scene) {
         StringBuilder all = new StringBuilder(SceneWriter.toJson(
                 scene.withoutAnimation().withInstants(List.of()),
-                file -> images.computeIfAbsent(file, SceneFingerprint::hashOf)));
+                new FileNames() {
+                    @Override
+                    public String of(Path file) {
+                        return images.computeIfAbsent(file, SceneFingerprint::hashOf);
+                    }
+
+                    @Override
+                    public Optional<String> of(TriangleMesh mesh) {
+                        return Optional.of(mesh.digest());
+                    }
+                }));
         scene.instants().forEach(instant -> all.append(json(instant)));
         return all.toString();
     }

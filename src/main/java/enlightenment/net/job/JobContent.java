@@ -10,6 +10,7 @@ import enlightenment.scene.Animation;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.json.NamedFiles;
 import enlightenment.scene.json.SceneReader;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -21,11 +22,9 @@ import java.io.UTFDataFormatException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 
 /**
  * A job as contents that are addressed by their hashes. The first is the job's document: build, settings, plan, the kinds of
@@ -86,7 +85,7 @@ public final class JobContent {
         return hash;
     }
 
-    private static Scene readScenes(DataInputStream in, Set<String> names) throws IOException {
+    private static Scene readScenes(DataInputStream in, NamedFiles files) throws IOException {
         int count = in.readInt();
         if (count < 0 || count > Animation.MOST_INSTANTS) {
             throw new IOException("the job has " + count + " instants");
@@ -97,13 +96,13 @@ public final class JobContent {
             if (length < 0 || length > in.available()) {
                 throw new IOException("the job ends too early");
             }
-            instants.add(readScene(in.readNBytes(length), names));
+            instants.add(readScene(in.readNBytes(length), files));
         }
-        return readScene(in.readAllBytes(), names).withInstants(instants);
+        return readScene(in.readAllBytes(), files).withInstants(instants);
     }
 
-    private static Scene readScene(byte[] json, Set<String> names) {
-        return SceneReader.readNamed(new String(json, StandardCharsets.UTF_8), names, "the server's scene");
+    private static Scene readScene(byte[] json, NamedFiles files) {
+        return SceneReader.readNamed(new String(json, StandardCharsets.UTF_8), files, "the server's scene");
     }
 
     static byte[] document(RenderOutline outline, String build, byte[] scenes) {
@@ -151,11 +150,11 @@ public final class JobContent {
     /**
      * Reads a job's document.
      *
-     * @param images the hashes of the image files that there are
+     * @param files the files that there are, by their hashes
      * @param threads what the settings are to say of threads
      * @throws IOException if it makes no sense; the message says why
      */
-    public static Document read(byte[] document, Collection<ContentHash> images, String build, int threads)
+    public static Document read(byte[] document, NamedFiles files, String build, int threads)
             throws IOException {
         ByteArrayInputStream bytes = new ByteArrayInputStream(document);
         try (DataInputStream in = new DataInputStream(bytes)) {
@@ -168,9 +167,7 @@ public final class JobContent {
             }
             OutlineBytes.Decided decided = OutlineBytes.read(in, threads);
             OutlineBytes.readTexts(in);
-            Set<String> names = Set.copyOf(
-                    images.stream().map(ContentHash::toString).distinct().toList());
-            return new Document(readScenes(in, names), decided.settings(), decided.plan());
+            return new Document(readScenes(in, files), decided.settings(), decided.plan());
         } catch (EOFException | UTFDataFormatException e) {
             throw senseless(e);
         } catch (IllegalArgumentException | SceneException e) {

@@ -11,6 +11,7 @@ import enlightenment.file.FileFailure;
 import enlightenment.net.job.FilmContent;
 import enlightenment.net.job.JobContent;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.json.NamedFiles;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.HashMap;
@@ -19,15 +20,15 @@ import java.util.Map;
 
 /** What is to be rendered, from the contents of a job: nothing is read from disks. */
 public final class WorkerUnits {
-    private final List<ContentHash> imageHashes;
+    private final NamedFiles files;
     private final SharedImages images;
     private final String version;
     private final int threads;
 
     private WorkerUnits(Map<ContentHash, byte[]> images, String version, int threads) {
-        imageHashes = List.copyOf(images.keySet());
         Map<String, byte[]> byName = new HashMap<>();
         images.forEach((hash, image) -> byName.put(hash.toString(), image));
+        files = new NamedFiles(byName);
         this.images = new SharedImages(file -> byName.get(file.toString()));
         this.version = version;
         this.threads = threads;
@@ -72,7 +73,7 @@ public final class WorkerUnits {
     }
 
     private DividedRender render(FilmContent.Frame frame) throws IOException {
-        JobContent.Document read = JobContent.read(frame.document(), imageHashes, version, threads);
+        JobContent.Document read = JobContent.read(frame.document(), files, version, threads);
         try {
             DividedRender render = DividedRender.planned(read.scene(), read.settings(), read.plan(), images);
             int tiles = UnitGroups.of(render.outline(), frame.group()).count();

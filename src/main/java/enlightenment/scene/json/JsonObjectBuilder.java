@@ -3,8 +3,11 @@ package enlightenment.scene.json;
 import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
+import enlightenment.geometry.Mesh;
+import enlightenment.geometry.Transform;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
+import enlightenment.mesh.MeshOrigin;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneException;
@@ -15,6 +18,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** One part of a scene on its way to JSON: what {@link Fields} is on the way back. */
 final class JsonObjectBuilder {
@@ -113,6 +117,34 @@ final class JsonObjectBuilder {
 
     JsonObjectBuilder imageFile(String key, Path file) {
         return text(key, names.of(file));
+    }
+
+    /** The file of a mesh, and what is made of it. */
+    JsonObjectBuilder meshFile(String key, Mesh mesh) {
+        Optional<String> whole = names.of(mesh.triangles());
+        if (whole.isPresent()) {
+            return text(key, whole.get());
+        }
+        MeshOrigin origin = mesh.origin()
+                .orElseThrow(() -> SceneException.of(
+                        place.toString(), "is a mesh that lies in no file, which scene files cannot hold"));
+        text(key, names.of(origin.file()));
+        if (!origin.part().isEmpty()) {
+            text("part", origin.part());
+        }
+        return wordUnless(MeshOrigin.Normals.FILE, "normals", origin.normals())
+                .numberUnless(180, "crease", origin.crease());
+    }
+
+    /** Three rows of four numbers, of which the last ones are exact. */
+    JsonObjectBuilder matrix(String key, Transform.Matrix m) {
+        Vec3[] rows = {m.row0(), m.row1(), m.row2()};
+        List<JsonValue> all = new ArrayList<>();
+        for (int k = 0; k < 3; k++) {
+            all.addAll(List.of(number(rows[k].x()), number(rows[k].y()), number(rows[k].z())));
+            all.add(exact(place.child(key).child(all.size()), m.offset().component(k)));
+        }
+        return put(key, JsonValue.Arr.of(all));
     }
 
     JsonObjectBuilder vector(String key, Vec3 v) {

@@ -8,10 +8,13 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 
-/** What a scene calls by names: its textures and materials as far as they have been read, and image files. */
+/** What a scene calls by names: its meshes, textures and materials as far as they have been read, and image files. */
 final class Library {
     /** Null for a texture that is there but wrong: its own problem is enough. */
     final Map<String, Texture> textures = new LinkedHashMap<>();
+
+    /** Null for a mesh that is there but wrong: its own problem is enough. */
+    final Map<String, Meshes.Loaded> meshes = new LinkedHashMap<>();
 
     /** Null for a material that is there but wrong: its own problem is enough. */
     final Map<String, Material> materials = new LinkedHashMap<>();
@@ -22,21 +25,29 @@ final class Library {
     /** What the paths of image files are relative to. */
     final Path folder;
 
-    /** The names of image files that are not on the disk; null if they are. */
-    final Set<String> fileNames;
+    /** What files hold that are not on the disk, by their names; null if they are. */
+    final Map<String, byte[]> contents;
 
-    Library(Path folder, Set<String> fileNames) {
+    /** Files of meshes that have been read. */
+    final Meshes.Files files;
+
+    Library(Path folder, Map<String, byte[]> contents, Meshes.Files files) {
         this.folder = folder.toAbsolutePath();
-        this.fileNames = fileNames;
+        this.contents = contents;
+        this.files = files;
     }
 
     /** One of the same image files that nothing has been read into. */
     Library unread() {
-        return new Library(folder, fileNames);
+        return new Library(folder, contents, files);
     }
 
-    /** Reads a scene's textures and materials, as far as they are there. */
+    /** Reads a scene's meshes, textures and materials, as far as they are there. */
     static void read(JsonValue.Obj scene, Values values) {
+        JsonValue meshes = scene.get("meshes");
+        if (meshes != null) {
+            Meshes.readNamed(meshes, JsonPointer.ROOT.child("meshes"), values);
+        }
         JsonValue textures = scene.get("textures");
         if (textures != null) {
             Textures.readNamed(textures, JsonPointer.ROOT.child("textures"), values);

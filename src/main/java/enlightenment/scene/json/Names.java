@@ -2,6 +2,7 @@ package enlightenment.scene.json;
 
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
@@ -10,19 +11,19 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeSet;
-import java.util.function.Function;
 
 /** How a scene's textures, materials and image files are called in its text, and which of its numbers are animated. */
 final class Names {
-    private final Function<Path, String> fileNames;
+    private final FileNames fileNames;
     private final TreeSet<String> targets = new TreeSet<>();
     private final Map<String, Texture> textures;
     private final Map<Texture, String> textureNames = new HashMap<>();
     private final Map<Material, String> materialNames = new HashMap<>();
 
     /** @param fileNames how image files are called in the text */
-    Names(Scene scene, Function<Path, String> fileNames) {
+    Names(Scene scene, FileNames fileNames) {
         this.fileNames = fileNames;
         this.textures = new LinkedHashMap<>(scene.textures());
         scene.animation().ifPresent(a -> a.tracks().forEach(t -> targets.add(t.target())));
@@ -72,7 +73,12 @@ final class Names {
     }
 
     String of(Path file) {
-        return fileNames.apply(file);
+        return fileNames.of(file);
+    }
+
+    /** The name of a file that holds a mesh as it is; empty if the one that it was read from is to be named. */
+    Optional<String> of(TriangleMesh mesh) {
+        return fileNames.of(mesh);
     }
 
     /** Whether a value, or something inside of it, is animated: then it must be written as numbers, at just that place. */

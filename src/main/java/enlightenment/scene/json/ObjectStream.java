@@ -15,6 +15,9 @@ import java.util.Set;
  * everything at the end finds, in its order.
  */
 final class ObjectStream {
+    /** The parts that objects refer to. */
+    private static final Set<String> LIBRARY = Set.of("meshes", "textures", "materials");
+
     private final JsonTree.Source source;
     private final Values values;
     private final Problems ofLibrary;
@@ -133,6 +136,7 @@ final class ObjectStream {
         Library.read(scene, new Values(ofLibrary, library));
         if (stands) {
             // The materials that the objects have already, instead of equal ones.
+            library.meshes.putAll(pass.library.meshes);
             library.textures.putAll(pass.library.textures);
             library.materials.putAll(pass.library.materials);
         } else if (scene.get("objects") instanceof JsonValue.Arr objects) {
@@ -146,7 +150,7 @@ final class ObjectStream {
         int library = -1;
         for (int i = 0; i < scene.size(); i++) {
             objects = scene.key(i).equals("objects") ? i : objects;
-            library = scene.key(i).equals("textures") || scene.key(i).equals("materials") ? i : library;
+            library = LIBRARY.contains(scene.key(i)) ? i : library;
         }
         return objects > library;
     }
@@ -155,7 +159,7 @@ final class ObjectStream {
     private static boolean changesObjects(JsonValue.Obj scene) {
         return targets(scene).stream()
                 .anyMatch(t -> !t.isEmpty()
-                        && Set.of("objects", "materials", "textures").contains(t.get(0)));
+                        && (t.get(0).equals("objects") || LIBRARY.contains(t.get(0))));
     }
 
     /** Tells the problems of textures and materials. */

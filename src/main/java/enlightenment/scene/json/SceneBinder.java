@@ -11,9 +11,9 @@ import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.Set;
 
 /** Makes a scene of a document, or says all that is wrong with it. */
 final class SceneBinder {
@@ -23,10 +23,15 @@ final class SceneBinder {
 
     /**
      * @param folder what the paths of image files are relative to
-     * @param fileNames the names of image files that are not on the disk, or null if they are
+     * @param contents what files hold that are not on the disk, by their names; null if they are
+     * @param files meshes that have been read already, and will be
      */
-    SceneBinder(Problems problems, Path folder, Set<String> fileNames) {
-        this.values = new Values(problems, new Library(folder, fileNames));
+    SceneBinder(
+            Problems problems,
+            Path folder,
+            Map<String, byte[]> contents,
+            Meshes.Files files) {
+        this.values = new Values(problems, new Library(folder, contents, files));
     }
 
     /** The scene that a text holds, at a frame or as it is written; null after a problem. */

@@ -18,7 +18,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
-import java.util.Set;
 
 /**
  * Reads scene files (see {@code docs/scene-format.md}).
@@ -83,16 +82,16 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a text whose image files are called by names and lie somewhere else than on the disk: no file is looked at. A
-     * texture's path is then its name.
+     * Reads a text whose files are called by names and lie somewhere else than on the disk: no file is looked at. A texture's path is
+     * then its name.
      *
-     * @param fileNames the names that there are
+     * @param named the files that there are
      * @param displayName what problems call the text; may be ""
      * @throws SceneException if the text is not a scene or has a name that there is not
      */
-    public static Scene readNamed(String json, Set<String> fileNames, String displayName) {
+    public static Scene readNamed(String json, NamedFiles named, String displayName) {
         Problems problems = new Problems(displayName, "");
-        Scene scene = new SceneBinder(problems, Path.of(""), Set.copyOf(fileNames))
+        Scene scene = new SceneBinder(problems, Path.of(""), named.contents, named.files)
                 .read(() -> new StringReader(json), OptionalInt.empty());
         problems.throwIfAny();
         return scene;
@@ -162,19 +161,25 @@ public final class SceneReader {
     }
 
     private static Scene read(JsonTree.Source source, Path folder, Problems problems, OptionalInt frame) {
-        Scene scene = new SceneBinder(problems, folder, null).read(source, frame);
+        Meshes.Files files = new Meshes.Files();
+        Scene scene = new SceneBinder(problems, folder, null, files).read(source, frame);
         problems.throwIfAny();
         boolean isBlurred =
                 frame.isPresent() && scene.animation().map(Animation::isBlurred).orElse(false);
-        return isBlurred ? scene.withInstants(instants(source, folder, problems, scene, frame)) : scene;
+        return isBlurred ? scene.withInstants(instants(source, folder, problems, scene, frame, files)) : scene;
     }
 
     /** The scene at the moments that the picture of a frame is made of. */
     private static List<Scene> instants(
-            JsonTree.Source source, Path folder, Problems problems, Scene scene, OptionalInt frame) {
+            JsonTree.Source source,
+            Path folder,
+            Problems problems,
+            Scene scene,
+            OptionalInt frame,
+            Meshes.Files files) {
         List<Scene> instants = new ArrayList<>();
         for (int i = 0; i < scene.animation().orElseThrow().instants(); i++) {
-            Scene instant = new SceneBinder(problems, folder, null).read(source, frame, i);
+            Scene instant = new SceneBinder(problems, folder, null, files).read(source, frame, i);
             problems.throwIfAny();
             instants.add(instant);
         }

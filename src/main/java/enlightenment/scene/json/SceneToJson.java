@@ -8,15 +8,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
 
 /** Turns a scene into JSON. */
 final class SceneToJson {
     private final Scene scene;
     private final Names names;
 
-    /** @param fileNames how image files are called in the text */
-    SceneToJson(Scene scene, Function<Path, String> fileNames) {
+    /** @param fileNames how files are called in the text */
+    SceneToJson(Scene scene, FileNames fileNames) {
         this.scene = scene;
         this.names = new Names(scene, fileNames);
     }
@@ -66,8 +65,8 @@ final class SceneToJson {
         }
     }
 
-    /** Calls image files by their paths relative to a folder. */
-    static Function<Path, String> relativeTo(Path baseFolder) {
+    /** Calls files by their paths relative to a folder. */
+    static FileNames relativeTo(Path baseFolder) {
         Path folder = baseFolder.toAbsolutePath().normalize();
         return file -> {
             Path absolute = file.toAbsolutePath().normalize();

@@ -7,7 +7,6 @@ import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.function.Function;
 
 /**
  * Writes scene files that {@link SceneReader} reads back as an equal scene.
@@ -48,13 +47,13 @@ public final class SceneWriter {
     }
 
     /**
-     * The text of a scene whose image files are called by other names than their paths; see {@link
+     * The text of a scene whose files are called by other names than their paths; see {@link
      * SceneReader#readNamed}.
      *
-     * @param fileNames gives the name of an image file
+     * @param fileNames gives the names of files
      * @throws SceneException if the scene holds something that the format cannot say
      */
-    public static String toJson(Scene scene, Function<Path, String> fileNames) {
+    public static String toJson(Scene scene, FileNames fileNames) {
         if (!scene.instants().isEmpty()) {
             throw SceneException.of(
                     "",

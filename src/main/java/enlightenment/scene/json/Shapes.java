@@ -5,6 +5,7 @@ import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
@@ -13,6 +14,7 @@ import enlightenment.geometry.Triangle;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.util.List;
+import java.util.Map;
 
 /** The shapes of objects. */
 final class Shapes {
@@ -20,7 +22,7 @@ final class Shapes {
 
     /** The keys {@code material} and {@code name} are the object's. */
     static final Family<Shape> FAMILY = new Family<Shape>(
-                    "object", "an object of the scene", null, Vocabulary.PLANNED_OBJECTS, Shapes::read, Shapes::write)
+                    "object", "an object of the scene", null, Map.of(), Shapes::read, Shapes::write)
             .with("sphere", Sphere.class, "center radius material | rotation name")
             .with("rectangle", Rectangle.class, "corners material | name")
             .with("disk", Disk.class, "center normal radius material | name")
@@ -33,7 +35,8 @@ final class Shapes {
                     "center radius | rotation faces material name")
             .with("box", Box.class, "min max material | name")
             .with("torus", Torus.class, "center axis majorRadius minorRadius material | name")
-            .with("triangle", Triangle.class, "vertices material | name");
+            .with("triangle", Triangle.class, "vertices material | name")
+            .with("mesh", Mesh.class, "material | mesh file part normals crease transform name");
 
     private Shapes() {}
 
@@ -48,6 +51,7 @@ final class Shapes {
             case "box" -> box(f);
             case "torus" -> torus(f);
             case "triangle" -> triangle(f);
+            case "mesh" -> Meshes.shape(f);
             default -> throw Family.unknown(type);
         };
     }
@@ -83,6 +87,8 @@ final class Shapes {
                     .number("minorRadius", t.minorRadius());
         } else if (value instanceof Triangle t) {
             p.points("vertices", t.a(), t.b(), t.c());
+        } else if (value instanceof Mesh m) {
+            Meshes.write(m, p);
         } else {
             throw Family.unknown(value);
         }

@@ -16,7 +16,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 
 /** The named textures, and the colours that use them. */
 final class Textures {
@@ -137,9 +136,9 @@ final class Textures {
 
     /** The file that is meant, after a look at whether it is one. */
     private static Path imageFile(Fields f, String written) {
-        Set<String> fileNames = f.values().library().fileNames;
-        if (fileNames != null) {
-            if (!fileNames.contains(written)) {
+        Map<String, byte[]> contents = f.values().library().contents;
+        if (contents != null) {
+            if (!contents.containsKey(written)) {
                 f.problem("file", "there is no image " + Plain.quoted(written));
                 return null;
             }

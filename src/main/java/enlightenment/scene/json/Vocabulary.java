@@ -3,7 +3,6 @@ package enlightenment.scene.json;
 import enlightenment.scene.BuiltInMethod;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 
 /**
  * The words of the scene format, but for the kinds of shapes, materials, textures, lights and cameras, which stand where
@@ -14,7 +13,7 @@ final class Vocabulary {
             "scene",
             "a scene",
             "image camera objects",
-            "$schema name shading display textures materials lights render animation");
+            "$schema name shading display meshes textures materials lights render animation");
     static final Keys IMAGE = Keys.of("image", "an image", "width height", "");
     static final Keys CLASSIC_SHADING =
             Keys.of("classicShading", "the shading", "", "model ambient shadow background maxBounces");
@@ -28,9 +27,6 @@ final class Vocabulary {
             Keys.of("animation", "an animation", "frames framesPerSecond tracks", "shutter instants");
     static final Keys TRACK = Keys.of("track", "a track", "target keys", "easing");
     static final Keys TEXTURE_REFERENCE = Keys.of("textureReference", "a reference to a texture", "texture", "");
-
-    /** Types of objects that the format will have, and what is missing. */
-    static final Map<String, String> PLANNED_OBJECTS = Map.of("mesh", "");
 
     private Vocabulary() {}
 
@@ -54,7 +50,9 @@ final class Vocabulary {
                 render,
                 ANIMATION,
                 TRACK,
-                TEXTURE_REFERENCE));
+                TEXTURE_REFERENCE,
+                Meshes.NAMED));
+        all.addAll(Transforms.ALL);
         families().forEach(family -> all.addAll(family.keys()));
         return all;
     }

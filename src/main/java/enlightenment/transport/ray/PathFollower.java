@@ -19,8 +19,6 @@ import enlightenment.world.surface.SurfaceInteraction;
  * worth and where the path goes on. One per thread.
  */
 public final class PathFollower {
-    /** A line meets a primitive at most this often: a torus is of the fourth degree. */
-    public static final int MAX_CROSSINGS = 4;
 
     /** What a path comes to. */
     public enum Event {

@@ -1,0 +1,121 @@
+package enlightenment.mesh;
+
+import enlightenment.math.InvalidValueException;
+import enlightenment.text.Plain;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * Reads files of meshes: PLY, OBJ, STL and Mitsuba's {@code .serialized}. The content says which it is, and the end of the name where the content
+ * does not.
+ *
+ * <p>Files are not trusted. What is broken, or larger than the rest of the file can be, is refused by an {@link IOException} whose message has the
+ * name of the file and the place: the line of a text, else the element, counted from 0. Memory stays in proportion to the file, and for compressed
+ * data to what they inflate to. Triangles without an area are left out and counted ({@link TriangleMesh#dropped()}).
+ *
+ * <p>Coordinates in text are rounded correctly: to floats in OBJ, STL and where a PLY file says {@code float}, else to doubles.
+ */
+public final class MeshFiles {
+    /** The default limit of triangles in one file. */
+    public static final long MAX_TRIANGLES = 100_000_000;
+
+    /** Bytes that show which format a file has. */
+    private static final int START = 128;
+
+    private MeshFiles() {}
+
+    /**
+     * The triangles of one material, or one shape of a {@code .serialized} file.
+     *
+     * @param material the name of the material, or ""
+     */
+    public record Part(String material, TriangleMesh mesh) {}
+
+    /**
+     * Reads the parts of a file: one for each material of an OBJ file that has a triangle with an area, in the order of first use, one for each
+     * shape of a {@code .serialized} file, in the file's order, else one.
+     *
+     * @param maxTriangles the limit of triangles in all parts
+     */
+    public static List<Part> read(Path file, long maxTriangles) throws IOException {
+        return readFile(file, maxTriangles).parts();
+    }
+
+    /**
+     * Reads the parts of a file whose content is in memory, see {@link #read(Path, long)}.
+     *
+     * @param name for messages, and for the format
+     */
+    public static List<Part> read(byte[] content, String name, long maxTriangles) throws IOException {
+        return read(MeshSource.of(content, name), maxTriangles).parts();
+    }
+
+    /** Reads the parts of a file and the names of the material libraries that it uses, see {@link #read(Path, long)}. */
+    public static MeshFile readFile(Path file, long maxTriangles) throws IOException {
+        return read(MeshSource.of(file), maxTriangles);
+    }
+
+    /**
+     * Reads one shape of a {@code .serialized} file.
+     *
+     * @param shape its number, counted from 0
+     */
+    public static Part readShape(Path file, int shape, long maxTriangles) throws IOException {
+        MeshSource source = MeshSource.of(file);
+        return checked(source, () -> SerializedReader.read(source, shape, maxTriangles));
+    }
+
+    /** Writes a mesh as a binary PLY file, which reads back as an equal one. The stream is flushed, not closed. */
+    public static void writePly(TriangleMesh mesh, OutputStream out) throws IOException {
+        PlyWriter.write(mesh, out);
+    }
+
+    private interface Reading<T> {
+        T read() throws IOException;
+    }
+
+    private static <T> T checked(MeshSource source, Reading<T> reading) throws IOException {
+        try {
+            return reading.read();
+        } catch (InvalidValueException e) {
+            throw source.failure(e.getMessage());
+        }
+    }
+
+    private static MeshFile read(MeshSource source, long maxTriangles) throws IOException {
+        return checked(source, () -> readAny(source, maxTriangles));
+    }
+
+    private static MeshFile readAny(MeshSource source, long maxTriangles) throws IOException {
+        byte[] start = source.start(START);
+        String text = new String(start, StandardCharsets.ISO_8859_1);
+        String name = source.name.toLowerCase(Locale.ROOT);
+        if (SerializedReader.isSerialized(start) || name.endsWith(".serialized")) {
+            return new MeshFile(SerializedReader.read(source, maxTriangles), List.of());
+        }
+        if (text.startsWith("ply\n") || text.startsWith("ply\r") || name.endsWith(".ply")) {
+            return single(source, () -> PlyReader.read(source, maxTriangles));
+        }
+        if (name.endsWith(".obj")) {
+            return ObjReader.read(source, maxTriangles);
+        }
+        boolean isSolid = text.strip().toLowerCase(Locale.ROOT).startsWith("solid");
+        if (isSolid || StlReader.isBinary(source, start)) {
+            return single(source, () -> StlReader.read(source, start, maxTriangles));
+        }
+        throw source.failure(
+                name.endsWith(".stl")
+                        ? "neither begins with solid nor has the size of a binary STL file, 84 + 50 bytes a triangle"
+                        : "is no PLY, STL or .serialized file, and not named .obj: it begins with "
+                                + Plain.quoted(text.substring(0, Math.min(16, text.length()))));
+    }
+
+    private static MeshFile single(MeshSource source, MeshMaking making) throws IOException {
+        TriangleMesh mesh = making.withArea(source).orElseThrow(() -> source.failure("has no triangle with an area"));
+        return new MeshFile(List.of(new Part("", mesh)), List.of());
+    }
+}

@@ -1,8 +1,8 @@
 package enlightenment.accel;
 
-import enlightenment.bvh.Nodes;
-import enlightenment.bvh.ItemBoxes;
 import enlightenment.bvh.BvhBuilder;
+import enlightenment.bvh.ItemBoxes;
+import enlightenment.bvh.Nodes;
 import enlightenment.frame.BallCone;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;

@@ -1,8 +1,8 @@
 package enlightenment.accel;
 
-import enlightenment.bvh.Nodes;
 import enlightenment.bvh.FloatSlabs;
 import enlightenment.bvh.ItemBoxes;
+import enlightenment.bvh.Nodes;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import java.util.Arrays;

@@ -1,7 +1,7 @@
 package enlightenment.accel;
 
-import enlightenment.bvh.Nodes;
 import enlightenment.bvh.FloatSlabs;
+import enlightenment.bvh.Nodes;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;

@@ -1,7 +1,7 @@
 package enlightenment.accel;
 
-import enlightenment.bvh.Nodes;
 import enlightenment.bvh.ItemBoxes;
+import enlightenment.bvh.Nodes;
 import enlightenment.frame.BallCone;
 import enlightenment.numeric.Scale;
 

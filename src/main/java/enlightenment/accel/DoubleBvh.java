@@ -1,7 +1,8 @@
 package enlightenment.accel;
 
-import enlightenment.bvh.Nodes;
 import enlightenment.bvh.ItemBoxes;
+import enlightenment.bvh.Nodes;
+
 /** A hierarchy with boxes of doubles: for scenes whose primitives are so small, seen from their distance, that floats would blur them. */
 final class DoubleBvh extends Bvh {
     /** By node: the lower and the upper corner of the left child's box, then of the right one's. */

@@ -1,8 +1,8 @@
 package enlightenment.accel;
 
-import enlightenment.bvh.Nodes;
-import enlightenment.bvh.FloatSlabs;
 import enlightenment.bvh.BvhBuilder;
+import enlightenment.bvh.FloatSlabs;
+import enlightenment.bvh.Nodes;
 import enlightenment.frame.BallCone;
 import enlightenment.primitive.Ray;
 

@@ -2,7 +2,6 @@ package enlightenment.geometry;
 
 import enlightenment.frame.Bounds;
 import enlightenment.math.ExactPoint;
-import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshOrigin;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.numeric.Scale;
@@ -55,7 +54,7 @@ public record Mesh(TriangleMesh triangles, Optional<MeshOrigin> origin, Transfor
     /** The corners of the mesh's box, placed. */
     @Override
     public List<ExactPoint> anchors() {
-        Bounds box = triangles.bounds();
+        Bounds box = new Bounds(triangles.min(), triangles.max());
         List<ExactPoint> corners = new ArrayList<>();
         for (int k = 0; k < 8; k++) {
             corners.add(transform.apply(box.corner(k)));
@@ -66,10 +65,9 @@ public record Mesh(TriangleMesh triangles, Optional<MeshOrigin> origin, Transfor
     /** What placing a corner rounds. */
     @Override
     public double reach() {
-        Vec3 far = new Vec3(triangles.bounds().maxAbs(), triangles.bounds().maxAbs(), triangles.bounds().maxAbs());
         double largest = 0;
         for (int k = 0; k < 3; k++) {
-            largest = Math.max(largest, transform.row(k).maxAbs() * far.x());
+            largest = Math.max(largest, transform.row(k).maxAbs() * triangles.maxAbs());
         }
         return Scale.gamma(8) * 3 * largest;
     }

@@ -75,8 +75,7 @@ public final class Transform {
         /** @throws enlightenment.math.InvalidValueException for entries that are not finite, and for a matrix without an inverse */
         public Matrix {
             Objects.requireNonNull(offset, "offset");
-            Check.that(
-                    row0.isFinite() && row1.isFinite() && row2.isFinite(), "matrix", "must have finite entries");
+            Check.that(row0.isFinite() && row1.isFinite() && row2.isFinite(), "matrix", "must have finite entries");
             Check.that(row0.cross(row1).dot(row2) != 0, "matrix", "must have an inverse: it makes everything flat");
         }
     }

@@ -59,8 +59,10 @@ public record MeshOrigin(Path file, String part, Normals normals, double crease)
         if (part.matches("[0-9]{1,9}") && Integer.parseInt(part) < parts.size()) {
             return parts.get(Integer.parseInt(part)).mesh();
         }
-        List<String> names =
-                parts.stream().map(MeshFiles.Part::material).filter(n -> !n.isEmpty()).toList();
+        List<String> names = parts.stream()
+                .map(MeshFiles.Part::material)
+                .filter(n -> !n.isEmpty())
+                .toList();
         throw new IOException(file + " has no part " + Plain.quoted(part) + " among its " + parts.size()
                 + (names.isEmpty() ? "" : Suggestion.of(part, names, "there are")));
     }

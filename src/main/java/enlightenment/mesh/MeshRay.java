@@ -91,7 +91,8 @@ public final class MeshRay {
     public MeshRay() {}
 
     /** Sets the ray, which starts on no triangle; the direction may have any length. */
-    public MeshRay set(TriangleTree hierarchy, double x, double y, double z, double dirX, double dirY, double dirZ, double from) {
+    public MeshRay set(
+            TriangleTree hierarchy, double x, double y, double z, double dirX, double dirY, double dirZ, double from) {
         tree = hierarchy;
         TriangleMesh mesh = hierarchy.mesh;
         floats = mesh.floatPositions();
@@ -155,7 +156,8 @@ public final class MeshRay {
         if (!(entry <= tMax)) {
             return false;
         }
-        // In the tree's unit, with a direction whose largest component is in [1, 2), from where the ray enters the mesh's box.
+        // In the tree's unit, with a direction whose largest component is in [1, 2), from where the ray enters the
+        // mesh's box.
         int lengths = -tree.exponent;
         int directions = -Scale.exponent(Math.max(Math.abs(d[0]), Math.max(Math.abs(d[1]), Math.abs(d[2]))));
         double px = scaled(Math.fma(entry, d[0], o[0]), lengths);
@@ -215,7 +217,7 @@ public final class MeshRay {
 
     /** Where the ray enters the mesh's box, at least from, a little early; infinite if it misses it. */
     private double entry(double tMax) {
-        Bounds box = tree.bounds();
+        Bounds box = tree.bounds;
         double from = tMin;
         double to = tMax;
         for (int axis = 0; axis < 3; axis++) {

@@ -358,8 +358,23 @@ public final class TriangleMesh {
         return openEdges() == 0;
     }
 
+    /** The least coordinates of any triangle. */
+    public Vec3 min() {
+        return bounds().min();
+    }
+
+    /** The greatest coordinates of any triangle. */
+    public Vec3 max() {
+        return bounds().max();
+    }
+
+    /** The largest absolute coordinate of any triangle. */
+    public double maxAbs() {
+        return bounds().maxAbs();
+    }
+
     /** The box around all triangles. */
-    public Bounds bounds() {
+    Bounds bounds() {
         Bounds known = bounds;
         if (known == null) {
             known = boundsOf(this);

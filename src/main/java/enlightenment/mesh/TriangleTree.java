@@ -6,8 +6,7 @@ import enlightenment.bvh.Nodes;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * The hierarchy of a mesh's triangles, in the mesh's own coordinates times a power of two that brings the largest into [1, 2): so its boxes are
@@ -35,7 +34,7 @@ public final class TriangleTree {
     final int[] order;
 
     final TriangleMesh mesh;
-    private final Bounds bounds;
+    final Bounds bounds;
 
     TriangleTree(TriangleMesh mesh, Runnable poll) {
         this.mesh = mesh;
@@ -63,25 +62,21 @@ public final class TriangleTree {
         }
     }
 
-    /** The box around all triangles, in the mesh's coordinates. */
-    public Bounds bounds() {
-        return bounds;
+    /** Gives the corners of boxes that enclose all triangles together, in the mesh's coordinates: tighter than one where the mesh is turned. */
+    public void forEachCorner(Consumer<Vec3> receiver) {
+        addParts(0, 1, receiver);
     }
 
-    /** Boxes that enclose all triangles together, in the mesh's coordinates: tighter than one where the mesh is turned. */
-    public List<Bounds> parts() {
-        List<Bounds> parts = new ArrayList<>();
-        addParts(0, 1, parts);
-        return parts;
-    }
-
-    private void addParts(int node, int level, List<Bounds> parts) {
+    private void addParts(int node, int level, Consumer<Vec3> receiver) {
         for (int side = 0; side < 2; side++) {
             int link = child[2 * node + side];
             if (link >= 0 && level < BOUND_LEVELS) {
-                addParts(link, level + 1, parts);
+                addParts(link, level + 1, receiver);
             } else if (link != Nodes.EMPTY) {
-                parts.add(box(node, side));
+                Bounds box = box(node, side);
+                for (int k = 0; k < 8; k++) {
+                    receiver.accept(box.corner(k));
+                }
             }
         }
     }
@@ -93,8 +88,10 @@ public final class TriangleTree {
         for (int axis = 0; axis < 3; axis++) {
             double center = boxes[at + 2 * axis];
             double half = boxes[at + 6 + 2 * axis];
-            low[axis] = Math.max(Scale.scalb(center - half, exponent), bounds.min().component(axis));
-            high[axis] = Math.min(Scale.scalb(center + half, exponent), bounds.max().component(axis));
+            low[axis] =
+                    Math.max(Scale.scalb(center - half, exponent), bounds.min().component(axis));
+            high[axis] =
+                    Math.min(Scale.scalb(center + half, exponent), bounds.max().component(axis));
         }
         return new Bounds(new Vec3(low[0], low[1], low[2]), new Vec3(high[0], high[1], high[2]));
     }

@@ -7,7 +7,7 @@ import enlightenment.mesh.TriangleMesh;
 import enlightenment.mesh.TriangleTree;
 import enlightenment.numeric.Scale;
 import java.util.Arrays;
-import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * An instance of a mesh: rays are mapped to its coordinates and follow its tree. It is one surface, curved as far as others need to know, of
@@ -35,16 +35,31 @@ public final class MeshPrimitive extends Primitive {
     }
 
     private static Bounds bounds(TriangleTree tree, Placing placing) {
-        Bounds all = null;
-        for (Bounds part : placing.isMove ? List.of(tree.bounds()) : tree.parts()) {
-            for (int k = 0; k < 8; k++) {
-                Vec3 c = part.corner(k);
-                Vec3 p = placing.point(c.x(), c.y(), c.z());
-                all = all == null ? Bounds.of(p) : all.union(Bounds.of(p));
-            }
+        Corners all = new Corners(placing);
+        if (placing.isMove) {
+            all.accept(tree.mesh().min());
+            all.accept(tree.mesh().max());
+        } else {
+            tree.forEachCorner(all);
         }
-        Vec3 slack = placing.slack(tree.bounds().maxAbs());
-        return new Bounds(all.min().minus(slack), all.max().plus(slack));
+        Vec3 slack = placing.slack(tree.mesh().maxAbs());
+        return new Bounds(all.box.min().minus(slack), all.box.max().plus(slack));
+    }
+
+    /** The box around placed points. */
+    private static final class Corners implements Consumer<Vec3> {
+        private final Placing placing;
+        private Bounds box;
+
+        Corners(Placing placing) {
+            this.placing = placing;
+        }
+
+        @Override
+        public void accept(Vec3 c) {
+            Bounds point = Bounds.of(placing.point(c.x(), c.y(), c.z()));
+            box = box == null ? point : box.union(point);
+        }
     }
 
     @Override
@@ -186,7 +201,7 @@ public final class MeshPrimitive extends Primitive {
     /** By the divergence theorem. */
     @Override
     public double volume() {
-        Vec3 middle = tree.bounds().center();
+        Vec3 middle = mesh.min().plus(mesh.max()).times(0.5);
         double sum = 0;
         for (int t = 0; t < mesh.triangles(); t++) {
             sum += mesh.areaNormal(t).dot(mesh.position(mesh.vertex(t, 0)).minus(middle));

@@ -34,7 +34,8 @@ final class Placing {
             inverse2 = m2;
             return;
         }
-        // The adjugate over the determinant; powers of two are taken out first, so that no product leaves the range of doubles.
+        // The adjugate over the determinant; powers of two are taken out first, so that no product leaves the range of
+        // doubles.
         int e = Math.max(m0.exponent(), Math.max(m1.exponent(), m2.exponent()));
         Vec3 a = m0.scaledBy(-e);
         Vec3 b = m1.scaledBy(-e);

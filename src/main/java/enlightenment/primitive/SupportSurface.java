@@ -11,7 +11,11 @@ import java.util.Arrays;
  * in the frame with a tolerance that the caller derives from the roundings of placing.
  */
 public sealed interface SupportSurface
-        permits SupportSurface.Plane, SupportSurface.Ball, SupportSurface.Lateral, SupportSurface.Ring, SupportSurface.Facets {
+        permits SupportSurface.Plane,
+                SupportSurface.Ball,
+                SupportSurface.Lateral,
+                SupportSurface.Ring,
+                SupportSurface.Facets {
 
     /**
      * Whether the two faces are parts of the same surface.

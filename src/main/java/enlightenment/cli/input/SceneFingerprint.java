@@ -37,9 +37,8 @@ public final class SceneFingerprint {
 
     /** The scene's text, and those of its instants. */
     private String json(Scene scene) {
-        StringBuilder all = new StringBuilder(SceneWriter.toJson(
-                scene.withoutAnimation().withInstants(List.of()),
-                new FileNames() {
+        StringBuilder all =
+                new StringBuilder(SceneWriter.toJson(scene.withoutAnimation().withInstants(List.of()), new FileNames() {
                     @Override
                     public String of(Path file) {
                         return images.computeIfAbsent(file, SceneFingerprint::hashOf);

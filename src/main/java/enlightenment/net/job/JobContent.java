@@ -154,8 +154,7 @@ public final class JobContent {
      * @param threads what the settings are to say of threads
      * @throws IOException if it makes no sense; the message says why
      */
-    public static Document read(byte[] document, NamedFiles files, String build, int threads)
-            throws IOException {
+    public static Document read(byte[] document, NamedFiles files, String build, int threads) throws IOException {
         ByteArrayInputStream bytes = new ByteArrayInputStream(document);
         try (DataInputStream in = new DataInputStream(bytes)) {
             if (!in.readUTF().equals(MAGIC)) {

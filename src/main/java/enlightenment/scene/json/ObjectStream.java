@@ -158,8 +158,7 @@ final class ObjectStream {
     /** Whether a track leads to an object or to what objects are made of. */
     private static boolean changesObjects(JsonValue.Obj scene) {
         return targets(scene).stream()
-                .anyMatch(t -> !t.isEmpty()
-                        && (t.get(0).equals("objects") || LIBRARY.contains(t.get(0))));
+                .anyMatch(t -> !t.isEmpty() && (t.get(0).equals("objects") || LIBRARY.contains(t.get(0))));
     }
 
     /** Tells the problems of textures and materials. */

@@ -22,8 +22,9 @@ final class Transforms {
 
     static final List<Keys> ALL = List.of(SCALE, ROTATE, ABOUT, TRANSLATE, MATRIX);
 
-    private static final String STEP = "a step: {\"scale\": ...}, {\"rotate\": [x, y, z]}, {\"axis\": [x, y, z], \"angle\": ...},"
-            + " {\"translate\": [x, y, z]} or {\"matrix\": [12 numbers]}";
+    private static final String STEP =
+            "a step: {\"scale\": ...}, {\"rotate\": [x, y, z]}, {\"axis\": [x, y, z], \"angle\": ...},"
+                    + " {\"translate\": [x, y, z]} or {\"matrix\": [12 numbers]}";
 
     private Transforms() {}
 
@@ -136,7 +137,10 @@ final class Transforms {
 
     private static void write(Vec3 factors, JsonObjectBuilder s) {
         boolean isOne = factors.x() == factors.y() && factors.y() == factors.z();
-        if (isOne && !s.child("scale").animated("0") && !s.child("scale").animated("1") && !s.child("scale").animated("2")) {
+        if (isOne
+                && !s.child("scale").animated("0")
+                && !s.child("scale").animated("1")
+                && !s.child("scale").animated("2")) {
             s.number("scale", factors.x());
         } else {
             s.vector("scale", factors);

@@ -54,14 +54,11 @@ public record CompiledPrimitives(
                 poll.run();
             }
             SceneObject o = objects.get(i);
-            boolean isGlowingMesh =
-                    o.shape() instanceof Mesh && surfaces.get(o.material()).glows;
+            boolean isGlowingMesh = o.shape() instanceof Mesh && surfaces.get(o.material()).glows;
             placed.add(
                     i,
                     o,
-                    isGlowingMesh
-                            ? Primitives.triangles((Mesh) o.shape(), frame)
-                            : placement.place(o.shape(), frame));
+                    isGlowingMesh ? Primitives.triangles((Mesh) o.shape(), frame) : placement.place(o.shape(), frame));
         }
         return of(placed, placed.canonicalOrder(), objects.size());
     }

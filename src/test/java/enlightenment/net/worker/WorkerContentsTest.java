@@ -13,12 +13,14 @@ import enlightenment.net.job.JobContent;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.MessageChannel;
+import enlightenment.scene.json.NamedFiles;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -64,7 +66,7 @@ class WorkerContentsTest {
     @Test
     void whatIsNoJobIsRefusedWithTheReason() {
         byte[] noise = new byte[200];
-        IOException e = assertThrows(IOException.class, () -> JobContent.read(noise, List.of(), Build.number(), 1));
+        IOException e = assertThrows(IOException.class, () -> JobContent.read(noise, new NamedFiles(Map.of()), Build.number(), 1));
         assertTrue(e.getMessage().contains("no job") || e.getMessage().contains("cannot be used"), e.getMessage());
     }
 }

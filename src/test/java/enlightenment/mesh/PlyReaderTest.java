@@ -59,44 +59,20 @@ class PlyReaderTest {
                         + "element face 1\nproperty list uchar float texcoord\nproperty list ushort uint vertex_index\n"
                         + "property uchar flag\nelement vertex 4\nproperty char x\nproperty list uchar uchar more\n"
                         + "property uint16 y\nproperty double z\nproperty uint8 red\nelement edge 1\nproperty int a\nend_header\n";
+        byte[] cameras = numbers(ByteOrder.BIG_ENDIAN, 1.5, (byte) 1, (short) 5, 2.5, (byte) 0);
+        byte[] face = numbers(ByteOrder.BIG_ENDIAN, (byte) 1, 0.5f, (short) 4, 0, 1, 2, 3, (byte) 9);
         byte[] file = numbers(
                 ByteOrder.BIG_ENDIAN,
                 header,
-                1.5,
-                (byte) 1,
-                (short) 5,
-                2.5,
-                (byte) 0,
-                // the face
-                (byte) 1,
-                0.5f,
-                (short) 4,
-                0,
-                1,
-                2,
-                3,
-                (byte) 9,
-                // vertices
-                (byte) -1,
-                (byte) 0,
-                (short) 0,
+                cameras,
+                face,
+                new byte[] {-1, 0, 0, 0},
                 0.25,
-                (byte) 1,
-                (byte) 1,
-                (byte) 2,
-                (byte) 7,
-                (byte) 8,
-                (short) 0,
+                new byte[] {1, 1, 2, 7, 8, 0, 0},
                 0.25,
-                (byte) 1,
-                (byte) 1,
-                (byte) 0,
-                (short) -1,
+                new byte[] {1, 1, 0, -1, -1},
                 0.25,
-                (byte) 1,
-                (byte) -1,
-                (byte) 0,
-                (short) -1,
+                new byte[] {1, -1, 0, -1, -1},
                 0.1,
                 (byte) 1,
                 7);
@@ -175,8 +151,7 @@ class PlyReaderTest {
                 "face 0 is incomplete: the data end there",
                 problem(
                         SmallMeshFiles.little(
-                                header.replace("end_header", "property int8 flag\nend_header"), floats, 1, 2, (short)
-                                        0),
+                                header.replace("end_header", "property int8 flag\nend_header"), floats, 1, 2),
                         "a.ply"));
     }
 
@@ -201,7 +176,7 @@ class PlyReaderTest {
                 "line 15: has \".5\" directly behind a number",
                 problem(ASCII + ONE_FACE + CORNERS + "4 0 1 2.5 3\n", "a.ply"));
         assertEquals(
-                "line 15: has the end of the text where an integer is expected",
+                "line 15: face 0 has a list of 4 numbers, which is more than the file holds",
                 problem(ASCII + ONE_FACE + CORNERS + "4 0 1 2", "a.ply"));
     }
 

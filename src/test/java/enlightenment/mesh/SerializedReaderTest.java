@@ -88,6 +88,10 @@ class SerializedReaderTest {
         assertEquals(square.withNormals(NORMALS).withUv(UV), mesh(serialized(5, little(all.toArray())), "a"));
         all.set(0, 0x1010);
         assertEquals(square, mesh(serialized(5, little(all.toArray())), "a"));
+        all.set(0, 5);
+        assertEquals(
+                "shape 0 has numbers that are no floats, which version 5 does not have",
+                problem(serialized(5, little(all.toArray())), "a"));
         all.set(0, 0x1003);
         assertEquals(
                 "shape 0 has tangents, whose encoding cannot be read",

@@ -21,6 +21,7 @@ final class SerializedReader {
     private static final int UV = 2;
     private static final int COLORS = 8;
     private static final int FACE_NORMALS = 0x10;
+    private static final int FLOATS = 0x1000;
     private static final int DOUBLES = 0x2000;
 
     /** Flags of version 5. */
@@ -185,6 +186,9 @@ final class SerializedReader {
             throw in.failure("has a name of " + length + " bytes; there may be at most " + LONGEST_NAME);
         }
         in.skip(length);
+        if ((flags & FLOATS) == 0) {
+            throw in.failure("has numbers that are no floats, which version 5 does not have");
+        }
         if ((flags & TANGENTS) != 0) {
             throw in.failure("has tangents, whose encoding cannot be read");
         }

@@ -248,22 +248,16 @@ final class TextInput {
         boolean isNegative = buffer[at] == '-';
         int i = isNegative || buffer[at] == '+' ? at + 1 : at;
         long mantissa = 0;
-        int dropped = 0;
+        boolean isExact = true;
         int digits = 0;
         int point = -1;
-        for (; ; i++) {
-            byte c = buffer[i];
-            if (isDigit(c)) {
-                digits++;
-                if (mantissa < MOST) {
-                    mantissa = 10 * mantissa + c - '0';
-                } else {
-                    dropped++;
-                }
-            } else if (c == '.' && point < 0) {
+        for (byte c = buffer[i]; isDigit(c) || c == '.' && point < 0; c = buffer[++i]) {
+            if (c == '.') {
                 point = digits;
             } else {
-                break;
+                digits++;
+                isExact &= mantissa < MOST;
+                mantissa = isExact ? 10 * mantissa + c - '0' : mantissa;
             }
         }
         int exponent = point < 0 ? 0 : point - digits;
@@ -276,7 +270,7 @@ final class TextInput {
             throw notANumber(stop - start);
         }
         at = stop;
-        boolean isShort = dropped == 0 && mantissa <= LARGEST_EXACT && exponent >= -22 && exponent <= 22;
+        boolean isShort = isExact && mantissa <= LARGEST_EXACT && exponent >= -22 && exponent <= 22;
         return isShort ? value(isNegative, mantissa, exponent) : parsed(start);
     }
 

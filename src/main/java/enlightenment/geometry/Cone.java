@@ -44,4 +44,10 @@ public record Cone(ExactPoint base, ExactPoint apex, double radius, double topRa
     public boolean enclosesVolume() {
         return capped;
     }
+
+    @Override
+    public Shape placed(Transform transform) {
+        Similarity s = new Similarity(transform, type());
+        return new Cone(s.point(base), s.point(apex), s.length(radius), s.length(topRadius), capped);
+    }
 }

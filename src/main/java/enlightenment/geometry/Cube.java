@@ -1,6 +1,7 @@
 package enlightenment.geometry;
 
 import enlightenment.check.Check;
+import enlightenment.frame.Rotation;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.util.List;
@@ -40,5 +41,11 @@ public record Cube(ExactPoint center, double radius, Vec3 rotation) implements S
     @Override
     public boolean enclosesVolume() {
         return true;
+    }
+
+    @Override
+    public Shape placed(Transform transform) {
+        Similarity s = new Similarity(transform, type());
+        return new Cube(s.point(center), s.length(radius), s.angles(Rotation.ofDegrees(rotation)));
     }
 }

@@ -41,4 +41,10 @@ public record Cylinder(ExactPoint base, ExactPoint top, double radius, boolean c
     public boolean enclosesVolume() {
         return capped;
     }
+
+    @Override
+    public Shape placed(Transform transform) {
+        Similarity s = new Similarity(transform, type());
+        return new Cylinder(s.point(base), s.point(top), s.length(radius), capped);
+    }
 }

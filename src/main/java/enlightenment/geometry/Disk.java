@@ -41,4 +41,10 @@ public record Disk(ExactPoint center, Vec3 normal, double radius) implements Sha
     public boolean enclosesVolume() {
         return false;
     }
+
+    @Override
+    public Shape placed(Transform transform) {
+        Similarity s = new Similarity(transform, type());
+        return new Disk(s.point(center), s.direction(normal), s.length(radius));
+    }
 }

@@ -76,4 +76,9 @@ public record Mesh(TriangleMesh triangles, Optional<MeshOrigin> origin, Transfor
     public boolean enclosesVolume() {
         return triangles.isClosed();
     }
+
+    @Override
+    public Shape placed(Transform transform) {
+        return new Mesh(triangles, origin, this.transform.then(transform));
+    }
 }

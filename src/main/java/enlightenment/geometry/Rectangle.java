@@ -38,4 +38,17 @@ public record Rectangle(ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint u
     public boolean enclosesVolume() {
         return false;
     }
+
+    @Override
+    public Shape placed(Transform transform) {
+        ExactPoint a = transform.apply(lowerLeft);
+        ExactPoint b = transform.apply(upperLeft);
+        ExactPoint c = transform.apply(upperRight);
+        // The fourth corner is exact whatever the others were rounded to.
+        ExactPoint d = new ExactPoint(
+                a.x().add(c.x()).subtract(b.x()),
+                a.y().add(c.y()).subtract(b.y()),
+                a.z().add(c.z()).subtract(b.z()));
+        return new Rectangle(a, b, c, d);
+    }
 }

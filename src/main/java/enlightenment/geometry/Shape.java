@@ -20,6 +20,14 @@ public sealed interface Shape permits Sphere, Rectangle, Disk, Cylinder, Cone, C
     /** How far the shape reaches beyond the convex hull of its {@link #anchors}, at most: in scene units, at least 0. */
     double reach();
 
+    /**
+     * This shape after a transform.
+     *
+     * @throws enlightenment.math.InvalidValueException (key {@code transform}) if that makes it something that is not of this kind: a
+     *     sphere that is stretched is no sphere
+     */
+    Shape placed(Transform transform);
+
     /** Whether it has an inside, which may be filled with glass or a medium; else it is a surface without thickness. */
     boolean enclosesVolume();
 }

@@ -44,4 +44,10 @@ public record Sphere(ExactPoint center, double radius, double rotation) implemen
     public boolean enclosesVolume() {
         return true;
     }
+
+    @Override
+    public Shape placed(Transform transform) {
+        Similarity s = new Similarity(transform, type());
+        return new Sphere(s.point(center), s.length(radius), rotation);
+    }
 }

@@ -47,4 +47,10 @@ public record Torus(ExactPoint center, Vec3 axis, double majorRadius, double min
     public boolean enclosesVolume() {
         return true;
     }
+
+    @Override
+    public Shape placed(Transform transform) {
+        Similarity s = new Similarity(transform, type());
+        return new Torus(s.point(center), s.direction(axis), s.length(majorRadius), s.length(minorRadius));
+    }
 }

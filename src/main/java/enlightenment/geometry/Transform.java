@@ -206,6 +206,11 @@ public final class Transform {
         return offset.plus(applyLinear(v));
     }
 
+    /** The same for an exact point: exact where the linear part is the identity, else kept to 60 digits. */
+    public ExactPoint apply(ExactPoint p) {
+        return moved(new Matrix(row0, row1, row2, offset), p);
+    }
+
     @Override
     public boolean equals(Object other) {
         return other instanceof Transform o && steps.equals(o.steps);

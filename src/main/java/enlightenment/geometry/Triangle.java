@@ -36,4 +36,9 @@ public record Triangle(ExactPoint a, ExactPoint b, ExactPoint c) implements Shap
     public boolean enclosesVolume() {
         return false;
     }
+
+    @Override
+    public Shape placed(Transform transform) {
+        return new Triangle(transform.apply(a), transform.apply(b), transform.apply(c));
+    }
 }

@@ -3,6 +3,7 @@ package enlightenment.scene;
 import enlightenment.check.Check;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Shape;
+import enlightenment.geometry.Transform;
 import enlightenment.material.Material;
 import java.util.List;
 import java.util.Objects;
@@ -31,6 +32,15 @@ public record SceneObject(String name, Shape shape, Material material, List<Mate
     /** An object without a name, of one material. */
     public static SceneObject of(Shape shape, Material material) {
         return new SceneObject("", shape, material, List.of());
+    }
+
+    /**
+     * This object after a transform, with another name.
+     *
+     * @throws enlightenment.math.InvalidValueException (key {@code transform}) if its shape cannot be transformed so
+     */
+    public SceneObject placed(Transform transform, String newName) {
+        return new SceneObject(newName, shape.placed(transform), material, faces);
     }
 
     /**

@@ -2,9 +2,11 @@ package enlightenment.scene.json;
 
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.scene.SceneObject;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
@@ -15,6 +17,12 @@ final class Library {
 
     /** Null for a mesh that is there but wrong: its own problem is enough. */
     final Map<String, Meshes.Loaded> meshes = new LinkedHashMap<>();
+
+    /** The groups that have been read, by their names; null for one with a problem of its own. */
+    final Map<String, List<SceneObject>> groups = new LinkedHashMap<>();
+
+    /** All groups, as they are written. */
+    final Map<String, JsonValue> unreadGroups = new LinkedHashMap<>();
 
     /** Null for a material that is there but wrong: its own problem is enough. */
     final Map<String, Material> materials = new LinkedHashMap<>();
@@ -55,6 +63,10 @@ final class Library {
         JsonValue materials = scene.get("materials");
         if (materials != null) {
             Materials.readNamed(materials, JsonPointer.ROOT.child("materials"), values);
+        }
+        JsonValue groups = scene.get("groups");
+        if (groups != null) {
+            Groups.note(groups, JsonPointer.ROOT.child("groups"), values);
         }
     }
 }

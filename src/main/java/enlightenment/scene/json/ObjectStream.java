@@ -16,7 +16,7 @@ import java.util.Set;
  */
 final class ObjectStream {
     /** The parts that objects refer to. */
-    private static final Set<String> LIBRARY = Set.of("meshes", "textures", "materials");
+    private static final Set<String> LIBRARY = Set.of("meshes", "textures", "materials", "groups");
 
     private final JsonTree.Source source;
     private final Values values;
@@ -139,6 +139,7 @@ final class ObjectStream {
             library.meshes.putAll(pass.library.meshes);
             library.textures.putAll(pass.library.textures);
             library.materials.putAll(pass.library.materials);
+            library.groups.putAll(pass.library.groups);
         } else if (scene.get("objects") instanceof JsonValue.Arr objects) {
             pass = new Pass(objects);
             readAgain(pass);
@@ -171,6 +172,7 @@ final class ObjectStream {
         if (values.array(v, place, -1, "an array of objects") == null || pass.objects == null) {
             return List.of();
         }
+        pass.objects.readOtherGroups();
         values.problems().add(pass.ofObjects);
         return pass.objects.all();
     }

@@ -1,9 +1,11 @@
 package enlightenment.scene.json;
 
 import enlightenment.geometry.Shape;
+import enlightenment.geometry.Transform;
 import enlightenment.material.Material;
 import enlightenment.scene.SceneObject;
 import enlightenment.text.Plain;
+import enlightenment.text.Suggestion;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -21,13 +23,89 @@ final class SceneObjects {
         this.values = values;
     }
 
-    /** The next object, unless it has a problem. */
+    /** The next object, unless it has a problem; of a group those that are in it. */
     void add(JsonValue v, int index) {
-        Fields f = Fields.of(v, PLACE.child(index), Shapes.FAMILY, values);
+        add(v, PLACE.child(index), List.of());
+    }
+
+    /** @param within the groups that this is in, the outermost first */
+    private void add(JsonValue v, JsonPointer place, List<String> within) {
+        if (v instanceof JsonValue.Obj o
+                && o.get("type") instanceof JsonValue.Str type
+                && type.text.equals(Groups.TYPE)) {
+            addGroup(v, place, within);
+            return;
+        }
+        Fields f = Fields.of(v, place, Shapes.FAMILY, values);
         SceneObject object = f == null ? null : object(f);
         if (object != null) {
             objects.add(object);
         }
+    }
+
+    private void addGroup(JsonValue v, JsonPointer place, List<String> within) {
+        Fields f = Fields.of(v, place, Groups.OBJECT, values);
+        if (f == null) {
+            return;
+        }
+        name(f);
+        Transform transform = Transforms.read(f);
+        List<SceneObject> members = members(f, within);
+        for (SceneObject member : members == null || transform == null ? List.<SceneObject>of() : members) {
+            SceneObject placed = f.make(() -> member.placed(transform, ""));
+            if (placed == null) {
+                return;
+            }
+            objects.add(placed);
+        }
+    }
+
+    /** The objects of a group; null after a problem, here or where the group has its name. */
+    private List<SceneObject> members(Fields f, List<String> within) {
+        String name = f.text("group", "the name of a group");
+        Library library = values.library();
+        if (name == null || library.groups.containsKey(name)) {
+            return name == null ? null : library.groups.get(name);
+        }
+        if (!library.unreadGroups.containsKey(name)) {
+            f.problem(
+                    "group",
+                    "unknown group " + Plain.quoted(name)
+                            + (library.unreadGroups.isEmpty()
+                                    ? "; the scene names no groups (/groups)"
+                                    : Suggestion.of(name, library.unreadGroups.keySet(), "there are")));
+            return null;
+        }
+        if (within.contains(name) || within.size() >= Groups.DEEPEST) {
+            f.problem("group", Groups.objection(name, within));
+            return null;
+        }
+        return read(name, within);
+    }
+
+    /** Reads groups that nothing places: what is wrong with them is told all the same. */
+    void readOtherGroups() {
+        for (String name : List.copyOf(values.library().unreadGroups.keySet())) {
+            if (!values.library().groups.containsKey(name)) {
+                read(name, List.of());
+            }
+        }
+    }
+
+    private List<SceneObject> read(String name, List<String> within) {
+        Library library = values.library();
+        JsonValue written = library.unreadGroups.get(name);
+        int before = values.problems().count();
+        SceneObjects inner = new SceneObjects(values);
+        List<String> chain = new ArrayList<>(within);
+        chain.add(name);
+        JsonPointer place = JsonPointer.ROOT.child("groups").child(name);
+        JsonValue.Arr a = values.array(written, place, -1, "an array of objects");
+        for (int i = 0; a != null && i < a.size(); i++) {
+            inner.add(a.get(i), place.child(i), chain);
+        }
+        library.groups.put(name, values.problems().count() > before ? null : inner.objects);
+        return library.groups.get(name);
     }
 
     /** The objects that have no problems. */

@@ -13,7 +13,7 @@ final class Vocabulary {
             "scene",
             "a scene",
             "image camera objects",
-            "$schema name shading display meshes textures materials lights render animation");
+            "$schema name shading display meshes textures materials groups lights render animation");
     static final Keys IMAGE = Keys.of("image", "an image", "width height", "");
     static final Keys CLASSIC_SHADING =
             Keys.of("classicShading", "the shading", "", "model ambient shadow background maxBounces");
@@ -51,7 +51,8 @@ final class Vocabulary {
                 ANIMATION,
                 TRACK,
                 TEXTURE_REFERENCE,
-                Meshes.NAMED));
+                Meshes.NAMED,
+                Groups.OBJECT));
         all.addAll(Transforms.ALL);
         families().forEach(family -> all.addAll(family.keys()));
         return all;

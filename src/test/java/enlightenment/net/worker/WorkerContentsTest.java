@@ -66,7 +66,8 @@ class WorkerContentsTest {
     @Test
     void whatIsNoJobIsRefusedWithTheReason() {
         byte[] noise = new byte[200];
-        IOException e = assertThrows(IOException.class, () -> JobContent.read(noise, new NamedFiles(Map.of()), Build.number(), 1));
+        IOException e = assertThrows(
+                IOException.class, () -> JobContent.read(noise, new NamedFiles(Map.of()), Build.number(), 1));
         assertTrue(e.getMessage().contains("no job") || e.getMessage().contains("cannot be used"), e.getMessage());
     }
 }

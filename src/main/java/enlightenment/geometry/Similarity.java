@@ -17,9 +17,11 @@ final class Similarity {
     /** @throws InvalidValueException (key {@code transform}) if a transform stretches */
     Similarity(Transform transform, String type) {
         this.transform = transform;
-        Vec3 a = transform.applyLinear(Vec3.X);
-        Vec3 b = transform.applyLinear(Vec3.Y);
-        Vec3 c = transform.applyLinear(Vec3.Z);
+        // A power of two is taken out, so that no square leaves the range of doubles.
+        int e = transform.applyLinear(Vec3.X).exponent();
+        Vec3 a = transform.applyLinear(Vec3.X).scaledBy(-e);
+        Vec3 b = transform.applyLinear(Vec3.Y).scaledBy(-e);
+        Vec3 c = transform.applyLinear(Vec3.Z).scaledBy(-e);
         double s = a.length();
         boolean isAlike = isClose(b.length(), s) && isClose(c.length(), s);
         double slack = ROUNDED * s * s;
@@ -30,7 +32,8 @@ final class Similarity {
                     "stretches a " + type
                             + ", which can be moved, turned, mirrored, and scaled alike in all directions");
         }
-        scale = isOne(a, b, c) ? Math.max(a.maxAbs(), Math.max(b.maxAbs(), c.maxAbs())) : s;
+        double exact = isOne(a, b, c) ? Math.max(a.maxAbs(), Math.max(b.maxAbs(), c.maxAbs())) : s;
+        scale = Math.scalb(exact, e);
     }
 
     private static boolean isClose(double length, double s) {
@@ -61,13 +64,7 @@ final class Similarity {
 
     /** Degrees about x, then y, then z, that turn as a rotation by such degrees and then this does. */
     Vec3 angles(Rotation before) {
-        double mirrored = transform
-                                .applyLinear(Vec3.X)
-                                .cross(transform.applyLinear(Vec3.Y))
-                                .dot(transform.applyLinear(Vec3.Z))
-                        < 0
-                ? -1
-                : 1;
+        double mirrored = transform.isMirror() ? -1 : 1;
         Vec3 x = transform.applyLinear(before.axis(0)).times(mirrored / scale);
         Vec3 y = transform.applyLinear(before.axis(1)).times(mirrored / scale);
         Vec3 z = transform.applyLinear(before.axis(2)).times(mirrored / scale);

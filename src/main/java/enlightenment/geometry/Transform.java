@@ -76,7 +76,7 @@ public final class Transform {
         public Matrix {
             Objects.requireNonNull(offset, "offset");
             Check.that(row0.isFinite() && row1.isFinite() && row2.isFinite(), "matrix", "must have finite entries");
-            Check.that(row0.cross(row1).dot(row2) != 0, "matrix", "must have an inverse: it makes everything flat");
+            Check.that(orientation(row0, row1, row2) != 0, "matrix", "must have an inverse: it makes everything flat");
         }
     }
 
@@ -100,11 +100,18 @@ public final class Transform {
         row1 = b;
         row2 = c;
         offset = d;
-        double determinant = a.cross(b).dot(c);
         Check.that(
-                Double.isFinite(determinant) && determinant != 0,
+                a.isFinite() && b.isFinite() && c.isFinite() && orientation(a, b, c) != 0,
                 "transform",
                 "must have an inverse in double precision");
+    }
+
+    /** The determinant of these rows, each times a power of two: its sign does not depend on the unit of length. */
+    private static double orientation(Vec3 a, Vec3 b, Vec3 c) {
+        Vec3 p = a.scaledBy(-a.exponent());
+        Vec3 q = b.scaledBy(-b.exponent());
+        Vec3 r = c.scaledBy(-c.exponent());
+        return p.cross(q).dot(r);
     }
 
     /**
@@ -116,7 +123,7 @@ public final class Transform {
         return new Transform(List.of(steps));
     }
 
-    /** The same. */
+    /** See {@link #of(Step...)}. */
     public static Transform of(List<Step> steps) {
         return new Transform(steps);
     }
@@ -191,6 +198,11 @@ public final class Transform {
         return k == 0 ? row0 : k == 1 ? row1 : row2;
     }
 
+    /** Whether it mirrors: a right hand becomes a left one. */
+    public boolean isMirror() {
+        return orientation(row0, row1, row2) < 0;
+    }
+
     /** Where the origin goes. */
     public ExactPoint offset() {
         return offset;
@@ -206,7 +218,7 @@ public final class Transform {
         return offset.plus(applyLinear(v));
     }
 
-    /** The same for an exact point: exact where the linear part is the identity, else kept to 60 digits. */
+    /** Where an exact point goes: exactly where the linear part is the identity, else kept to 60 digits. */
     public ExactPoint apply(ExactPoint p) {
         return moved(new Matrix(row0, row1, row2, offset), p);
     }

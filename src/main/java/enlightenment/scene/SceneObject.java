@@ -40,7 +40,11 @@ public record SceneObject(String name, Shape shape, Material material, List<Mate
      * @throws enlightenment.math.InvalidValueException (key {@code transform}) if its shape cannot be transformed so
      */
     public SceneObject placed(Transform transform, String newName) {
-        return new SceneObject(newName, shape.placed(transform), material, faces);
+        // A mirrored cube is one that is turned, with each pair of opposite faces exchanged.
+        List<Material> placed = faces.isEmpty() || !transform.isMirror()
+                ? faces
+                : List.of(faces.get(1), faces.get(0), faces.get(3), faces.get(2), faces.get(5), faces.get(4));
+        return new SceneObject(newName, shape.placed(transform), material, placed);
     }
 
     /**

@@ -14,7 +14,7 @@ import java.util.Objects;
  * @param file the file; where scenes have no folder, a name
  * @param part the name of the material whose triangles are meant, or the number of a shape from 0; "" for all of the file
  * @param normals which normals its vertices have
- * @param crease for {@link Normals#SMOOTH}: normals of triangles that differ by more than so many degrees, 0..180, do not count for another
+ * @param crease for {@link Normals#SMOOTH}: the angle in degrees, 0..180, beyond which normals of triangles do not count for another; else 180
  */
 public record MeshOrigin(Path file, String part, Normals normals, double crease) {
     /** Which normals vertices have. */
@@ -27,12 +27,13 @@ public record MeshOrigin(Path file, String part, Normals normals, double crease)
         SMOOTH
     }
 
-    /** @throws enlightenment.math.InvalidValueException for a crease out of range */
+    /** @throws enlightenment.math.InvalidValueException for a crease out of range, or other than 180 without smooth normals */
     public MeshOrigin {
         Objects.requireNonNull(file, "file");
         Objects.requireNonNull(normals, "normals");
         Objects.requireNonNull(part, "part");
         Check.range("crease", crease, 0, 180);
+        Check.that(normals == Normals.SMOOTH || crease == 180, "crease", "means something for smooth normals only");
     }
 
     /**

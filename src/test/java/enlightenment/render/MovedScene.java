@@ -7,19 +7,23 @@ import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
+import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.math.BigDecimal;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.UnaryOperator;
@@ -160,6 +164,24 @@ final class MovedScene {
         return new Rgb(a.r() / length(1), a.g() / length(1), a.b() / length(1));
     }
 
+    /** What coordinates go through as a transform, for meshes; none can round. */
+    private Transform transform() {
+        double scale = length(1);
+        BigDecimal move = coordinate.apply(BigDecimal.ZERO);
+        BigDecimal tenth = new BigDecimal("0.1");
+        if (scale == 1 && coordinate.apply(tenth).compareTo(tenth.add(move)) != 0) {
+            throw new IllegalArgumentException("the coordinates of a mesh cannot be rounded here");
+        }
+        List<Transform.Step> steps = new ArrayList<>();
+        if (scale != 1) {
+            steps.add(new Transform.Scale(new Vec3(scale, scale, scale)));
+        }
+        if (move.signum() != 0) {
+            steps.add(new Transform.Translate(new ExactPoint(move, move, move)));
+        }
+        return Transform.of(steps);
+    }
+
     private Shape shape(Shape shape) {
         if (shape instanceof Sphere s) {
             return new Sphere(point(s.center()), length(s.radius()), s.rotation());
@@ -185,6 +207,9 @@ final class MovedScene {
         }
         if (shape instanceof Torus t) {
             return new Torus(point(t.center()), t.axis(), length(t.majorRadius()), length(t.minorRadius()));
+        }
+        if (shape instanceof Mesh m) {
+            return m.placed(transform());
         }
         Triangle t = (Triangle) shape;
         return new Triangle(point(t.a()), point(t.b()), point(t.c()));

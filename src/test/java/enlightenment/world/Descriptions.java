@@ -8,10 +8,12 @@ import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
+import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
@@ -20,6 +22,7 @@ import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.mesh.TriangleMesh;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashSet;
@@ -32,6 +35,10 @@ import java.util.Set;
  */
 public final class Descriptions {
     private static final Texture RED = Texture.of(new DisplayRgb(1, 0.25, 0.125));
+
+    private static final TriangleMesh TETRAHEDRON = TriangleMesh.of(
+            new float[] {0.5f, 0.5f, 0.5f, 0.5f, -0.5f, -0.5f, -0.5f, 0.5f, -0.5f, -0.5f, -0.5f, 0.5f},
+            new int[] {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2});
 
     /** Shapes around (0, 0, 4), about 1 large, that a ray along +z from the origin meets. */
     public static final List<Shape> SHAPES = all(
@@ -49,7 +56,13 @@ public final class Descriptions {
                     new Cube(ExactPoint.of(0, 0, 4), 1, new Vec3(10, 20, 30)),
                     new Box(ExactPoint.of(-1, -1, 3.5), ExactPoint.of(1, 1, 4.5)),
                     new Torus(ExactPoint.of(0.75, 0, 4), Vec3.Y, 0.75, 0.25),
-                    new Triangle(ExactPoint.of(-1, -1, 4), ExactPoint.of(0, 1, 4), ExactPoint.of(1, -1, 4))));
+                    new Triangle(ExactPoint.of(-1, -1, 4), ExactPoint.of(0, 1, 4), ExactPoint.of(1, -1, 4)),
+                    Mesh.of(
+                            TETRAHEDRON,
+                            Transform.of(
+                                    new Transform.Rotate(new Vec3(10, 20, 30)),
+                                    new Transform.Scale(new Vec3(1, 1.25, 0.75)),
+                                    new Transform.Translate(ExactPoint.of(0, 0, 4))))));
 
     /** Lights around (0, 0, 4). */
     public static final List<Light> LIGHTS = all(

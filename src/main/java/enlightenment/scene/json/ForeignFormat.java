@@ -118,8 +118,7 @@ enum ForeignFormat {
     /** What can be done. */
     private static final class Advice {
         static final String MESH =
-                "meshes cannot be rendered yet; a scene is made of spheres, boxes, triangles and the other shapes of"
-                        + " docs/scene-format.md";
+                "a scene can have it as an object {\"type\": \"mesh\", \"file\": ...}, see docs/scene-format.md";
         static final String SCENE =
                 "it cannot be read yet; a scene is JSON as docs/scene-format.md describes it, and 'enlightenment"
                         + " convert' makes it of NFF files only";

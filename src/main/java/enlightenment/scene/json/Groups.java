@@ -1,6 +1,8 @@
 package enlightenment.scene.json;
 
 import enlightenment.text.Plain;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -9,7 +11,7 @@ final class Groups {
     static final String TYPE = "group";
     static final Keys OBJECT = Keys.of("groupObject", "a group", "type group", "transform name");
 
-    /** Groups lie in groups at most so deep. */
+    /** The limit of groups in groups. */
     static final int DEEPEST = 16;
 
     private Groups() {}
@@ -22,11 +24,16 @@ final class Groups {
         }
     }
 
-    /** What is wrong with a group that lies in these. */
-    static String objection(String name, List<String> within) {
-        String chain = within.stream().map(Plain::quoted).collect(Collectors.joining(" in "));
-        return within.contains(name)
-                ? "the group " + Plain.quoted(name) + " lies in itself, by way of " + chain
-                : "groups lie in each other more than " + DEEPEST + " deep";
+    /**
+     * The problem of a group that lies in itself.
+     *
+     * @param within the groups that it is placed in, the outermost first
+     */
+    static String circle(String name, List<String> within) {
+        List<String> chain = new ArrayList<>(within.subList(within.indexOf(name), within.size()));
+        chain.add(name);
+        Collections.reverse(chain);
+        return "the group " + Plain.quoted(name) + " lies in itself: "
+                + chain.stream().map(Plain::quoted).collect(Collectors.joining(" in "));
     }
 }

@@ -4,6 +4,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.scene.SceneObject;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -20,6 +21,9 @@ final class Library {
 
     /** The groups that have been read, by their names; null for one with a problem of its own. */
     final Map<String, List<SceneObject>> groups = new LinkedHashMap<>();
+
+    /** How many groups lie in each other in a group that has been read, itself included. */
+    final Map<String, Integer> groupDepths = new HashMap<>();
 
     /** All groups, as they are written. */
     final Map<String, JsonValue> unreadGroups = new LinkedHashMap<>();

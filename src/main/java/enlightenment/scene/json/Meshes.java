@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.file.FileFailure;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Transform;
 import enlightenment.mesh.MeshFiles;
@@ -81,6 +82,7 @@ final class Meshes {
         double crease = f.number("crease", 180);
         if (f.has("crease") && normals != MeshOrigin.Normals.SMOOTH) {
             f.problem("crease", "means something with \"normals\": \"smooth\" only");
+            return null;
         }
         Path file = written == null ? null : path(f, written);
         MeshOrigin origin =
@@ -91,7 +93,7 @@ final class Meshes {
         try {
             return new Loaded(mesh(origin, written, f.values().library()), origin);
         } catch (IOException e) {
-            f.problem("file", e.getMessage());
+            f.problem("file", FileFailure.described(e));
             return null;
         }
     }
@@ -106,7 +108,12 @@ final class Meshes {
             return Path.of(written);
         }
         try {
-            return library.folder.resolve(written).normalize();
+            Path file = library.folder.resolve(written).normalize();
+            if (java.nio.file.Files.exists(file)) {
+                return file;
+            }
+            f.problem("file", "there is no file " + Plain.quoted(written) + " (" + file + ")");
+            return null;
         } catch (InvalidPathException e) {
             f.problem("file", PathText.reason(e));
             return null;

@@ -140,6 +140,7 @@ final class ObjectStream {
             library.textures.putAll(pass.library.textures);
             library.materials.putAll(pass.library.materials);
             library.groups.putAll(pass.library.groups);
+            library.groupDepths.putAll(pass.library.groupDepths);
         } else if (scene.get("objects") instanceof JsonValue.Arr objects) {
             pass = new Pass(objects);
             readAgain(pass);

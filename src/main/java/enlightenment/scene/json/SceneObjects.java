@@ -19,6 +19,9 @@ final class SceneObjects {
     private final List<SceneObject> objects = new ArrayList<>();
     private final Map<String, JsonValue> names = new HashMap<>();
 
+    /** How many groups lie in each other, at most, among those that the objects place. */
+    private int depth;
+
     SceneObjects(Values values) {
         this.values = values;
     }
@@ -64,8 +67,8 @@ final class SceneObjects {
     private List<SceneObject> members(Fields f, List<String> within) {
         String name = f.text("group", "the name of a group");
         Library library = values.library();
-        if (name == null || library.groups.containsKey(name)) {
-            return name == null ? null : library.groups.get(name);
+        if (name == null) {
+            return null;
         }
         if (!library.unreadGroups.containsKey(name)) {
             f.problem(
@@ -76,14 +79,23 @@ final class SceneObjects {
                                     : Suggestion.of(name, library.unreadGroups.keySet(), "there are")));
             return null;
         }
-        if (within.contains(name) || within.size() >= Groups.DEEPEST) {
-            f.problem("group", Groups.objection(name, within));
+        if (within.contains(name)) {
+            f.problem("group", Groups.circle(name, within));
             return null;
         }
-        return read(name, within);
+        if (!library.groups.containsKey(name) && within.size() < Groups.DEEPEST) {
+            read(name, within);
+        }
+        int inside = library.groupDepths.getOrDefault(name, 1);
+        if (within.size() + inside > Groups.DEEPEST) {
+            f.problem("group", "groups lie in each other more than " + Groups.DEEPEST + " deep");
+            return null;
+        }
+        depth = Math.max(depth, inside);
+        return library.groups.get(name);
     }
 
-    /** Reads groups that nothing places: what is wrong with them is told all the same. */
+    /** Reads groups that no object places, for their problems. */
     void readOtherGroups() {
         for (String name : List.copyOf(values.library().unreadGroups.keySet())) {
             if (!values.library().groups.containsKey(name)) {
@@ -92,7 +104,7 @@ final class SceneObjects {
         }
     }
 
-    private List<SceneObject> read(String name, List<String> within) {
+    private void read(String name, List<String> within) {
         Library library = values.library();
         JsonValue written = library.unreadGroups.get(name);
         int before = values.problems().count();
@@ -105,7 +117,7 @@ final class SceneObjects {
             inner.add(a.get(i), place.child(i), chain);
         }
         library.groups.put(name, values.problems().count() > before ? null : inner.objects);
-        return library.groups.get(name);
+        library.groupDepths.put(name, 1 + inner.depth);
     }
 
     /** The objects that have no problems. */

@@ -136,7 +136,6 @@ final class BadDocuments {
             edit("\"encoding\": \"linear\"", "\"encoding\": \"gamma\"", "/textures/ice/encoding", "expected one of"),
             edit("\"method\": \"cluster\"", "\"method\": \"path\"", "/render/method", "expected one of \"raytrace\""),
             edit("\"model\": \"classic\"", "\"model\": \"classical\"", "/shading/model", "did you mean \"classic\"?"),
-            // What is planned.
             // What is only classic.
             edit(
                     "\"model\": \"classic\", \"ambient\": 0.25, \"shadow\": 0.75",
@@ -165,7 +164,91 @@ final class BadDocuments {
                     "three numbers"),
             edit("\"shadowSamples\": 7", "\"proposal\": \"gauss\"", "/render/proposal", "expected one of"),
             edit("\"maxBounces\": 7", "\"maxBounces\": -1", "/shading/maxBounces", "whole number"),
-            edit("\"type\": \"triangle\"", "\"type\": \"mesh\"", "/objects/8/type", "not available yet"),
+            // Meshes, groups and transforms.
+            edit("\"type\": \"triangle\"", "\"type\": \"triangel\"", "/objects/8/type", "did you mean \"triangle\"?"),
+            edit(
+                    " \"file\": \"gem.obj\", \"part\": \"upper\", \"normals\"",
+                    " \"normals\"",
+                    "/meshes/gem/file",
+                    "missing; a mesh needs it"),
+            edit("\"crease\": 40", "\"crease\": 181", "/meshes/gem/crease", "0.0..180.0, not 181.0"),
+            edit(
+                    "\"normals\": \"smooth\", \"crease\": 40",
+                    "\"normals\": \"flat\", \"crease\": 40",
+                    "/meshes/gem/crease",
+                    "\"smooth\""),
+            edit("\"normals\": \"smooth\", \"crease\": 40", "\"crease\": 40", "/meshes/gem/crease", "\"smooth\""),
+            edit(
+                    "\"normals\": \"smooth\", \"crease\": 40",
+                    "\"normals\": \"round\"",
+                    "/meshes/gem/normals",
+                    "expected one of \"file\""),
+            edit(
+                    "\"type\": \"mesh\", \"mesh\": \"gem\", \"transform\": [{ \"scale\": 0.5 }",
+                    "\"type\": \"mesh\", \"transform\": [{ \"scale\": 0.5 }",
+                    "/objects/9/mesh",
+                    "missing; a mesh needs the name"),
+            edit(
+                    "\"type\": \"mesh\", \"mesh\": \"gem\", \"transform\": [{ \"scale\": 0.5 }",
+                    "\"type\": \"mesh\", \"mesh\": \"gem\", \"file\": \"gem.obj\", \"transform\": [{ \"scale\": 0.5 }",
+                    "/objects/9/file",
+                    "not both"),
+            edit(
+                    "\"type\": \"mesh\", \"mesh\": \"gem\", \"transform\": [{ \"scale\": 0.5 }",
+                    "\"type\": \"mesh\", \"mesh\": \"gem\", \"normals\": \"flat\", \"transform\": [{ \"scale\": 0.5 }",
+                    "/objects/9/normals",
+                    "stands where the mesh has its name"),
+            edit(
+                    "\"normals\": \"smooth\", \"crease\": 30",
+                    "\"normals\": \"file\", \"crease\": 30",
+                    "/objects/10/crease",
+                    "\"smooth\""),
+            edit("\"scale\": 0.5", "\"scale\": 0", "/objects/9/transform/0/scale", "must be finite and not 0"),
+            edit(
+                    "\"scale\": [1, 2, 3]",
+                    "\"scale\": [1, 0, 3]",
+                    "/objects/10/transform/0/scale",
+                    "must be finite and not 0"),
+            edit(
+                    "\"scale\": [1, 2, 3]",
+                    "\"scale\": [1, 2]",
+                    "/objects/10/transform/0/scale",
+                    "a factor, or three factors"),
+            edit("\"scale\": 0.5", "\"size\": 0.5", "/objects/9/transform/0", "must be a step: {\"scale\": ...}"),
+            edit("{ \"scale\": 0.5 }", "{}", "/objects/9/transform/0", "not an empty object"),
+            edit("{ \"scale\": 0.5 }", "0.5", "/objects/9/transform/0", "must be a step"),
+            edit(
+                    "{ \"scale\": 0.5 }",
+                    "{ \"scale\": 0.5, \"translate\": [0, 0, 1] }",
+                    "/objects/9/transform/0/translate",
+                    "unknown key"),
+            edit("\"rotate\": [0, 45, 0]", "\"rotate\": 45", "/objects/9/transform/1/rotate", "three angles"),
+            edit(
+                    "\"axis\": [0, 1, 1], \"angle\": 30",
+                    "\"axis\": [0, 1, 1]",
+                    "/objects/10/transform/1/angle",
+                    "missing"),
+            edit(
+                    "\"matrix\": [1, 0, 0, 5.5, 0, 0, -1, 0.1, 0, 1, 0, 7]",
+                    "\"matrix\": [1, 0, 0, 0, 1, 0, 0, 0, 1]",
+                    "/objects/10/transform/2/matrix",
+                    "an array of 12 numbers"),
+            edit(
+                    "\"transform\": [{ \"translate\": [4, 0.1, 9] }]",
+                    "\"transform\": { \"translate\": [4, 0.1, 9] }",
+                    "/objects/11/transform",
+                    "an array of steps"),
+            edit(
+                    "\"group\": \"pair\", \"transform\"",
+                    "\"transform\"",
+                    "/objects/11/group",
+                    "missing; a group needs it"),
+            edit(
+                    "\"group\": \"pair\", \"transform\"",
+                    "\"group\": \"pair\", \"material\": \"ice\", \"transform\"",
+                    "/objects/11/material",
+                    "unknown key; a group has"),
+            edit("\"radius\": 0.5,", "\"radius\": -0.5,", "/groups/pair/0/radius", "greater than 0"),
             // Matter and surroundings, for physical shading.
             edit(
                     "\"anisotropy\": 0.375",
@@ -432,7 +515,7 @@ final class BadDocuments {
                     "{ \"texture\": \"check\" }",
                     "/objects/3/material/color/texture",
                     "unknown texture \"check\"; did you mean \"checks\"?"),
-            edit("\"name\": \"ring\"", "\"name\": \"ball\"", "/objects/7/name", "is used twice; first in line 34"),
+            edit("\"name\": \"ring\"", "\"name\": \"ball\"", "/objects/7/name", "is used twice; first in line 41"),
             // What surfaces cannot be made of.
             edit(
                     "[0.25, 0.5, 1]",
@@ -471,6 +554,45 @@ final class BadDocuments {
                     "/camera/upperRight",
                     "must close the parallelogram"),
             edit("\"upperLeft\": [-3, 3, 0]", "\"upperLeft\": [9, 0, 0]", "/camera", "must span an area"),
+            // Meshes, groups and transforms.
+            edit(
+                    "\"type\": \"mesh\", \"mesh\": \"gem\", \"transform\": [{ \"scale\": 0.5 }",
+                    "\"type\": \"mesh\", \"mesh\": \"jem\", \"transform\": [{ \"scale\": 0.5 }",
+                    "/objects/9/mesh",
+                    "unknown mesh \"jem\"; did you mean \"gem\"?"),
+            edit(
+                    "\"meshes\": { \"gem\": { \"file\": \"gem.obj\"",
+                    "\"meshes\": { \"gem\": { \"file\": \"gen.obj\"",
+                    "/meshes/gem/file",
+                    "gen.obj"),
+            edit(
+                    "\"part\": \"upper\"",
+                    "\"part\": \"uper\"",
+                    "/meshes/gem/file",
+                    "has no part \"uper\" among its 2; did you mean \"upper\"?"),
+            edit("\"part\": \"upper\"", "\"part\": \"2\"", "/meshes/gem/file", "there are \"upper\", \"lower\""),
+            edit("\"axis\": [0, 1, 1]", "\"axis\": [0, 0, 0]", "/objects/10/transform/1/axis", "other than (0, 0, 0)"),
+            edit(
+                    "\"matrix\": [1, 0, 0, 5.5, 0, 0, -1, 0.1, 0, 1, 0, 7]",
+                    "\"matrix\": [1, 2, 3, 5.5, 2, 4, 6, 0.1, 0, 1, 0, 7]",
+                    "/objects/10/transform/2/matrix",
+                    "must have an inverse"),
+            edit(
+                    "{ \"scale\": 0.5 }",
+                    "{ \"scale\": 1e-200 }, { \"scale\": 1e-200 }",
+                    "/objects/9/transform",
+                    "must have an inverse in double precision"),
+            edit(
+                    "\"group\": \"pair\"",
+                    "\"group\": \"pairs\"",
+                    "/objects/11/group",
+                    "unknown group \"pairs\"; did you mean \"pair\"?"),
+            edit(
+                    "\"transform\": [{ \"translate\": [4, 0.1, 9] }]",
+                    "\"transform\": [{ \"scale\": [1, 1, 2] }]",
+                    "/objects/11/transform",
+                    "stretches a sphere"),
+            edit("\"name\": \"other\"", "\"name\": \"one\"", "/groups/pair/1/name", "is used twice"),
             // Tracks that lead nowhere.
             edit("/objects/0/center/1", "/objects/0/center/3", "/animation/tracks/0/target", "there is nothing"),
             edit("/objects/0/center/1", "/objects/9/center/1", "/animation/tracks/0/target", "there is nothing"),

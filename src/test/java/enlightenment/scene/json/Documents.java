@@ -26,6 +26,7 @@ final class Documents {
                 "upperRight": [3, 3, 0], "lowerRight": [3, 0, 0], "pupilRadius": 0.5 },
               "shading": { "model": "classic", "ambient": 0.25, "shadow": 0.75, "background": "#102030", "maxBounces": 7 },
               "display": { "exposure": -0.5, "tone": "filmic" },
+              "meshes": { "gem": { "file": "gem.obj", "part": "upper", "normals": "smooth", "crease": 40 } },
               "textures": {
                 "ice": { "type": "file", "file": "ice.png", "filter": "nearest", "encoding": "linear" },
                 "checks": { "type": "checker", "colors": ["#ffffff", [0, 0.5, 1]], "scale": 8 },
@@ -46,6 +47,12 @@ final class Documents {
                 "marker": { "type": "fluorescent", "color": [0.5, 0.25, 0], "absorption": [320, 450], "emission": [500, 600.5],
                   "yield": 0.875, "radiance": 0.5, "ultraviolet": 0.75 }
               },
+              "groups": {
+                "pair": [
+                  { "name": "one", "type": "sphere", "center": [0, 0, 0], "radius": 0.5, "material": "ice" },
+                  { "name": "other", "type": "mesh", "mesh": "gem", "transform": [{ "translate": [1, 0, 0] }], "material": "chrome" }
+                ]
+              },
               "lights": [
                 { "type": "sphere", "center": [0, 1, 1], "radius": 0.15, "color": "#ffffff", "radiance": [200, 150, 100], "ultraviolet": 7 },
                 { "type": "rectangle", "corners": [[0, 9, 0], [0, 9, 1], [1, 9, 1], [1, 9, 0]], "color": "#ffffee", "twoSided": false, "power": 40 },
@@ -60,12 +67,39 @@ final class Documents {
                 { "name": "die", "type": "cube", "center": [3, 0, 3], "radius": 1.25, "rotation": [10, 20, 30], "faces": ["ice", "ice", "chrome", "chrome", "glass", { "type": "matte", "color": "#010203" }], "material": "ice" },
                 { "name": "brick", "type": "box", "min": [0, 0, 7], "max": [1, 2, 8], "material": "ice" },
                 { "name": "ring", "type": "torus", "center": [0, 4, 4], "axis": [0, 0, 1], "majorRadius": 1.75, "minorRadius": 0.35, "material": "chrome" },
-                { "name": "sail", "type": "triangle", "vertices": [[0, 0, 9], [1, 0, 9], [0, 1, 9]], "material": "ice" }
+                { "name": "sail", "type": "triangle", "vertices": [[0, 0, 9], [1, 0, 9], [0, 1, 9]], "material": "ice" },
+                { "name": "gem", "type": "mesh", "mesh": "gem", "transform": [{ "scale": 0.5 }, { "rotate": [0, 45, 0] },
+                  { "translate": [0.1, 2, 3] }], "material": "glass" },
+                { "name": "stone", "type": "mesh", "file": "gem.obj", "part": "lower", "normals": "smooth", "crease": 30,
+                  "transform": [{ "scale": [1, 2, 3] }, { "axis": [0, 1, 1], "angle": 30 },
+                  { "matrix": [1, 0, 0, 5.5, 0, 0, -1, 0.1, 0, 1, 0, 7] }], "material": "ice" },
+                { "name": "pair", "type": "group", "group": "pair", "transform": [{ "translate": [4, 0.1, 9] }] }
               ],
               "render": { "method": "cluster", "antialias": 3, "shadowSamples": 7, "seed": 99 },
               "animation": { "frames": 11, "framesPerSecond": 25,
                 "tracks": [{ "target": "/objects/0/center/1", "keys": { "0": 1, "10": 2 } }] }
             }
+            """;
+
+    /** An octahedron, closed, whose upper and lower half are parts. */
+    static final String GEM =
+            """
+            v 1 0 0
+            v 0 0 1
+            v -1 0 0
+            v 0 0 -1
+            v 0 1 0
+            v 0 -1 0
+            usemtl upper
+            f 1 5 2
+            f 2 5 3
+            f 3 5 4
+            f 4 5 1
+            usemtl lower
+            f 2 6 1
+            f 3 6 2
+            f 4 6 3
+            f 1 6 4
             """;
 
     private Documents() {}
@@ -85,10 +119,11 @@ final class Documents {
                 + " \"height\": 5}, \"objects\": [" + objects + "]}";
     }
 
-    /** Puts what begins like an image where {@link #EVERYTHING} looks for one. */
+    /** Puts what begins like an image, and a mesh, where {@link #EVERYTHING} looks for them. */
     static Path withImage(Path folder) {
         try {
             Files.write(folder.resolve("ice.png"), PNG_START);
+            Files.writeString(folder.resolve("gem.obj"), GEM);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -126,6 +161,12 @@ final class Documents {
         }
     }
 
+    private static List<Path> shippedMeshes() throws IOException {
+        try (var files = Files.list(projectFolder().resolve("scenes/meshes"))) {
+            return files.toList();
+        }
+    }
+
     /** Copies the shipped scenes to {@code folder/scenes}, with images of no content in {@code folder/textures}. */
     static Path shippedScenes(Path folder) {
         List<String> images = List.of("ice", "fire", "wall-back", "wall-right", "wall-left", "floor", "sky", "earth");
@@ -134,6 +175,10 @@ final class Documents {
             Path textures = Files.createDirectories(folder.resolve("textures"));
             for (String image : images) {
                 Files.write(textures.resolve(image + ".png"), PNG_START);
+            }
+            Path meshes = Files.createDirectories(scenes.resolve("meshes"));
+            for (Path mesh : shippedMeshes()) {
+                Files.copy(mesh, meshes.resolve(mesh.getFileName()));
             }
             for (String name : shippedNames()) {
                 Files.copy(projectFolder().resolve("scenes").resolve(name), scenes.resolve(name));

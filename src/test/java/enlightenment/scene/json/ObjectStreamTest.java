@@ -32,6 +32,10 @@ class ObjectStreamTest {
             "\"name\": \"rod\" / \"name\": \"dish\"",
             "\"faces\": [\"ice\", / \"faces\": [\"steam\",",
             "\"seed\": 99 / \"sead\": 99",
+            "\"part\": \"upper\" / \"part\": \"uper\"",
+            "\"name\": \"other\" / \"name\": \"one\"",
+            "\"scale\": 0.5 / \"scale\": 0",
+            "\"group\": \"pair\" / \"group\": \"pear\"",
             "\"priority\": -2 / \"priority\": -2, \"priority\": 3",
             "\"capped\": false, \"material\": { / \"capped\": null, \"capped\": true, \"material\": {",
             "/objects/0/center/1 / /objects/10/center/1",
@@ -46,8 +50,10 @@ class ObjectStreamTest {
             "camera",
             "shading",
             "display",
+            "meshes",
             "textures",
             "materials",
+            "groups",
             "lights",
             "objects",
             "render",
@@ -88,10 +94,12 @@ class ObjectStreamTest {
                 "\"tracks\": [",
                 "\"tracks\": [{ \"target\": \"/materials/glass/transparency\", \"keys\": { \"0\": 0, \"10\": 1 } },"
                         + "{ \"target\": \"/textures/checks/scale\", \"keys\": { \"0\": 1, \"10\": 11 } },"
+                        + "{ \"target\": \"/groups/pair/0/radius\", \"keys\": { \"0\": 1, \"10\": 2 } },"
+                        + "{ \"target\": \"/objects/9/transform/1/rotate/1\", \"keys\": { \"0\": 0, \"10\": 90 } },"
                         + "{ \"target\": \"/objects/5/rotation/2\", \"keys\": { \"0\": 0, \"10\": 90 } },");
         for (OptionalInt frame : List.of(OptionalInt.empty(), OptionalInt.of(3), OptionalInt.of(10))) {
             Scene expected = read(animated, frame);
-            assertEquals(9, expected.objects().size());
+            assertEquals(13, expected.objects().size());
             for (List<String> keys : orders()) {
                 Scene found = read(inOrder(keys, animated), frame);
                 assertEquals(expected, found, () -> keys.toString());
@@ -172,11 +180,11 @@ class ObjectStreamTest {
     @Test
     void tracksThatLeadToObjectsAreToldWhatIsThere() {
         for (String[] t : new String[][] {
-            {"/objects", "there is an array of 9 values"},
+            {"/objects", "there is an array of 12 values"},
             {"/objects/0", "there is an object"},
             {"/objects/0/center", "there is an array of 3 values"},
             {"/objects/8/material", "there is the text \\\"ice\\\""},
-            {"/objects/9", "there is nothing"},
+            {"/objects/12", "there is nothing"},
             {"/objects/00/radius", "there is nothing"},
             {"/objects/999999999999/radius", "there is nothing"}
         }) {

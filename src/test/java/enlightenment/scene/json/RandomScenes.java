@@ -10,10 +10,12 @@ import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
+import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
@@ -24,6 +26,8 @@ import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.mesh.MeshFiles;
+import enlightenment.mesh.MeshOrigin;
 import enlightenment.scene.Animation;
 import enlightenment.scene.Background;
 import enlightenment.scene.ChosenSettings;
@@ -39,6 +43,8 @@ import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.nio.file.Path;
@@ -61,6 +67,8 @@ final class RandomScenes {
 
     private final Random random;
     private final Path imageFolder;
+    private final Path meshFile;
+    private final List<MeshFiles.Part> meshParts;
     private final Map<String, Texture> textures = new LinkedHashMap<>();
     private final Map<String, Material> materials = new LinkedHashMap<>();
     private boolean isPhysical;
@@ -68,9 +76,16 @@ final class RandomScenes {
     /** Scenes have fluorescent surfaces or glass that disperses light, not both. */
     private boolean hasDyes;
 
-    RandomScenes(long seed, Path imageFolder) {
+    /** @param folder as {@link Documents#withImage} makes it */
+    RandomScenes(long seed, Path folder) {
         this.random = new Random(seed);
-        this.imageFolder = imageFolder;
+        this.imageFolder = folder;
+        this.meshFile = folder.resolve("gem.obj");
+        try {
+            this.meshParts = MeshFiles.read(meshFile, MeshFiles.MAX_TRIANGLES);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     Scene next() {
@@ -204,6 +219,10 @@ final class RandomScenes {
                 tracks.add(new Animation.Track("/objects/" + i + "/center/" + random.nextInt(3), keys()));
             } else if (o.shape() instanceof Cube) {
                 tracks.add(new Animation.Track("/objects/" + i + "/rotation/1", keys()));
+            } else if (o.shape() instanceof Mesh mesh
+                    && !mesh.transform().steps().isEmpty()) {
+                String step = animated(mesh.transform().steps().get(0));
+                tracks.add(new Animation.Track("/objects/" + i + "/transform/0/" + step, keys()));
             } else if (o.material().color() instanceof Texture.Solid
                     && !(o.material() instanceof Material.Scattering)) {
                 boolean linear = ((Texture.Solid) o.material().color()).color() instanceof Rgb;
@@ -228,6 +247,18 @@ final class RandomScenes {
                     : physical.background() instanceof Background.Picture ? "rotation" : "elevation";
         }
         return "" + random.nextInt(3);
+    }
+
+    /** Where a step has a number. */
+    private String animated(Transform.Step step) {
+        if (step instanceof Transform.Scale) {
+            return "scale/" + random.nextInt(3);
+        } else if (step instanceof Transform.Rotate) {
+            return "rotate/" + random.nextInt(3);
+        } else if (step instanceof Transform.RotateAbout) {
+            return random.nextBoolean() ? "angle" : "axis/" + random.nextInt(3);
+        }
+        return step instanceof Transform.Translate ? "translate/" + random.nextInt(3) : "matrix/" + random.nextInt(12);
     }
 
     private Animation.Track track(String light, Emission emission) {
@@ -322,7 +353,7 @@ final class RandomScenes {
         ExactPoint o = point();
         Vec3 u = vector();
         Vec3 v = vector();
-        switch (random.nextInt(9)) {
+        switch (random.nextInt(10)) {
             case 0:
                 return new Sphere(o, positive(), random.nextBoolean() ? 0 : number());
             case 1:
@@ -339,8 +370,42 @@ final class RandomScenes {
                 return new Box(o, point());
             case 7:
                 return new Torus(o, u, positive(), positive());
-            default:
+            case 8:
                 return new Triangle(o, point(), point());
+            default:
+                return mesh();
+        }
+    }
+
+    private Mesh mesh() {
+        MeshOrigin.Normals normals = MeshOrigin.Normals.values()[random.nextInt(3)];
+        boolean hasCrease = normals == MeshOrigin.Normals.SMOOTH && random.nextBoolean();
+        String part = List.of("", "upper", "lower", "0").get(random.nextInt(4));
+        MeshOrigin origin = new MeshOrigin(meshFile, part, normals, hasCrease ? 180 * unit() : 180);
+        List<Transform.Step> steps = new ArrayList<>();
+        for (int i = random.nextInt(4); i > 0; i--) {
+            steps.add(step());
+        }
+        try {
+            return new Mesh(origin.of(meshParts), Optional.of(origin), Transform.of(steps));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private Transform.Step step() {
+        switch (random.nextInt(5)) {
+            case 0:
+                double s = number();
+                return new Transform.Scale(random.nextBoolean() ? new Vec3(s, s, s) : vector());
+            case 1:
+                return new Transform.Rotate(vector());
+            case 2:
+                return new Transform.RotateAbout(vector(), number());
+            case 3:
+                return new Transform.Translate(point());
+            default:
+                return new Transform.Matrix(vector(), vector(), vector(), point());
         }
     }
 

@@ -100,7 +100,7 @@ class SceneErrorsTest {
         assertTrue(problem.message().contains(says), problem.message());
         assertTrue(problem.pointer().startsWith("/objects/5"), problem.toString());
         assertTrue(!problem.message().contains("Jackson") && !problem.message().contains("Feature"), problem.message());
-        assertEquals(39, problem.line(), problem.toString());
+        assertEquals(46, problem.line(), problem.toString());
     }
 
     @Test
@@ -116,6 +116,70 @@ class SceneErrorsTest {
         }
         assertTrue(Documents.problem(whole + "1", folder).message().contains("after the end"));
         assertTrue(Documents.problem(whole + "}", folder).message().contains("not JSON"));
+    }
+
+    @Test
+    void aBrokenMeshFileIsToldWithItsNameAndLine() throws Exception {
+        Documents.withImage(folder);
+        Files.writeString(folder.resolve("gem.obj"), Documents.GEM.replace("f 3 5 4", "f 3 5 44"));
+        List<Problem> problems = Documents.problems(Documents.EVERYTHING, folder);
+        assertEquals(
+                List.of("/meshes/gem/file", "/objects/10/file"),
+                problems.stream().map(Problem::pointer).toList());
+        for (Problem problem : problems) {
+            assertTrue(problem.message().contains(folder.resolve("gem.obj") + ": line 10"), problem.message());
+            assertTrue(problem.line() >= 1 && problem.column() >= 1, problem.toString());
+        }
+    }
+
+    @Test
+    void aGroupInItselfIsToldWithItsChain() {
+        String json =
+                "{\"groups\": {\"a\": [{\"type\": \"group\", \"group\": \"b\"}], \"b\": [{\"type\": \"group\", \"group\": \"c\"}],"
+                        + " \"c\": [{\"type\": \"group\", \"group\": \"b\"}]},"
+                        + Documents.withObjects("{\"type\": \"group\", \"group\": \"a\"}")
+                                .substring(1);
+        Problem problem = Documents.problem(json, folder);
+        assertEquals("/groups/c/0/group", problem.pointer());
+        assertEquals("the group \"b\" lies in itself: \"b\" in \"c\" in \"b\"", problem.message());
+        assertTrue(problem.line() >= 1 && problem.column() >= 1, problem.toString());
+    }
+
+    /** Sixteen groups may lie in each other, whichever is read first. */
+    @Test
+    void groupsLieInEachOtherOnlySoDeep() {
+        for (int deep : new int[] {16, 17}) {
+            for (int first : new int[] {1, deep - 3, deep}) {
+                StringBuilder groups = new StringBuilder();
+                for (int i = 1; i <= deep; i++) {
+                    String inside = i < deep ? "{\"type\": \"group\", \"group\": \"g" + (i + 1) + "\"}" : "";
+                    groups.append(i > 1 ? ", " : "").append("\"g" + i + "\": [" + inside + "]");
+                }
+                String objects = "{\"type\": \"group\", \"group\": \"g" + first
+                        + "\"}, {\"type\": \"group\", \"group\": \"g1\"}";
+                String json = "{\"groups\": {" + groups + "},"
+                        + Documents.withObjects(objects).substring(1);
+                if (deep <= 16) {
+                    Documents.read(json, folder);
+                } else {
+                    Problem problem = Documents.problem(json, folder);
+                    assertTrue(problem.message().contains("more than 16 deep"), problem.message());
+                }
+            }
+        }
+    }
+
+    @Test
+    void aBoxInAGroupIsNotRotated() {
+        String json = "{\"groups\": {\"g\": [{\"type\": \"box\", \"min\": [0, 0, 0], \"max\": [1, 2, 3],"
+                + " \"material\": {\"type\": \"matte\", \"color\": \"#000\"}}]},"
+                + Documents.withObjects(
+                                "{\"type\": \"group\", \"group\": \"g\", \"transform\": [{\"rotate\": [0, 30, 0]}]}")
+                        .substring(1);
+        Problem problem = Documents.problem(json, folder);
+        assertEquals("/objects/0/transform", problem.pointer());
+        assertTrue(problem.message().contains("box"), problem.message());
+        Documents.read(json.replace("[0, 30, 0]", "[0, 90, 0]"), folder);
     }
 
     @Test
@@ -142,6 +206,7 @@ class SceneErrorsTest {
 
     @Test
     void aFileThatIsNoImageIsRefused() throws Exception {
+        Documents.withImage(folder);
         Files.writeString(folder.resolve("ice.png"), "GIF89a......");
         Problem problem = Documents.problem(Documents.EVERYTHING, folder);
         assertEquals("/textures/ice/file", problem.pointer());

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Tone;
 import enlightenment.material.Texture;
+import enlightenment.mesh.MeshOrigin;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import java.io.IOException;
@@ -143,6 +144,9 @@ class SceneFormatDocumentTest {
                 new Part("#### Classic", List.of(Vocabulary.CLASSIC_SHADING)),
                 new Part("#### Physical", List.of(Vocabulary.PHYSICAL_SHADING)),
                 new Part("#### Media", List.of(Vocabulary.MEDIUM)),
+                new Part("### Meshes", List.of(Meshes.NAMED)),
+                new Part("### Transforms", Transforms.ALL),
+                new Part("### Groups", List.of(Groups.OBJECT)),
                 new Part("### Display", List.of(Vocabulary.DISPLAY)),
                 new Part("### Render", List.of(RenderPart.keys(BuiltInMethod.ALL))),
                 new Part("### Animation", List.of(Vocabulary.ANIMATION, Vocabulary.TRACK)));
@@ -153,9 +157,9 @@ class SceneFormatDocumentTest {
     void everyPartIsExplainedWithItsKeysDefaultsAndRanges(Part part) {
         Map<String, Row> rows = new LinkedHashMap<>();
         for (List<String> cells : table(part.heading())) {
-            String key = codes(cells.get(0)).get(0);
             String text = cells.get(cells.size() - 1);
-            rows.put(key, new Row("", key, cells.size() == 3 ? cells.get(1) : "", text));
+            codes(cells.get(0))
+                    .forEach(key -> rows.put(key, new Row("", key, cells.size() == 3 ? cells.get(1) : "", text)));
         }
         Set<String> expected = new TreeSet<>();
         for (Keys keys : part.keys()) {
@@ -219,6 +223,7 @@ class SceneFormatDocumentTest {
                         Method.words(BuiltInMethod.ALL),
                         Shadings.models(),
                         Fields.words(Texture.Filter.class),
+                        Fields.words(MeshOrigin.Normals.class),
                         Fields.words(Tone.class),
                         Fields.words(Texture.Encoding.class))
                 .flatMap(List::stream)

@@ -14,9 +14,11 @@ import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
+import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
@@ -27,6 +29,9 @@ import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.mesh.MeshFiles;
+import enlightenment.mesh.MeshOrigin;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.ClassicShading;
@@ -66,7 +71,7 @@ class SceneReaderTest {
     }
 
     @Test
-    void everyKeyOfEveryTypeArrivesWhereItBelongs() {
+    void everyKeyOfEveryTypeArrivesWhereItBelongs() throws IOException {
         Scene s = Documents.read(Documents.EVERYTHING, Documents.withImage(folder));
         Texture ice = new Texture.File(folder.resolve("ice.png"), Texture.Filter.NEAREST, Texture.Encoding.LINEAR);
         Texture checks = new Texture.Checker(List.of(DisplayRgb.WHITE, DisplayRgb.of(0, 0.5, 1)), 8);
@@ -125,6 +130,7 @@ class SceneReaderTest {
                 s.lights());
         Material tiles = Material.Matte.of(checks);
         Material ink = Material.Matte.of(plain(1, 2, 3));
+        Path file = folder.resolve("gem.obj");
         assertEquals(
                 List.of(
                         object("ball", new Sphere(ExactPoint.of("-2", "1.1", "4"), 1.5, 200), matte),
@@ -139,7 +145,32 @@ class SceneReaderTest {
                                 List.of(matte, matte, chrome, chrome, glass, ink)),
                         object("brick", new Box(p(0, 0, 7), p(1, 2, 8)), matte),
                         object("ring", new Torus(p(0, 4, 4), Vec3.Z, 1.75, 0.35), chrome),
-                        object("sail", new Triangle(p(0, 0, 9), p(1, 0, 9), p(0, 1, 9)), matte)),
+                        object("sail", new Triangle(p(0, 0, 9), p(1, 0, 9), p(0, 1, 9)), matte),
+                        object(
+                                "gem",
+                                gem(
+                                        new MeshOrigin(file, "upper", MeshOrigin.Normals.SMOOTH, 40),
+                                        new Transform.Scale(new Vec3(0.5, 0.5, 0.5)),
+                                        new Transform.Rotate(new Vec3(0, 45, 0)),
+                                        new Transform.Translate(ExactPoint.of("0.1", "2", "3"))),
+                                glass),
+                        object(
+                                "stone",
+                                gem(
+                                        new MeshOrigin(file, "lower", MeshOrigin.Normals.SMOOTH, 30),
+                                        new Transform.Scale(new Vec3(1, 2, 3)),
+                                        new Transform.RotateAbout(new Vec3(0, 1, 1), 30),
+                                        new Transform.Matrix(
+                                                Vec3.X, new Vec3(0, 0, -1), Vec3.Y, ExactPoint.of("5.5", "0.1", "7"))),
+                                matte),
+                        object("", new Sphere(ExactPoint.of("4", "0.1", "9"), 0.5, 0), matte),
+                        object(
+                                "",
+                                gem(
+                                        new MeshOrigin(file, "upper", MeshOrigin.Normals.SMOOTH, 40),
+                                        new Transform.Translate(p(1, 0, 0)),
+                                        new Transform.Translate(ExactPoint.of("4", "0.1", "9"))),
+                                chrome)),
                 s.objects());
         TreeMap<Integer, BigDecimal> keys = new TreeMap<>(Map.of(0, BigDecimal.ONE, 10, BigDecimal.valueOf(2)));
         assertEquals(
@@ -148,6 +179,11 @@ class SceneReaderTest {
         assertEquals("everything", s.name());
         assertEquals(40, s.width());
         assertEquals(20, s.height());
+    }
+
+    private static Mesh gem(MeshOrigin origin, Transform.Step... steps) throws IOException {
+        TriangleMesh triangles = origin.of(MeshFiles.read(origin.file(), MeshFiles.MAX_TRIANGLES));
+        return new Mesh(triangles, Optional.of(origin), Transform.of(steps));
     }
 
     private static SceneObject object(String name, enlightenment.geometry.Shape shape, Material material) {
@@ -339,8 +375,7 @@ class SceneReaderTest {
         Path sub = Files.createDirectories(folder.resolve("a/b"));
         Files.createDirectories(folder.resolve("images"));
         Files.write(folder.resolve("images/photo.jpg"), new byte[] {(byte) 0xff, (byte) 0xd8, (byte) 0xff, 0});
-        Path file = sub.resolve("scene.json");
-        Documents.withImage(folder);
+        Path file = Documents.withImage(sub).resolve("scene.json");
         Files.writeString(file, Documents.edited("\"ice.png\"", "\"../../images/photo.jpg\""));
         Texture.File texture = (Texture.File) SceneReader.read(file).textures().get("ice");
         assertEquals(folder.resolve("images/photo.jpg"), texture.file());
@@ -391,7 +426,7 @@ class SceneReaderTest {
                 .replace("\"width\": 40", "\"width\": 0")
                 .replace("\"majorRadius\": 1.75", "\"majorRadius\": 0.1")
                 .replace("\"seed\": 99", "\"sead\": 99")
-                .replace("\"type\": \"triangle\"", "\"type\": \"mesh\"");
+                .replace("\"type\": \"triangle\"", "\"type\": \"triangles\"");
         List<String> pointers = new ArrayList<>();
         for (Problem problem : Documents.problems(json, Documents.withImage(folder))) {
             pointers.add(problem.pointer());

@@ -10,6 +10,7 @@ import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 import enlightenment.color.Tone;
 import enlightenment.material.Texture;
+import enlightenment.mesh.MeshOrigin;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
@@ -155,6 +156,11 @@ class SceneSchemaTest {
         assertEquals(
                 words(Fields.words(Tone.class)),
                 strings(property("display", "tone").get("enum")));
+        for (Keys keys : List.of(Meshes.NAMED, Shapes.FAMILY.keys("mesh"))) {
+            assertEquals(
+                    words(Fields.words(MeshOrigin.Normals.class)),
+                    strings(property(keys.schemaName(), "normals").get("enum")));
+        }
         assertEquals(
                 words(Fields.words(Texture.Filter.class)),
                 strings(property("fileTexture", "filter").get("enum")));
@@ -187,6 +193,8 @@ class SceneSchemaTest {
             parts.put((ObjectNode) root.get("render"), TEXT.get("$defs").get("render"));
             addKinds(parts, Cameras.FAMILY, List.of(root.get("camera")));
             addKinds(parts, Shapes.FAMILY, root.get("objects"));
+            root.get("meshes")
+                    .forEach(m -> parts.put((ObjectNode) m, TEXT.get("$defs").get(Meshes.NAMED.schemaName())));
             addKinds(parts, Materials.FAMILY, root.get("materials"));
             addKinds(parts, Textures.FAMILY, root.get("textures"));
             addKinds(parts, Lights.FAMILY, root.get("lights"));
@@ -206,9 +214,20 @@ class SceneSchemaTest {
     /** Whether a key stands in the place of another one that the part has. */
     private static boolean isExcluded(Map.Entry<ObjectNode, JsonNode> part, String key) {
         Set<String> exclusive = strings(part.getValue().path("not").get("required"));
-        return exclusive.contains(key)
+        boolean isExclusive = exclusive.contains(key)
                 && exclusive.stream()
                         .anyMatch(k -> !k.equals(key) && part.getKey().has(k));
+        Set<String> needed = strings(part.getValue().path("dependentRequired").get(key));
+        return isExclusive
+                || !needed.stream().allMatch(k -> part.getKey().has(k))
+                || isBound(part.getValue().path("dependentSchemas"), part.getKey(), key);
+    }
+
+    /** Whether another key that the part has leaves one value for a key only. */
+    private static boolean isBound(JsonNode dependent, ObjectNode part, String key) {
+        return dependent.properties().stream()
+                .anyMatch(d ->
+                        part.has(d.getKey()) && d.getValue().path("properties").has(key));
     }
 
     private static String withCamera(String type, String keys) {
@@ -221,7 +240,8 @@ class SceneSchemaTest {
     private static void addKinds(Map<ObjectNode, JsonNode> parts, Family<?> family, Iterable<JsonNode> nodes) {
         for (JsonNode node : nodes) {
             String type = node.path("type").asString(family.typeUnlessGiven());
-            parts.put((ObjectNode) node, TEXT.get("$defs").get(family.keys(type).schemaName()));
+            Keys keys = type.equals(Groups.TYPE) ? Groups.OBJECT : family.keys(type);
+            parts.put((ObjectNode) node, TEXT.get("$defs").get(keys.schemaName()));
         }
     }
 

@@ -25,7 +25,7 @@ public final class TriangleMesh {
 
     private final float[] positions;
 
-    /** The same where they are no floats; else null. */
+    /** Coordinates as doubles where they are no floats; else null. */
     private final double[] longPositions;
 
     private final int[] indices;
@@ -64,7 +64,7 @@ public final class TriangleMesh {
         checkAttributes();
     }
 
-    /** The same mesh, made of one from which so many triangles were left out. */
+    /** A copy of a mesh, with the number of triangles that were left out. */
     private TriangleMesh(TriangleMesh of, int dropped) {
         positions = of.positions;
         longPositions = of.longPositions;
@@ -86,12 +86,12 @@ public final class TriangleMesh {
         return new TriangleMesh(positions.clone(), null, indices.clone(), null, null);
     }
 
-    /** The same with coordinates of twice the precision. */
+    /** {@link #of(float[], int[])} with coordinates of twice the precision. */
     public static TriangleMesh of(double[] positions, int[] indices) {
         return of(positions.clone(), indices.clone(), null, null);
     }
 
-    /** The same with arrays that are kept, and attributes or null. */
+    /** {@link #of(double[], int[])} with arrays that are kept, and attributes or null. */
     static TriangleMesh of(double[] positions, int[] indices, float[] normals, float[] uv) {
         float[] floats = new float[positions.length];
         for (int i = 0; i < floats.length; i++) {
@@ -153,7 +153,7 @@ public final class TriangleMesh {
     }
 
     /**
-     * The same, but with edges: at a vertex, normals of triangles that differ from a triangle's own by more than an angle do not count for it.
+     * This mesh, smooth but for its edges: at a vertex, normals of triangles that differ from a triangle's own by more than an angle do not count for it.
      * Vertices are split where triangles disagree. Vertices in the same place count as one.
      *
      * @param crease the angle in degrees, 0..180
@@ -254,7 +254,7 @@ public final class TriangleMesh {
     }
 
     /**
-     * The same triangles with other vertices, which are copies of the old ones.
+     * These triangles with other vertices, which are copies of the old ones.
      *
      * @param old by new vertex: the old one
      * @param corners the new indices
@@ -422,7 +422,7 @@ public final class TriangleMesh {
         return positions;
     }
 
-    /** The same if they are doubles, else null. */
+    /** Those of doubles, for this package and for reading only; null if they are floats. */
     double[] doublePositions() {
         return longPositions;
     }

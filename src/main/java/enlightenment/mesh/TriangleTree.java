@@ -15,7 +15,7 @@ import java.util.function.Consumer;
  * <p>Boxes only cull; what a ray meets is decided by {@link MeshRay}, in doubles.
  */
 public final class TriangleTree {
-    /** How many levels of the tree give a mesh's bounds where it is turned: so many boxes are turned and joined. */
+    /** Levels of the tree whose boxes, turned and joined, are the bounds of a mesh that is turned. */
     private static final int BOUND_LEVELS = 6;
 
     /** The exponent of the scale that boxes are kept in. */
@@ -24,7 +24,7 @@ public final class TriangleTree {
     /** The largest absolute coordinate of any box. */
     final double reach;
 
-    /** The same in the mesh's coordinates. */
+    /** That reach in the mesh's coordinates. */
     final double largest;
 
     final float[] boxes;

@@ -69,7 +69,7 @@ final class Placing {
                 frame.toFrame(transform.offset()));
     }
 
-    /** The same into a frame whose unit is smaller by 2^k. */
+    /** This placing into a frame whose unit is smaller by 2^k. */
     Placing scaledBy(int k) {
         return new Placing(m0.scaledBy(k), m1.scaledBy(k), m2.scaledBy(k), offset.scaledBy(k));
     }

@@ -141,12 +141,12 @@ public final class Ray {
         return from(hit.primitive, hit.element, side);
     }
 
-    /** The same for a primitive that has not many elements. */
+    /** Sets a surface of one element that the ray starts on. */
     public Ray from(Primitive primitive, int side) {
         return from(primitive, 0, side);
     }
 
-    /** The same for an element of a primitive. */
+    /** Sets an element of a surface that the ray starts on. */
     Ray from(Primitive primitive, int part, int side) {
         start = primitive;
         startElement = part;

@@ -59,6 +59,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.video")
             .layer("texture")
             .definedBy("enlightenment.texture")
+            .layer("bvh")
+            .definedBy("enlightenment.bvh")
             .layer("mesh")
             .definedBy("enlightenment.mesh")
             .layer("geometry")
@@ -215,6 +217,8 @@ class ArchitectureTest {
                     "engine")
             .whereLayer("accel")
             .mayOnlyBeAccessedByLayers("world")
+            .whereLayer("bvh")
+            .mayOnlyBeAccessedByLayers("mesh", "accel", "world")
             .whereLayer("scene")
             .mayOnlyBeAccessedByLayers(
                     "classic shading",

@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -28,7 +29,9 @@ class FloatingLiteralsTest {
             "frame",
             "primitive",
             "geometry",
+            "bvh",
             "accel",
+            "mesh",
             "world",
             "film",
             "transport",
@@ -124,16 +127,16 @@ class FloatingLiteralsTest {
             new Explained(
                     "primitive/SpherePrimitive.java", "0.75", "ratio of two roots that chooses between equal forms"),
             new Explained(
-                    "accel/BvhBuilder.java",
+                    "bvh/BvhBuilder.java",
                     "0x1p-14",
                     "relative: below it floats would blur a leaf, so doubles are taken; the answers are the same"),
             new Explained(
-                    "accel/FloatSlabs.java",
+                    "bvh/FloatSlabs.java",
                     "0x1p-19",
                     "relative: more than the roundings of floats, which have 24 bits"),
-            new Explained("accel/FloatSlabs.java", "0x1p-40", "range of floats: beyond it doubles are taken"),
-            new Explained("accel/FloatSlabs.java", "0x1p40", "range of floats: beyond it doubles are taken"),
-            new Explained("accel/FloatSlabs.java", "0x1p60", "range of floats: an inverse that does not overflow"),
+            new Explained("bvh/FloatSlabs.java", "0x1p-40", "range of floats: beyond it doubles are taken"),
+            new Explained("bvh/FloatSlabs.java", "0x1p40", "range of floats: beyond it doubles are taken"),
+            new Explained("bvh/FloatSlabs.java", "0x1p60", "range of floats: an inverse that does not overflow"),
             new Explained(
                     "accel/FloatShaft.java",
                     "0x1p-19",
@@ -147,6 +150,11 @@ class FloatingLiteralsTest {
             new Explained("accel/ApexBalls.java", "0x1p-40", "relative: more than the roundings of doubles"),
             new Explained("accel/ApexBalls.java", "0x1p480", "range of doubles: beyond it nothing is left out"),
             new Explained("accel/ApexBalls.java", "0x1p-480", "range of doubles: beyond it nothing is left out"),
+            new Explained(
+                    "mesh/TriangleMesh.java", "1e30", "range of squares: a transform makes meshes larger or smaller"),
+            new Explained("primitive/MeshPrimitive.java", "0.2911", "a direction, of which the length does not count"),
+            new Explained("primitive/MeshPrimitive.java", "0.5773", "a direction, of which the length does not count"),
+            new Explained("primitive/MeshPrimitive.java", "0.7631", "a direction, of which the length does not count"),
             new Explained("primitive/Ray.java", "0x1p240", "where squares could overflow: chooses the rescaling path"),
             new Explained(
                     "primitive/Ray.java", "0x1p-240", "where squares could underflow: chooses the rescaling path"),
@@ -428,6 +436,9 @@ class FloatingLiteralsTest {
         List<Explained> all = new ArrayList<>(EXPLAINED);
         CITED.forEach((why, literals) ->
                 literals.forEach(l -> all.add(new Explained("sampling/NormalIntegral.java", l, why))));
+        IntStream.rangeClosed(1, 22)
+                .forEach(e ->
+                        all.add(new Explained("mesh/TextInput.java", "1e" + e, "decimals of a text: exact powers")));
         return all;
     }
 

@@ -317,6 +317,21 @@ final class BadDocuments {
                     "classic shading"),
             edit("\"k\": [3.91, 2.45, 2.14],", "", "/materials/copper/k", "\"eta\" and \"k\" belong together"),
             edit("\"eta\": [0.2, 0.92, 1.1], ", "", "/materials/copper/eta", "\"eta\" and \"k\" belong together"),
+            edit(
+                    "\"color\": \"#ffeeff\", \"roughness\": 0.375, \"eta\": [0.2, 0.92, 1.1], \"k\": [3.91, 2.45, 2.14],",
+                    "\"roughness\": 0.375,",
+                    "/materials/copper/color",
+                    "missing; a glossy material needs it, or a \"metal\""),
+            edit(
+                    "\"roughness\": 0.375,",
+                    "\"roughness\": 0.375, \"metal\": \"gold\",",
+                    "/materials/copper/metal",
+                    "must stand without \"eta\" and \"k\""),
+            edit(
+                    "\"eta\": [0.2, 0.92, 1.1], \"k\": [3.91, 2.45, 2.14],",
+                    "\"metal\": \"Gold\",",
+                    "/materials/copper/metal",
+                    "did you mean \"gold\"?"),
             edit("[0.25, 0.5, 1]", "[0.25, 0.5]", "/materials/ember/color/linear", "three numbers"),
             edit("\"tone\": \"filmic\"", "\"tone\": \"film\"", "/display/tone", "did you mean \"filmic\"?"),
             edit("\"exposure\": -0.5", "\"exposure\": 2000", "/display/exposure", "-1000.0..1000.0, not 2000.0"),

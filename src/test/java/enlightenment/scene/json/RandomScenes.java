@@ -20,6 +20,7 @@ import enlightenment.light.Light;
 import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
+import enlightenment.material.Metal;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
@@ -318,6 +319,17 @@ final class RandomScenes {
                 || material instanceof Material.Glass glass && glass.roughness() > 0;
     }
 
+    private Optional<Conductor> conductor() {
+        switch (random.nextInt(3)) {
+            case 0:
+                return Optional.empty();
+            case 1:
+                return Optional.of(Metal.values()[random.nextInt(Metal.values().length)].conductor());
+            default:
+                return Optional.of(new Conductor(new Rgb(positive(), positive(), positive()), radiance()));
+        }
+    }
+
     private Shape shape() {
         ExactPoint o = point();
         Vec3 u = vector();
@@ -361,15 +373,7 @@ final class RandomScenes {
             case 1:
                 return new Material.Mirror(color, shadows, radiance(), ultraviolet());
             case 3:
-                return new Material.Glossy(
-                        color,
-                        unit(),
-                        random.nextBoolean()
-                                ? Optional.empty()
-                                : Optional.of(new Conductor(new Rgb(positive(), positive(), positive()), radiance())),
-                        random.nextBoolean(),
-                        radiance(),
-                        ultraviolet());
+                return new Material.Glossy(color, unit(), conductor(), random.nextBoolean(), radiance(), ultraviolet());
             case 4:
                 return new Material.Scattering(
                         retry(this::medium),

@@ -29,6 +29,11 @@ final class Materials {
                     "roughness | color metal eta k multipleScattering radiance ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no glossy surfaces"))
             .with(
+                    "coated",
+                    Material.Coated.class,
+                    "color | roughness indexOfRefraction nonlinear radiance ultraviolet",
+                    Map.of("receivesShadows", "belongs to classic shading, which has no coated surfaces"))
+            .with(
                     "glass",
                     Material.Glass.class,
                     "color indexOfRefraction | transparency priority roughness absorption multipleScattering dispersion"
@@ -61,6 +66,7 @@ final class Materials {
             case "matte" -> matte(f);
             case "mirror" -> mirror(f);
             case "glossy" -> glossy(f);
+            case "coated" -> coated(f);
             case "glass" -> glass(f);
             case "scattering" -> scattering(f);
             case "fluorescent" -> fluorescent(f);
@@ -86,6 +92,13 @@ final class Materials {
             p.flagUnless(true, "multipleScattering", g.multipleScattering())
                     .bandsUnless(Rgb.BLACK, "radiance", g.radiance())
                     .numberUnless(0, "ultraviolet", g.ultraviolet());
+        } else if (value instanceof Material.Coated c) {
+            p.texture("color", c.color())
+                    .numberUnless(0, "roughness", c.roughness())
+                    .numberUnless(Material.Coated.USUAL_INDEX, "indexOfRefraction", c.indexOfRefraction())
+                    .flagUnless(false, "nonlinear", c.nonlinear())
+                    .bandsUnless(Rgb.BLACK, "radiance", c.radiance())
+                    .numberUnless(0, "ultraviolet", c.ultraviolet());
         } else if (value instanceof Material.Glass g) {
             p.texture("color", g.color())
                     .number("indexOfRefraction", g.indexOfRefraction())
@@ -221,6 +234,18 @@ final class Materials {
             f.problem(key, "missing; \"eta\" and \"k\" belong together");
         }
         return f.bands(key, Rgb.WHITE);
+    }
+
+    private static Material coated(Fields f) {
+        Texture color = Textures.color(f, "color");
+        double roughness = f.number("roughness", 0);
+        double index = f.number("indexOfRefraction", Material.Coated.USUAL_INDEX);
+        boolean nonlinear = f.flag("nonlinear", false);
+        Rgb radiance = radiance(f);
+        double ultraviolet = f.number("ultraviolet", 0);
+        return color == null
+                ? null
+                : f.make(() -> new Material.Coated(color, roughness, index, nonlinear, radiance, ultraviolet));
     }
 
     private static Material glass(Fields f) {

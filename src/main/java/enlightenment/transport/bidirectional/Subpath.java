@@ -4,6 +4,7 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Reradiation;
+import enlightenment.bsdf.RoughCoating;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Hit;
 import enlightenment.sampling.Sampler;
@@ -175,7 +176,10 @@ abstract class Subpath extends CarriedLight {
         bsdf = scatters;
         isBorder = false;
         survival = survival(most);
-        if (bsdf instanceof GlossyReflection metal) {
+        if (bsdf.hasDelta() || bsdf instanceof RoughCoating) {
+            // A coat reflects what its base does not.
+            survival = survival(0.5 + 0.5 * most);
+        } else if (bsdf instanceof GlossyReflection metal) {
             // Along the surface it reflects more.
             metal.reflectAtNormal(s);
             survival = survival(0.5 + 0.5 * Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
@@ -319,6 +323,7 @@ abstract class Subpath extends CarriedLight {
         if (!bsdf.sample(s, pair[0], pair[1], sampler.unit(address, choosing))) {
             return false;
         }
+        boolean wasFirst = isFirst;
         remember(s, !s.delta);
         weight[0] = s.valueR;
         weight[1] = s.valueG;
@@ -326,7 +331,11 @@ abstract class Subpath extends CarriedLight {
         if (s.delta) {
             counters.mirrorRays++;
             survival = survival(Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
-            densities.beyond = beyondDelta;
+            if (wasFirst) {
+                beginDensitiesOfDelta();
+            } else {
+                densities.beyond = beyondDelta;
+            }
             densities.pass(1);
         } else {
             leave(s);

@@ -367,7 +367,7 @@ final class RandomScenes {
                 ? Texture.of(surfaceColor())
                 : named.get(random.nextInt(named.size()));
         boolean shadows = isPhysical || random.nextBoolean();
-        switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 6 : 5)) {
+        switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 7 : 6)) {
             case 0:
                 return new Material.Matte(color, shadows, random.nextBoolean() ? 0 : unit(), radiance(), ultraviolet());
             case 1:
@@ -381,6 +381,14 @@ final class RandomScenes {
                         random.nextBoolean() ? 0 : unit(),
                         random.nextBoolean() ? 0 : random.nextInt());
             case 5:
+                return new Material.Coated(
+                        color,
+                        random.nextBoolean() ? 0 : unit(),
+                        random.nextBoolean() ? Material.Coated.USUAL_INDEX : 1 + 9 * unit(),
+                        random.nextBoolean(),
+                        radiance(),
+                        ultraviolet());
+            case 6:
                 return retry(() -> new Material.Fluorescent(
                         color, wavelengths(), wavelengths(), unit(), radiance(), ultraviolet()));
             default:

@@ -40,7 +40,7 @@ class MetropolisTest {
     private static final int COMPARISONS = 15;
 
     private static final List<String> SOME =
-            List.of("lights of all kinds", "metals", "nested glass", "pane", "rough glass", "sphere light in a wall");
+            List.of("coated", "lights of all kinds", "metals", "nested glass", "pane", "rough glass", "sphere light in a wall");
 
     static Stream<Arguments> scenesAndLengths() {
         return SOME.stream().flatMap(scene -> Arrays.stream(LENGTHS).mapToObj(length -> Arguments.of(scene, length)));

@@ -29,8 +29,21 @@ final class CoatedBase {
     /** The share of samples of the coat's own reflection, by what both lobes reflect of light from o: 1 − T(μo) and m T(μo). */
     double share(Scattering s, double through) {
         double coat = 1 - through;
-        double base = through * (reflected(s.red) + reflected(s.green) + reflected(s.blue)) / 3;
-        return coat > 0 ? coat / (coat + base) : 0;
+        return coat > 0 ? coat / (coat + reflected(s, through)) : 0;
+    }
+
+    /** The share of samples of a delta lobe: more where it reflects less than the base, since it alone finds lamps that it reflects. */
+    double shareOfDelta(Scattering s, double through) {
+        double coat = 1 - through;
+        double base = reflected(s, through);
+        if (!(coat > 0)) {
+            return 0;
+        }
+        return coat < base ? Math.sqrt(coat) / (Math.sqrt(coat) + Math.sqrt(base)) : coat / (coat + base);
+    }
+
+    private double reflected(Scattering s, double through) {
+        return through * (reflected(s.red) + reflected(s.green) + reflected(s.blue)) / 3;
     }
 
     /** Sets the value to that of the base, plus a colourless one. */

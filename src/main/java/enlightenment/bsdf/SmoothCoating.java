@@ -69,20 +69,20 @@ public final class SmoothCoating implements Bsdf {
         }
         double through = transmittance(s.cosineOutClamped(), eta);
         double diffuse = through * transmittance(Math.min(in, 1), eta) * in * scale;
-        s.pdf = (1 - base.share(s, through)) * in / Math.PI;
+        s.pdf = (1 - base.shareOfDelta(s, through)) * in / Math.PI;
         base.value(s, diffuse, 0);
     }
 
     @Override
     public double pdf(Scattering s) {
         double in = s.cosineIn();
-        return in > 0 ? (1 - base.share(s, transmittance(s.cosineOutClamped(), eta))) * in / Math.PI : 0;
+        return in > 0 ? (1 - base.shareOfDelta(s, transmittance(s.cosineOutClamped(), eta))) * in / Math.PI : 0;
     }
 
     @Override
     public boolean sample(Scattering s, double u, double v, double choice) {
         double through = transmittance(s.cosineOutClamped(), eta);
-        double share = base.share(s, through);
+        double share = base.shareOfDelta(s, through);
         if (choice < share) {
             s.reflect();
             s.only(share, false);

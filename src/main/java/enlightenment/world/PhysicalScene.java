@@ -171,7 +171,7 @@ public final class PhysicalScene {
                 || Arrays.stream(compiled.glassSolids())
                         .anyMatch(id -> compiled.materials().inside(id).absorbs);
         hasStraightGlass = StraightGlass.mayBeThere(compiled, accelerator, poll);
-        showsMirrored = compiled.materials().any(m -> !m.isGlass && m.isDelta && !m.isBlack)
+        showsMirrored = compiled.materials().any(m -> !m.isGlass && m.bsdf.hasDelta() && !m.isBlack)
                 || hasClearGlass(compiled)
                 || StraightGlass.hasPanes(compiled);
         lights = all.toArray(new PhysicalLight[0]);

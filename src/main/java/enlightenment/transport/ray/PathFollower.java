@@ -222,6 +222,11 @@ public final class PathFollower {
         return true;
     }
 
+    /** Whether {@link #scatter} sampled a delta lobe. */
+    public boolean isSpecular() {
+        return scattering.delta;
+    }
+
     /** The opaque surface that the path is at, as a Bsdf wants it: with its colour, and without a direction to go on. */
     public Scattering arrive(Ray ray, double[] color) {
         Optics.arrive(scattering, ray, at);

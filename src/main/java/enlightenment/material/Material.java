@@ -5,6 +5,7 @@ import enlightenment.color.BandSensitivities;
 import enlightenment.color.CauchyFormula;
 import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -24,7 +25,11 @@ public sealed interface Material
                 Material.Coated,
                 Material.Glass,
                 Material.Scattering,
-                Material.Fluorescent {
+                Material.Fluorescent,
+                Mix,
+                Mask,
+                NormalMap,
+                Bump {
 
     /** The surface's colour; for a mirror or glass, the filter that is multiplied onto what is seen in or through it. */
     Texture color();
@@ -48,6 +53,16 @@ public sealed interface Material
      */
     default double ultraviolet() {
         return 0;
+    }
+
+    /** The textures that it has besides its colour. */
+    default List<Texture> textures() {
+        return List.of();
+    }
+
+    /** The materials that it is made of, if it is made of others. */
+    default List<Material> parts() {
+        return List.of();
     }
 
     /** The name of this kind of material in the scene format, such as {@code "matte"}. */

@@ -2,10 +2,14 @@ package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
+import enlightenment.material.Bump;
 import enlightenment.material.Conductor;
+import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Metal;
+import enlightenment.material.Mix;
+import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.text.Plain;
@@ -59,6 +63,14 @@ final class Materials {
                     "color absorption emission yield | radiance ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no fluorescent surfaces"));
 
+    static {
+        String why = "belongs to classic shading, which has no materials made of others";
+        FAMILY.with("mix", Mix.class, "materials weight |", Map.of("receivesShadows", why))
+                .with("mask", Mask.class, "of map |", Map.of("receivesShadows", why))
+                .with("normalMap", NormalMap.class, "of map |", Map.of("receivesShadows", why))
+                .with("bump", Bump.class, "of map height |", Map.of("receivesShadows", why));
+    }
+
     private Materials() {}
 
     private static Material read(String type, Fields f) {
@@ -70,6 +82,7 @@ final class Materials {
             case "glass" -> glass(f);
             case "scattering" -> scattering(f);
             case "fluorescent" -> fluorescent(f);
+            case "mix", "mask", "normalMap", "bump" -> DetailedMaterials.read(type, f);
             default -> throw Family.unknown(type);
         };
     }
@@ -122,7 +135,7 @@ final class Materials {
                     .bandsUnless(Rgb.BLACK, "radiance", d.radiance())
                     .numberUnless(0, "ultraviolet", d.ultraviolet());
         } else {
-            throw Family.unknown(value);
+            DetailedMaterials.write(value, p);
         }
     }
 

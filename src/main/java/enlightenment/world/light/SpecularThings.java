@@ -69,7 +69,7 @@ public final class SpecularThings {
 
     private static boolean hasFace(CompiledPrimitives compiled, int id, Predicate<SurfaceMaterial> such) {
         for (int face = 0; face < compiled.primitives()[id].faceCount(); face++) {
-            if (such.test(compiled.materials().of(id, face))) {
+            if (compiled.materials().of(id, face).any(such)) {
                 return true;
             }
         }

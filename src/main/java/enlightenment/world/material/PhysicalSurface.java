@@ -105,7 +105,7 @@ public record PhysicalSurface(
         if (material instanceof Material.Matte matte) {
             return matte.roughness() == 0 ? Lambert.INSTANCE : new RoughDiffuse(matte.roughness());
         }
-        if (material instanceof Material.Fluorescent) {
+        if (material instanceof Material.Fluorescent || !material.parts().isEmpty()) {
             return Lambert.INSTANCE;
         }
         if (material instanceof Material.Mirror) {

@@ -267,6 +267,7 @@ public final class PathIntegrator extends EyePathTracer {
         // What comes to narrow lobes from narrow lobes is not shared with wide ones: the caustic pass makes it there.
         if (!isNarrow
                 && !bsdf.hasDelta()
+                && !path.at.isSmooth()
                 && cut != null
                 && path.surfaces < 2
                 && cut.noteRough(path, bsdf, s, value, physical.hasConstantEnvironment())) {

@@ -107,6 +107,11 @@ public final class SurfaceInteraction {
         nz = 0;
     }
 
+    /** Whether the shading normal is not that of the surface itself. */
+    public boolean isSmooth() {
+        return bsdf != material.bsdf;
+    }
+
     /** Whether the surface emits light towards where the path came from. */
     public boolean emits() {
         return material.glows && material.glowsTo(hit.side);

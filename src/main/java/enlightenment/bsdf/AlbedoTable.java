@@ -20,11 +20,14 @@ final class AlbedoTable {
     /** 1 − Ē. */
     final double meanLoss;
 
-    private final double[] loss = new double[NODES + 1];
+    /** At each node the loss, or what is kept over what a smooth surface keeps ({@link VisibleNormals#isRelative}). */
+    private final double[] nodes = new double[NODES + 1];
+
     /** The share of lost light that is below each ring, and the density in it over the cosine. */
     private final double[] below = new double[CELLS + 1];
 
     private final double[] density = new double[CELLS];
+    private final VisibleNormals normals;
     private final double alpha;
 
     /** {@link VisibleNormals#even}. */
@@ -32,12 +35,15 @@ final class AlbedoTable {
 
     /** What facets lose by single scattering. */
     AlbedoTable(VisibleNormals normals) {
+        this.normals = normals;
         alpha = normals.facets.alpha;
         even = normals.even;
         for (int k = 0; k < NODES; k++) {
-            loss[k] = normals.meanLoss(cosine(k));
+            double cosine = cosine(k);
+            double lost = normals.meanLoss(cosine);
+            nodes[k] = normals.isRelative ? (1 - lost) / normals.keptBySmooth(cosine) : lost;
         }
-        loss[NODES] = loss[NODES - 1];
+        nodes[NODES] = nodes[NODES - 1];
         meanLoss = mean();
         spread();
     }
@@ -75,7 +81,8 @@ final class AlbedoTable {
     double loss(double cosine) {
         double x = (NODES - 1) * node(cosine);
         int k = Math.min((int) x, NODES - 1);
-        return Math.fma(x - k, loss[k + 1] - loss[k], loss[k]);
+        double value = Math.fma(x - k, nodes[k + 1] - nodes[k], nodes[k]);
+        return normals.isRelative ? Math.max(1 - normals.keptBySmooth(cosine) * value, 0) : value;
     }
 
     /** 2∫(1 − E)μ dμ of the interpolated table, by Simpson's rule in sqrt(μ); leaves the sums up to each ring. */
@@ -114,6 +121,15 @@ final class AlbedoTable {
     /** The density per solid angle, at a cosine, of directions that {@link #sample} chooses; nearly (1 − E(μ))μ/(π(1 − Ē)). */
     double density(double cosine) {
         return density[Math.min((int) (CELLS * Math.sqrt(cosine)), CELLS - 1)] * cosine;
+    }
+
+    /** Samples i with the {@link #density} of its cosine: at small α what is lost is lost along the surface. */
+    void sampleDirection(Scattering s, double u, double v) {
+        s.toDisk(u, v);
+        double z = sample(Math.min(s.disk2, 1));
+        double across = s.disk2 > 0 ? Math.sqrt((1 - z) * (1 + z) / s.disk2) : 0;
+        s.turn();
+        s.directLocal(s.diskX * across, s.diskY * across, z);
     }
 
     /** The cosine of a direction in which lost light leaves, from a number that is uniform in 0..1. */

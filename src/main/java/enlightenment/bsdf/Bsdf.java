@@ -14,6 +14,11 @@ public interface Bsdf {
     /** Whether all lobes are delta lobes: then {@link #evaluate} and {@link #pdf} are 0 for all directions. */
     boolean isDelta();
 
+    /** Whether there are delta lobes, alone or beside others: then {@link #sample} may set {@link Scattering#delta}. */
+    default boolean hasDelta() {
+        return isDelta();
+    }
+
     /** Whether light passes through the surface. */
     boolean transmits();
 

@@ -163,7 +163,7 @@ public final class GlossyReflection implements Bsdf {
         s.transmitted = false;
         double out = s.cosineOutClamped();
         if (table != null && choice >= share(s, out)) {
-            sampleLost(s, u, v);
+            table.sampleDirection(s, u, v);
         } else if (facets.sampleVisible(s, u, v)) {
             s.reflectFrom(s.ix, s.iy, s.iz);
         } else {
@@ -171,14 +171,5 @@ public final class GlossyReflection implements Bsdf {
         }
         evaluate(s);
         return s.weigh();
-    }
-
-    /** Samples the broad lobe: by its own table, since at small α what is lost is lost along the surface. */
-    private void sampleLost(Scattering s, double u, double v) {
-        s.toDisk(u, v);
-        double z = table.sample(Math.min(s.disk2, 1));
-        double scale = s.disk2 > 0 ? Math.sqrt((1 - z) * (1 + z) / s.disk2) : 0;
-        s.turn();
-        s.directLocal(s.diskX * scale, s.diskY * scale, z);
     }
 }

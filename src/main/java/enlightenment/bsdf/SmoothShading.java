@@ -31,6 +31,11 @@ public final class SmoothShading implements Bsdf {
     }
 
     @Override
+    public boolean hasDelta() {
+        return inner.hasDelta();
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

@@ -7,11 +7,15 @@ abstract class VisibleNormals {
     /** How evenly over cosines what is lost changes: 0 if mostly along the surface, 1 if nothing is special there. */
     final double even;
 
+    /** Whether tables interpolate what is kept relative to {@link #keptBySmooth}. */
+    final boolean isRelative;
+
     private final int rings;
     private final double[] cosines;
 
     /** Over rings and sectors of a half disk, over which visible normals are spread evenly. */
-    VisibleNormals(Microfacets facets, double even, int rings, int sectors) {
+    VisibleNormals(Microfacets facets, double even, boolean isRelative, int rings, int sectors) {
+        this.isRelative = isRelative;
         this.facets = facets;
         this.even = even;
         this.rings = rings;
@@ -30,6 +34,11 @@ abstract class VisibleNormals {
      * @param length2 m·m
      */
     abstract double lost(double out, double along, double z, double length2);
+
+    /** The share of light that a smooth surface does not lose at a cosine, greater than 0: what changes faster than roughness makes it. */
+    double keptBySmooth(double cosine) {
+        return 1;
+    }
 
     /**
      * The mean over the normals visible from a direction. Rings are dense at the edge of the disk, 1 − r² = w⁴ with w even: there are the
@@ -67,13 +76,40 @@ abstract class VisibleNormals {
     /** Facets that are perfect mirrors. */
     static final class OfMirrors extends VisibleNormals {
         OfMirrors(Microfacets facets) {
-            super(facets, 0, 128, 64);
+            super(facets, 0, false, 128, 64);
         }
 
         @Override
         double lost(double out, double along, double z, double length2) {
             double in = 2 * along * z / length2 - out;
             return in > 0 ? facets.shadowed(Math.min(in, 1), out) : 1;
+        }
+    }
+
+    /** Facets of a dielectric coat: lost is what they do not reflect. */
+    static final class OfCoat extends VisibleNormals {
+        private final double eta;
+
+        /** @param eta the index on the side of arrival over that of the coat */
+        OfCoat(Microfacets facets, double eta) {
+            super(facets, 0.5, true, 128, 32);
+            this.eta = eta;
+        }
+
+        @Override
+        double keptBySmooth(double cosine) {
+            return DielectricFresnel.reflectance(cosine, eta);
+        }
+
+        @Override
+        double lost(double out, double along, double z, double length2) {
+            double in = 2 * along * z / length2 - out;
+            if (!(in > 0)) {
+                return 1;
+            }
+            double facet = Math.min(Math.max(along / Math.sqrt(length2), 0), 1);
+            double kept = 1 - facets.shadowed(Math.min(in, 1), out);
+            return 1 - DielectricFresnel.reflectance(facet, eta) * kept;
         }
     }
 
@@ -84,7 +120,7 @@ abstract class VisibleNormals {
         /** @param eta the index on the side of arrival over that of the other side */
         OfBorder(Microfacets facets, double eta) {
             // Next to the angle of total reflection it changes as well.
-            super(facets, 0.5, 128, 32);
+            super(facets, 0.5, false, 128, 32);
             this.eta = eta;
         }
 

@@ -5,6 +5,7 @@ import enlightenment.color.BandSensitivities;
 import enlightenment.color.CauchyFormula;
 import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -21,9 +22,14 @@ public sealed interface Material
         permits Material.Matte,
                 Material.Mirror,
                 Material.Glossy,
+                Material.Coated,
                 Material.Glass,
                 Material.Scattering,
-                Material.Fluorescent {
+                Material.Fluorescent,
+                Mix,
+                Mask,
+                NormalMap,
+                Bump {
 
     /** The surface's colour; for a mirror or glass, the filter that is multiplied onto what is seen in or through it. */
     Texture color();
@@ -47,6 +53,16 @@ public sealed interface Material
      */
     default double ultraviolet() {
         return 0;
+    }
+
+    /** The textures that it has besides its colour. */
+    default List<Texture> textures() {
+        return List.of();
+    }
+
+    /** The materials that it is made of, if it is made of others. */
+    default List<Material> parts() {
+        return List.of();
     }
 
     /** The name of this kind of material in the scene format, such as {@code "matte"}. */
@@ -205,6 +221,56 @@ public sealed interface Material
         @Override
         public String type() {
             return "glossy";
+        }
+
+        @Override
+        public boolean isForClassicShading() {
+            return false;
+        }
+    }
+
+    /**
+     * A matte surface under a dielectric coat, such as plastic, varnished wood or glazed clay: the coat reflects by Fresnel's equations, and what
+     * enters it is reflected by the base. Only physical shading has it.
+     *
+     * @param color the reflectance of the base
+     * @param roughness of the coat, 0 (smooth) to 1; the parameter alpha of the distribution GGX is its square
+     * @param indexOfRefraction of the coat, relative to the surrounding medium: 1 (as without a coat) to {@value #LARGEST_INDEX}
+     * @param nonlinear whether light that goes to and fro between coat and base is coloured by the base each time, which saturates its colour
+     * @param radiance see {@link Material#radiance}
+     * @param ultraviolet see {@link Material#ultraviolet}
+     */
+    record Coated(
+            Texture color,
+            double roughness,
+            double indexOfRefraction,
+            boolean nonlinear,
+            Rgb radiance,
+            double ultraviolet)
+            implements Material {
+        /** The index of refraction unless another one is given: that of most plastics and varnishes. */
+        public static final double USUAL_INDEX = 1.5;
+
+        /** The largest index of refraction: no transparent matter has more. */
+        public static final double LARGEST_INDEX = 10;
+
+        /** Validates the components, as {@link Material} states. */
+        public Coated {
+            Reflectance.check(color);
+            Check.range("roughness", roughness, 0, 1);
+            Check.range("indexOfRefraction", indexOfRefraction, 1, LARGEST_INDEX);
+            Radiance.check("radiance", radiance);
+            Radiance.check("ultraviolet", ultraviolet);
+        }
+
+        /** A surface of this colour with a coat of index 1.5 that does not glow. */
+        public static Coated of(Texture color, double roughness) {
+            return new Coated(color, roughness, USUAL_INDEX, false, Rgb.BLACK, 0);
+        }
+
+        @Override
+        public String type() {
+            return "coated";
         }
 
         @Override

@@ -91,6 +91,13 @@ public final class MeshBuilder {
         indices[corners++] = c;
     }
 
+    /** Adds triangles, whose vertices are counted from one of those here. */
+    void triangles(int[] some, int first) {
+        for (int i = 0; i < some.length; i += 3) {
+            triangle(first + some[i], first + some[i + 1], first + some[i + 2]);
+        }
+    }
+
     private static int larger(int length) {
         Check.that(length < LARGEST, "indices", "are more than one mesh can hold");
         return (int) Math.min(LARGEST, Math.max(192, length + (long) length / 2));

@@ -31,6 +31,10 @@ public final class TriangleMesh {
     private final int[] indices;
     private final float[] normals;
     private final float[] uv;
+
+    /** The triangles that were left out. */
+    private final int[] withoutArea;
+
     private final int dropped;
     private volatile String digest;
     private volatile OpenEdges openEdges;
@@ -44,8 +48,10 @@ public final class TriangleMesh {
         this.normals = normals;
         this.uv = uv;
         check(indices);
-        this.indices = withArea(indices);
-        dropped = (indices.length - this.indices.length) / 3;
+        int[] flat = withoutArea(indices);
+        this.indices = flat.length == 0 ? indices : withArea(indices);
+        withoutArea = flat;
+        dropped = flat.length / 3;
         Check.that(this.indices.length > 0, "indices", "must hold at least one triangle with an area");
         double size = bounds().maxAbs();
         Check.that(
@@ -59,19 +65,10 @@ public final class TriangleMesh {
         longPositions = of.longPositions;
         indices = of.indices;
         dropped = of.dropped;
+        withoutArea = of.withoutArea;
         this.normals = normals;
         this.uv = uv;
         checkAttributes();
-    }
-
-    /** A copy of a mesh, with the number of triangles that were left out. */
-    private TriangleMesh(TriangleMesh of, int dropped) {
-        positions = of.positions;
-        longPositions = of.longPositions;
-        indices = of.indices;
-        normals = of.normals;
-        uv = of.uv;
-        this.dropped = dropped;
     }
 
     /**
@@ -111,11 +108,9 @@ public final class TriangleMesh {
         boolean hasNormals = parts.stream().allMatch(p -> p.mesh().hasNormals());
         boolean hasUv = parts.stream().allMatch(p -> p.mesh().hasUv());
         MeshBuilder all = new MeshBuilder();
-        int dropped = 0;
         for (MeshFiles.Part part : parts) {
             TriangleMesh m = part.mesh();
             int first = all.vertices();
-            dropped += m.dropped;
             for (int v = 0; v < m.vertices(); v++) {
                 all.vertex(m.coordinate(v, 0), m.coordinate(v, 1), m.coordinate(v, 2));
                 if (hasNormals) {
@@ -125,11 +120,10 @@ public final class TriangleMesh {
                     all.uv(m.uv[2 * v], m.uv[2 * v + 1]);
                 }
             }
-            for (int t = 0; t < m.triangles(); t++) {
-                all.triangle(first + m.vertex(t, 0), first + m.vertex(t, 1), first + m.vertex(t, 2));
-            }
+            all.triangles(m.indices, first);
+            all.triangles(m.withoutArea, first);
         }
-        return new TriangleMesh(all.build(), dropped);
+        return all.build();
     }
 
     /**
@@ -215,7 +209,22 @@ public final class TriangleMesh {
         }
     }
 
-    /** The triangles whose three corners do not lie in one line, as far as doubles can tell. */
+    /** The triangles whose three corners lie in one line, as far as doubles can tell. */
+    private int[] withoutArea(int[] all) {
+        double[] n = new double[3];
+        int[] flat = new int[0];
+        int size = 0;
+        for (int i = 0; i < all.length; i += 3) {
+            if (!normal(all[i], all[i + 1], all[i + 2], n)) {
+                flat = size < flat.length ? flat : Arrays.copyOf(flat, 2 * size + 3);
+                System.arraycopy(all, i, flat, size, 3);
+                size += 3;
+            }
+        }
+        return Arrays.copyOf(flat, size);
+    }
+
+    /** The other ones. */
     private int[] withArea(int[] all) {
         double[] n = new double[3];
         int kept = 0;
@@ -254,7 +263,7 @@ public final class TriangleMesh {
     }
 
     /**
-     * These triangles with other vertices, which are copies of the old ones.
+     * These triangles with other vertices, which are copies of the old ones; the first of them are the old ones.
      *
      * @param old by new vertex: the old one
      * @param corners the new indices
@@ -266,8 +275,9 @@ public final class TriangleMesh {
         for (int i = 0; q != null && i < q.length; i++) {
             q[i] = longPositions[3 * old[i / 3] + i % 3];
         }
-        TriangleMesh mesh = new TriangleMesh(p, q, corners, newNormals, uv == null ? null : picked(uv, 2, old));
-        return dropped == 0 ? mesh : new TriangleMesh(mesh, dropped);
+        int[] all = Arrays.copyOf(corners, corners.length + withoutArea.length);
+        System.arraycopy(withoutArea, 0, all, corners.length, withoutArea.length);
+        return new TriangleMesh(p, q, all, newNormals, uv == null ? null : picked(uv, 2, old));
     }
 
     private static float[] picked(float[] values, int each, int[] old) {
@@ -340,7 +350,7 @@ public final class TriangleMesh {
         return new Vec3(n[0], n[1], n[2]);
     }
 
-    /** The number of edges that keep the mesh from being closed: those that do not have exactly one triangle on each side. */
+    /** The number of edges that keep the mesh from being closed, see {@link #isClosed}. */
     public long openEdges() {
         OpenEdges edges = openEdges;
         if (edges == null) {
@@ -351,8 +361,8 @@ public final class TriangleMesh {
     }
 
     /**
-     * Whether it encloses a volume: each edge has exactly two triangles, which run along it in opposite directions. Vertices in the same place
-     * count as one. Whether the mesh intersects itself is not looked at.
+     * Whether it encloses a volume: along each edge run as many triangles one way as the other way. Vertices in the same place count as one.
+     * Whether the mesh intersects itself is not looked at.
      */
     public boolean isClosed() {
         return openEdges() == 0;
@@ -425,6 +435,11 @@ public final class TriangleMesh {
     /** Those of doubles, for this package and for reading only; null if they are floats. */
     double[] doublePositions() {
         return longPositions;
+    }
+
+    /** Three vertices of each triangle that was left out. */
+    int[] withoutArea() {
+        return withoutArea;
     }
 
     int[] indices() {

@@ -180,16 +180,17 @@ public final class Integrators {
                 || !scene.isEver(moment -> moment.physical.showsMirrored)) {
             return Optional.empty();
         }
-        return Optional.of(
-                method.word() + " cannot see surfaces in mirrors, in panes or through glass that bends light:"
-                        + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
+        return Optional.of(method.word()
+                + " cannot see surfaces in mirrors and smooth coats, in panes or through glass that bends light:"
+                + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
     }
 
     /** Light that no path of any method finds, as sentences without full stops. */
     public static List<String> limitations(CompiledScene scene) {
         return scene.physical != null && scene.isEver(Integrators::mirrorsPoints)
-                ? List.of("what mirrors, panes and smooth glass make of the light of points is not seen where the eye"
-                        + " sees it in such things: no path finds it; a small sphere in place of the point is seen")
+                ? List.of(
+                        "what mirrors, smooth coats, panes and smooth glass make of the light of points is not seen where the eye"
+                                + " sees it in such things: no path finds it; a small sphere in place of the point is seen")
                 : List.of();
     }
 

@@ -42,6 +42,15 @@ public final class Hit {
     public double sy;
     public double sz;
 
+    /** The directions of the texture, as long as a unit of its coordinates: u to the right, v upwards; set by {@link Primitive#textureDirections}. */
+    double ux;
+
+    double uy;
+    double uz;
+    double vx;
+    double vy;
+    double vz;
+
     /** The primitive that was hit. */
     public Primitive primitive;
 
@@ -93,6 +102,60 @@ public final class Hit {
         px = x;
         py = y;
         pz = z;
+    }
+
+    void setTextureDirections(Vec3 u, Vec3 v) {
+        ux = u.x();
+        uy = u.y();
+        uz = u.z();
+        vx = v.x();
+        vy = v.y();
+        vz = v.z();
+    }
+
+    /** Sets the shading normal to the geometric one. */
+    public void shadeByOwnNormal() {
+        sx = nx;
+        sy = ny;
+        sz = nz;
+    }
+
+    /** The length of a unit of u on the surface. */
+    public double lengthU() {
+        return Math.sqrt(ux * ux + uy * uy + uz * uz);
+    }
+
+    /** The length of a unit of v on the surface. */
+    public double lengthV() {
+        return Math.sqrt(vx * vx + vy * vy + vz * vz);
+    }
+
+    /**
+     * Turns the shading normal to a direction: of its coordinates, x is along the texture's u, y along its v, and z along the normal as it is.
+     *
+     * @return whether there is such a direction on the outside of the surface; else nothing is changed
+     */
+    public boolean turnShadingNormal(double x, double y, double z) {
+        double along = sx * ux + sy * uy + sz * uz;
+        double tx = ux - along * sx;
+        double ty = uy - along * sy;
+        double tz = uz - along * sz;
+        double t = 1 / Math.sqrt(tx * tx + ty * ty + tz * tz);
+        double bx = sy * tz - sz * ty;
+        double by = sz * tx - sx * tz;
+        double bz = sx * ty - sy * tx;
+        double b = bx * vx + by * vy + bz * vz < 0 ? -t : t;
+        double px = x * t * tx + y * b * bx + z * sx;
+        double py = x * t * ty + y * b * by + z * sy;
+        double pz = x * t * tz + y * b * bz + z * sz;
+        double length = Math.sqrt(px * px + py * py + pz * pz);
+        if (!(length > 0 && length < Double.POSITIVE_INFINITY && px * nx + py * ny + pz * nz > 0)) {
+            return false;
+        }
+        sx = px / length;
+        sy = py / length;
+        sz = pz / length;
+        return true;
     }
 
     /** Sets the normal to the direction (x, y, z), normalised here. */

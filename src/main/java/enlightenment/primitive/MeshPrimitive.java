@@ -5,6 +5,7 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshRay;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.mesh.TriangleTree;
+import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 import java.util.Arrays;
 import java.util.function.Consumer;
@@ -176,6 +177,33 @@ public final class MeshPrimitive extends Primitive {
         int r = mesh.vertex(hit.element, 2);
         hit.u = between(mesh.uv(p, 0), mesh.uv(q, 0), mesh.uv(r, 0), a, hit.weightB, hit.weightC);
         hit.v = 1 - between(mesh.uv(p, 1), mesh.uv(q, 1), mesh.uv(r, 1), a, hit.weightB, hit.weightC);
+    }
+
+    /** By the triangle's corners; where their texture coordinates lie in one line, there are none. */
+    @Override
+    public boolean textureDirections(Hit hit) {
+        int p = mesh.vertex(hit.element, 0);
+        int q = mesh.vertex(hit.element, 1);
+        int r = mesh.vertex(hit.element, 2);
+        Vec3 b = mesh.position(q).minus(mesh.position(p));
+        Vec3 c = mesh.position(r).minus(mesh.position(p));
+        double bu = mesh.hasUv() ? mesh.uv(q, 0) - mesh.uv(p, 0) : 1;
+        double bv = mesh.hasUv() ? mesh.uv(q, 1) - mesh.uv(p, 1) : 0;
+        double cu = mesh.hasUv() ? mesh.uv(r, 0) - mesh.uv(p, 0) : 0;
+        double cv = mesh.hasUv() ? mesh.uv(r, 1) - mesh.uv(p, 1) : 1;
+        double determinant = Products.difference(bu, cv, bv, cu);
+        if (determinant == 0) {
+            return false;
+        }
+        Vec3 u = placing.vector(b.times(cv / determinant).minus(c.times(bv / determinant)));
+        Vec3 v = placing.vector(c.times(bu / determinant).minus(b.times(cu / determinant)));
+        hit.setTextureDirections(u, v);
+        return u.isFinite() && v.isFinite();
+    }
+
+    @Override
+    public boolean hasTextureDirections() {
+        return true;
     }
 
     @Override

@@ -111,6 +111,20 @@ public abstract sealed class Primitive
         return false;
     }
 
+    /**
+     * Sets the directions in which texture coordinates grow at a hit.
+     *
+     * @return false if the primitive has none that are known
+     */
+    public boolean textureDirections(Hit hit) {
+        return false;
+    }
+
+    /** Whether normals can be turned by textures: {@link #textureDirections} are known wherever textures have some. */
+    public boolean hasTextureDirections() {
+        return false;
+    }
+
     /** Whether u is periodic: 0 and 1 are the same column of a texture, without a seam. */
     public boolean repeatsTextures() {
         return false;

@@ -172,6 +172,17 @@ public final class RectanglePrimitive extends Primitive {
     }
 
     @Override
+    public boolean textureDirections(Hit hit) {
+        hit.setTextureDirections(d.minus(a), b.minus(a));
+        return true;
+    }
+
+    @Override
+    public boolean hasTextureDirections() {
+        return true;
+    }
+
+    @Override
     public Bounds bounds() {
         return Bounds.of(a, b, c, d);
     }

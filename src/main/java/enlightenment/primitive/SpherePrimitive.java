@@ -143,6 +143,24 @@ public final class SpherePrimitive extends Primitive {
         hit.v = Angles.atan2(Math.sqrt(hit.nx * hit.nx + hit.nz * hit.nz), hit.ny) / Math.PI;
     }
 
+    /** At the poles there are none. */
+    @Override
+    public boolean textureDirections(Hit hit) {
+        double level = Math.sqrt(hit.nx * hit.nx + hit.nz * hit.nz);
+        double ahead = hit.nx * meridian.x() + hit.nz * meridian.z();
+        double east = hit.nz * meridian.x() - hit.nx * meridian.z();
+        Vec3 toEast =
+                new Vec3(-east * meridian.x() - ahead * meridian.z(), 0, -east * meridian.z() + ahead * meridian.x());
+        Vec3 up = new Vec3(-hit.ny * hit.nx / level, level, -hit.ny * hit.nz / level);
+        hit.setTextureDirections(toEast.times(TWO_PI * radius), up.times(Math.PI * radius));
+        return level > 0;
+    }
+
+    @Override
+    public boolean hasTextureDirections() {
+        return true;
+    }
+
     /** Around the axis. */
     @Override
     public boolean repeatsTextures() {

@@ -67,6 +67,17 @@ public final class TrianglePrimitive extends Primitive {
     }
 
     @Override
+    public boolean textureDirections(Hit hit) {
+        hit.setTextureDirections(c.minus(a), b.minus(a));
+        return true;
+    }
+
+    @Override
+    public boolean hasTextureDirections() {
+        return true;
+    }
+
+    @Override
     public Bounds bounds() {
         return Bounds.of(a, b, c);
     }

@@ -61,8 +61,8 @@ final class ShadingFit {
     void look(SceneObject object, int index) {
         String place = "objects/" + index + "/material";
         look(object.material(), place);
-        if (model == Shading.Model.PHYSICAL && !object.shape().enclosesVolume()) {
-            lookAtPane(object.material(), place);
+        if (model == Shading.Model.PHYSICAL) {
+            lookAtPane(object, place);
         }
         for (int i = 0; i < object.faces().size(); i++) {
             look(object.faces().get(i), "objects/" + index + "/faces/" + i);
@@ -70,10 +70,13 @@ final class ShadingFit {
     }
 
     /** What has no thickness has no medium inside, and no second face that could turn light back. */
-    private void lookAtPane(Material material, String place) {
-        if (material instanceof Material.Scattering) {
+    private void lookAtPane(SceneObject object, String place) {
+        Material material = object.material();
+        if (material instanceof Material.Scattering && !object.shape().enclosesVolume()) {
             found.putIfAbsent(place, "\"scattering\" fills a solid, and this shape encloses no volume" + SOLIDS);
-        } else if (material instanceof Material.Glass glass && glass.roughness() > 0) {
+        } else if (material instanceof Material.Glass glass
+                && glass.roughness() > 0
+                && !object.shape().enclosesVolume()) {
             found.putIfAbsent(
                     place, "glass with \"roughness\" needs two faces, and this shape encloses no volume" + SOLIDS);
         }

@@ -1,7 +1,11 @@
 package enlightenment.world;
 
 import enlightenment.frame.SceneFrame;
+import enlightenment.material.Bump;
+import enlightenment.material.Mask;
 import enlightenment.material.Material;
+import enlightenment.material.Mix;
+import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -9,7 +13,9 @@ import enlightenment.texture.ImageTexture;
 import enlightenment.world.light.SceneImages;
 import enlightenment.world.material.Dyes;
 import enlightenment.world.material.PhysicalSurface;
+import enlightenment.world.material.SurfaceDetail;
 import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.material.TextureLookup;
 import java.util.IdentityHashMap;
 import java.util.Map;
 
@@ -39,19 +45,43 @@ final class CompiledMaterials {
         }
     }
 
-    private void add(Material m) {
-        if (bySource.containsKey(m)) {
-            return;
-        }
-        ImageTexture image = null;
-        if (m.color() instanceof Texture.File file) {
-            // What is prepared at once need not be asked for: a single image is such.
-            if (images.haveBeenRead()) {
-                poll.run();
-            }
-            image = images.of(file, physical != null, scene);
+    private SurfaceMaterial add(Material m) {
+        SurfaceMaterial known = bySource.get(m);
+        if (known != null) {
+            return known;
         }
         PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes);
-        bySource.put(m, new SurfaceMaterial(m, image, surface));
+        SurfaceMaterial made = new SurfaceMaterial(m, image(m.color()), surface, detail(m));
+        bySource.put(m, made);
+        return made;
+    }
+
+    private ImageTexture image(Texture texture) {
+        if (!(texture instanceof Texture.File file)) {
+            return null;
+        }
+        // What is prepared at once need not be asked for: a single image is such.
+        if (images.haveBeenRead()) {
+            poll.run();
+        }
+        return images.of(file, physical != null, scene);
+    }
+
+    private TextureLookup lookup(Texture texture) {
+        return new TextureLookup(texture, image(texture), true);
+    }
+
+    /** What is to be known of a place before what a material is there; null for most. */
+    private SurfaceDetail detail(Material m) {
+        if (m instanceof Mix mix) {
+            return SurfaceDetail.mix(add(mix.first()), add(mix.second()), lookup(mix.weight()));
+        } else if (m instanceof Mask mask) {
+            return SurfaceDetail.mask(add(mask.of()), lookup(mask.map()));
+        } else if (m instanceof NormalMap normals) {
+            return SurfaceDetail.normalMap(add(normals.of()), lookup(normals.map()));
+        } else if (m instanceof Bump bump) {
+            return SurfaceDetail.bump(add(bump.of()), lookup(bump.map()), physical.toFrame(bump.height()));
+        }
+        return null;
     }
 }

@@ -88,6 +88,9 @@ public final class PhysicalScene {
      */
     public final boolean hasStraightGlass;
 
+    /** Whether surfaces have holes. */
+    public final boolean hasMasks;
+
     /** Whether there is ultraviolet light, and something that shows it. */
     public final boolean hasUltraviolet;
 
@@ -170,8 +173,9 @@ public final class PhysicalScene {
         hasAbsorption = around != null
                 || Arrays.stream(compiled.glassSolids())
                         .anyMatch(id -> compiled.materials().inside(id).absorbs);
-        hasStraightGlass = StraightGlass.mayBeThere(compiled, accelerator, poll);
-        showsMirrored = compiled.materials().any(m -> !m.isGlass && m.isDelta && !m.isBlack)
+        hasMasks = compiled.materials().haveMasks();
+        hasStraightGlass = hasMasks || StraightGlass.mayBeThere(compiled, accelerator, poll);
+        showsMirrored = compiled.materials().any(m -> !m.isGlass && m.bsdf.hasDelta() && !m.isBlack)
                 || hasClearGlass(compiled)
                 || StraightGlass.hasPanes(compiled);
         lights = all.toArray(new PhysicalLight[0]);

@@ -113,7 +113,7 @@ final class Place implements DirectionChiSquare.Sampled {
 
     @Override
     public boolean sample(double u, double v, double choice, double[] out) {
-        if (!bsdf.sample(s, u, v, choice)) {
+        if (!bsdf.sample(s, u, v, choice) || s.delta) {
             return false;
         }
         out[0] = s.ix;

@@ -21,6 +21,8 @@ class ScatteringBatchTest {
                 new GlossyReflection(1, noMetal, false),
                 new GlossyReflection(0.5, Fresnel.SCHLICK, true),
                 new RoughDiffuse(0.7),
+                new SmoothCoating(1.5, true),
+                new RoughCoating(0.3, 1.5, true),
                 Lambert.INSTANCE);
     }
 

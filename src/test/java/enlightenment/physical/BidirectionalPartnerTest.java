@@ -37,6 +37,8 @@ class BidirectionalPartnerTest {
                 "background and lights",
                 "ball of wax",
                 "checkered metal, mirror and glass",
+                "coated",
+                "coated, mirror and glass",
                 "fog with a mirror and glass",
                 "glowing disk and triangle",
                 "glowing mirror and metal",

@@ -37,6 +37,7 @@ class LightPartnerTest {
             strings = {
                 "at most 2",
                 "background and lights",
+                "coated, mirror and glass",
                 "lights of all kinds",
                 "pane",
                 "point light behind a pane",

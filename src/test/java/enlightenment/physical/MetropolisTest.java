@@ -39,8 +39,8 @@ class MetropolisTest {
     private static final int[] LENGTHS = {1, 1000};
     private static final int COMPARISONS = 15;
 
-    private static final List<String> SOME =
-            List.of("lights of all kinds", "metals", "nested glass", "pane", "rough glass", "sphere light in a wall");
+    private static final List<String> SOME = List.of(
+            "coated", "lights of all kinds", "metals", "nested glass", "pane", "rough glass", "sphere light in a wall");
 
     static Stream<Arguments> scenesAndLengths() {
         return SOME.stream().flatMap(scene -> Arrays.stream(LENGTHS).mapToObj(length -> Arguments.of(scene, length)));

@@ -40,6 +40,8 @@ class NaivePartnerTest {
                 "background and lights",
                 "ball of wax",
                 "checkered metal, mirror and glass",
+                "coated",
+                "coated, mirror and glass",
                 "glowing disk and triangle",
                 "glowing tubes",
                 "fog with a mirror and glass",

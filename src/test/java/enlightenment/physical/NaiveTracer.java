@@ -71,7 +71,7 @@ final class NaiveTracer {
     /** Whether what the eye sees in mirrors and through glass that turns rays is black, but for what glows. */
     private final boolean leavesOutMirrored;
 
-    /** Metals of one colour have tables, which are made once. */
+    /** Metals and coats of one colour have tables, which are made once. */
     private final Map<List<Object>, NaiveReflector> metals = new ConcurrentHashMap<>();
 
     private final Map<List<Double>, NaiveBorder> borders = new ConcurrentHashMap<>();
@@ -244,7 +244,14 @@ final class NaiveTracer {
             path.mirrored();
             return NaiveColors.product(color(hit), radiance(hit.point(), on, scattered + 1, events, path));
         }
-        return reflected(reflector(material, hit), hit, d, scattered + 1, events, path);
+        NaiveReflector reflector = reflector(material, hit);
+        if (reflector instanceof NaiveCoat coat && coat.isSmooth()) {
+            double reflectance = coat.fresnel(Math.min(1, -d.dot(hit.normal())));
+            if (path.random.nextDouble() < reflectance) {
+                return mirrored(hit, hit.normal(), d, scattered, events, path);
+            }
+        }
+        return reflected(reflector, hit, d, scattered + 1, events, path);
     }
 
     static double[] color(NaiveScene.Hit hit) {
@@ -256,6 +263,11 @@ final class NaiveTracer {
             double[] color = color(hit);
             List<Object> key = List.of(g, color[0], color[1], color[2]);
             return metals.computeIfAbsent(key, any -> new NaiveReflector.Facets(color, g));
+        }
+        if (material instanceof Material.Coated c) {
+            double[] color = color(hit);
+            List<Object> key = List.of(c, color[0], color[1], color[2]);
+            return metals.computeIfAbsent(key, any -> new NaiveCoat(color, c));
         }
         double roughness = ((Material.Matte) material).roughness();
         return roughness > 0 ? new NaiveReflector.Rough(color(hit), roughness) : new NaiveReflector.Lambert(color(hit));

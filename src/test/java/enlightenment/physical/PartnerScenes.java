@@ -178,6 +178,18 @@ final class PartnerScenes {
                         .object(BALL, Material.Glossy.metal(linear(1, 0.9, 0.8), COPPER, 0.5))
                         .object(BLOCK, Material.Glossy.of(linear(0.9, 0.6, 0.3), 0.8)));
         scenes.put(
+                "coated",
+                room().light(CEILING)
+                        .object(BALL, new Material.Coated(linear(0.9, 0.5, 0.1), 0, 1.9, true, Rgb.BLACK, 0))
+                        .object(BLOCK, Material.Coated.of(linear(0.2, 0.9, 0.6), 0.5)));
+        scenes.put(
+                "coated, mirror and glass",
+                room().light(LAMP)
+                        .object(BALL, Material.Coated.of(linear(0.1, 0.5, 0.9), 0))
+                        .object(BLOCK, new Material.Coated(linear(0, 0.1, 0), 0, 3, false, Rgb.BLACK, 0))
+                        .object(ball(-0.5, 1.4, -0.3, 0.25), MIRROR)
+                        .object(ball(0.3, 1.2, -0.3, 0.25), GLASS));
+        scenes.put(
                 "metals that scatter once",
                 room().light(LAMP)
                         .object(BALL, new Material.Glossy(WHITE, 0.9, Optional.of(COPPER), false, Rgb.BLACK))

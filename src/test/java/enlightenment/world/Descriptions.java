@@ -99,6 +99,7 @@ public final class Descriptions {
                     Material.Matte.of(RED),
                     Material.Mirror.of(RED),
                     Material.Glossy.of(RED, 0.5),
+                    Material.Coated.of(RED, 0.5),
                     Material.Glass.of(RED, 1.5),
                     Material.Scattering.of(Medium.Colored.of(Rgb.gray(0.5), Rgb.gray(0.25))),
                     new Material.Fluorescent(RED, new WavelengthBand(300, 400), new WavelengthBand(500, 600), 0.5)));

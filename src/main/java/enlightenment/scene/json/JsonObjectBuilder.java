@@ -5,6 +5,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Transform;
+import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
@@ -113,6 +114,37 @@ final class JsonObjectBuilder {
     /** A texture that has a name, by that. */
     JsonObjectBuilder textureName(String key, Texture texture) {
         return text(key, names.of(texture));
+    }
+
+    /** A material by its name, or as it is. */
+    JsonObjectBuilder material(String key, Material m) {
+        return put(key, json(m, child(key)));
+    }
+
+    JsonObjectBuilder materials(String key, List<Material> all) {
+        List<JsonValue> items = new ArrayList<>();
+        all.forEach(m -> items.add(json(m, child(key, items.size()))));
+        return put(key, JsonValue.Arr.of(items));
+    }
+
+    private JsonValue json(Material m, JsonObjectBuilder p) {
+        String name = names.of(m);
+        if (name != null && !names.isAnimated(p.place)) {
+            return new JsonValue.Str(0, 0, name);
+        }
+        Materials.FAMILY.write(m, p);
+        return p.json();
+    }
+
+    /** A texture, or the number of its grey. */
+    JsonObjectBuilder share(String key, Texture texture) {
+        boolean isGrey = texture instanceof Texture.Solid s
+                && s.color() instanceof Rgb c
+                && Double.compare(c.r(), c.g()) == 0
+                && Double.compare(c.g(), c.b()) == 0;
+        return isGrey && names.of(texture) == null
+                ? number(key, ((Texture.Solid) texture).color().linear().r())
+                : put(key, child(key).text("texture", names.of(texture)).json());
     }
 
     JsonObjectBuilder imageFile(String key, Path file) {

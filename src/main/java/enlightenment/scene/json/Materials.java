@@ -1,9 +1,15 @@
 package enlightenment.scene.json;
 
+import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
+import enlightenment.material.Bump;
 import enlightenment.material.Conductor;
+import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
+import enlightenment.material.Metal;
+import enlightenment.material.Mix;
+import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.text.Plain;
@@ -24,8 +30,13 @@ final class Materials {
             .with(
                     "glossy",
                     Material.Glossy.class,
-                    "color roughness | eta k multipleScattering radiance ultraviolet",
+                    "roughness | color metal eta k multipleScattering radiance ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no glossy surfaces"))
+            .with(
+                    "coated",
+                    Material.Coated.class,
+                    "color | roughness indexOfRefraction nonlinear radiance ultraviolet",
+                    Map.of("receivesShadows", "belongs to classic shading, which has no coated surfaces"))
             .with(
                     "glass",
                     Material.Glass.class,
@@ -52,6 +63,14 @@ final class Materials {
                     "color absorption emission yield | radiance ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no fluorescent surfaces"));
 
+    static {
+        String why = "belongs to classic shading, which has no materials made of others";
+        FAMILY.with("mix", Mix.class, "materials weight |", Map.of("receivesShadows", why))
+                .with("mask", Mask.class, "of map |", Map.of("receivesShadows", why))
+                .with("normalMap", NormalMap.class, "of map |", Map.of("receivesShadows", why))
+                .with("bump", Bump.class, "of map height |", Map.of("receivesShadows", why));
+    }
+
     private Materials() {}
 
     private static Material read(String type, Fields f) {
@@ -59,9 +78,11 @@ final class Materials {
             case "matte" -> matte(f);
             case "mirror" -> mirror(f);
             case "glossy" -> glossy(f);
+            case "coated" -> coated(f);
             case "glass" -> glass(f);
             case "scattering" -> scattering(f);
             case "fluorescent" -> fluorescent(f);
+            case "mix", "mask", "normalMap", "bump" -> DetailedMaterials.read(type, f);
             default -> throw Family.unknown(type);
         };
     }
@@ -80,10 +101,17 @@ final class Materials {
                     .flagUnless(true, "receivesShadows", m.receivesShadows());
         } else if (value instanceof Material.Glossy g) {
             p.texture("color", g.color()).number("roughness", g.roughness());
-            g.conductor().ifPresent(c -> p.bands("eta", c.eta()).bands("k", c.k()));
+            g.conductor().ifPresent(c -> conductor(c, p));
             p.flagUnless(true, "multipleScattering", g.multipleScattering())
                     .bandsUnless(Rgb.BLACK, "radiance", g.radiance())
                     .numberUnless(0, "ultraviolet", g.ultraviolet());
+        } else if (value instanceof Material.Coated c) {
+            p.texture("color", c.color())
+                    .numberUnless(0, "roughness", c.roughness())
+                    .numberUnless(Material.Coated.USUAL_INDEX, "indexOfRefraction", c.indexOfRefraction())
+                    .flagUnless(false, "nonlinear", c.nonlinear())
+                    .bandsUnless(Rgb.BLACK, "radiance", c.radiance())
+                    .numberUnless(0, "ultraviolet", c.ultraviolet());
         } else if (value instanceof Material.Glass g) {
             p.texture("color", g.color())
                     .number("indexOfRefraction", g.indexOfRefraction())
@@ -107,7 +135,7 @@ final class Materials {
                     .bandsUnless(Rgb.BLACK, "radiance", d.radiance())
                     .numberUnless(0, "ultraviolet", d.ultraviolet());
         } else {
-            throw Family.unknown(value);
+            DetailedMaterials.write(value, p);
         }
     }
 
@@ -167,24 +195,50 @@ final class Materials {
     }
 
     private static Material glossy(Fields f) {
-        Texture color = Textures.color(f, "color");
+        boolean hasConstants = f.has("eta") || f.has("k");
+        if (!f.has("color") && !f.has("metal") && !hasConstants) {
+            f.problem("color", "missing; a glossy material needs it, or a \"metal\"");
+        }
+        Texture color = f.has("color") ? Textures.color(f, "color") : Texture.of(DisplayRgb.WHITE);
         double roughness = f.number("roughness");
         boolean several = f.flag("multipleScattering", true);
         Rgb radiance = radiance(f);
         double ultraviolet = f.number("ultraviolet", 0);
-        boolean isConductor = f.has("eta") || f.has("k");
-        Rgb eta = constant(f, "eta", isConductor);
-        Rgb k = constant(f, "k", isConductor);
+        Rgb eta = constant(f, "eta", hasConstants);
+        Rgb k = constant(f, "k", hasConstants);
+        Optional<Conductor> metal = metal(f, hasConstants);
         if (color == null) {
             return null;
         }
         return f.make(() -> new Material.Glossy(
                 color,
                 roughness,
-                isConductor ? Optional.of(new Conductor(eta, k)) : Optional.empty(),
+                hasConstants ? Optional.of(new Conductor(eta, k)) : metal,
                 several,
                 radiance,
                 ultraviolet));
+    }
+
+    /** The constants of the metal that has a name; empty without one, and after a problem. */
+    private static Optional<Conductor> metal(Fields f, boolean hasConstants) {
+        if (!f.has("metal")) {
+            return Optional.empty();
+        }
+        if (hasConstants) {
+            f.problem("metal", "must stand without \"eta\" and \"k\", which are the constants of another metal");
+        }
+        return Optional.ofNullable(f.word("metal", Metal.words(), null))
+                .flatMap(Metal::of)
+                .map(Metal::conductor);
+    }
+
+    private static void conductor(Conductor c, JsonObjectBuilder p) {
+        Optional<Metal> metal = Metal.of(c);
+        if (metal.isPresent()) {
+            p.text("metal", metal.get().word());
+        } else {
+            p.bands("eta", c.eta()).bands("k", c.k());
+        }
     }
 
     /** One of the two constants of a conductor. */
@@ -193,6 +247,18 @@ final class Materials {
             f.problem(key, "missing; \"eta\" and \"k\" belong together");
         }
         return f.bands(key, Rgb.WHITE);
+    }
+
+    private static Material coated(Fields f) {
+        Texture color = Textures.color(f, "color");
+        double roughness = f.number("roughness", 0);
+        double index = f.number("indexOfRefraction", Material.Coated.USUAL_INDEX);
+        boolean nonlinear = f.flag("nonlinear", false);
+        Rgb radiance = radiance(f);
+        double ultraviolet = f.number("ultraviolet", 0);
+        return color == null
+                ? null
+                : f.make(() -> new Material.Coated(color, roughness, index, nonlinear, radiance, ultraviolet));
     }
 
     private static Material glass(Fields f) {

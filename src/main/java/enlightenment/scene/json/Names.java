@@ -43,6 +43,8 @@ final class Names {
     /** In the format only a colour can stand where it is used: every other texture needs a name. */
     private void nameTexture(Material material) {
         nameTexture(material.color());
+        material.textures().forEach(this::nameTexture);
+        material.parts().forEach(this::nameTexture);
     }
 
     private void nameTexture(Texture texture) {

@@ -4,7 +4,9 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Reradiation;
+import enlightenment.bsdf.RoughCoating;
 import enlightenment.bsdf.Scattering;
+import enlightenment.bsdf.SmoothShading;
 import enlightenment.primitive.Hit;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.ray.PathFollower;
@@ -175,7 +177,11 @@ abstract class Subpath extends CarriedLight {
         bsdf = scatters;
         isBorder = false;
         survival = survival(most);
-        if (material.bsdf instanceof GlossyReflection metal && bsdf != Lambert.INSTANCE) {
+        Bsdf made = bsdf instanceof SmoothShading smooth ? smooth.inner() : bsdf;
+        if (made.hasDelta() || made instanceof RoughCoating) {
+            // A coat reflects what its base does not.
+            survival = survival(0.5 + 0.5 * most);
+        } else if (made instanceof GlossyReflection metal) {
             // Along the surface it reflects more.
             metal.reflectAtNormal(s);
             survival = survival(0.5 + 0.5 * Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
@@ -319,6 +325,7 @@ abstract class Subpath extends CarriedLight {
         if (!bsdf.sample(s, pair[0], pair[1], sampler.unit(address, choosing))) {
             return false;
         }
+        boolean wasFirst = isFirst;
         remember(s, !s.delta);
         weight[0] = s.valueR;
         weight[1] = s.valueG;
@@ -326,7 +333,11 @@ abstract class Subpath extends CarriedLight {
         if (s.delta) {
             counters.mirrorRays++;
             survival = survival(Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
-            densities.beyond = beyondDelta;
+            if (wasFirst) {
+                beginDensitiesOfDelta();
+            } else {
+                densities.beyond = beyondDelta;
+            }
             densities.pass(1);
         } else {
             leave(s);

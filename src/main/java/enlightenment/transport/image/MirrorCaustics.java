@@ -63,7 +63,7 @@ public final class MirrorCaustics implements PathStrategy {
 
     /** What gathers for a thread; null if the scene has no mirrors for it. */
     public static MirrorCaustics of(CompiledScene scene, RayCounters counters, PathFollower path) {
-        return scene.mirrorBalls == null ? null : new MirrorCaustics(scene, counters, path);
+        return scene.mirrorBalls == null || scene.physical.hasMasks ? null : new MirrorCaustics(scene, counters, path);
     }
 
     /** Forgets the path before. */

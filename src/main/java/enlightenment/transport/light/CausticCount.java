@@ -55,7 +55,12 @@ final class CausticCount {
 
     /** Whether it counts where it goes on to from lobes that it has come to. */
     boolean goesOn(Bsdf bsdf) {
-        return counts || bsdf.isDelta() || takesNarrow && bsdf.isNarrow() && pass.takesNarrow(light);
+        return counts || bsdf.hasDelta() || takesNarrow && bsdf.isNarrow() && pass.takesNarrow(light);
+    }
+
+    /** Whether it counts beyond the lobe that was sampled: beside a delta lobe others make no caustic. */
+    boolean countsBeyond(Bsdf bsdf, boolean isDelta) {
+        return counts || isDelta || !bsdf.hasDelta();
     }
 
     /** Whether it counts at these lobes already: others are what makes it count. */

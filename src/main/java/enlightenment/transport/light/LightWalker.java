@@ -175,7 +175,7 @@ abstract class LightWalker extends LightPathTracer {
         if (caustic.countsAt(bsdf) && !arrive(bsdf, s)) {
             return false;
         }
-        if (!bsdf.sample(s, unit(1), unit(2), unit(3))) {
+        if (!bsdf.sample(s, unit(1), unit(2), unit(3)) || !caustic.countsBeyond(bsdf, s.delta)) {
             return false;
         }
         caustic.leave(s.delta, path.at.hit, s.pdf);

@@ -266,6 +266,8 @@ public final class PathIntegrator extends EyePathTracer {
         boolean isNarrow = causticPass != null && causticPass.isNarrow(bsdf);
         // What comes to narrow lobes from narrow lobes is not shared with wide ones: the caustic pass makes it there.
         if (!isNarrow
+                && !bsdf.hasDelta()
+                && !path.at.isSmooth()
                 && cut != null
                 && path.surfaces < 2
                 && cut.noteRough(path, bsdf, s, value, physical.hasConstantEnvironment())) {

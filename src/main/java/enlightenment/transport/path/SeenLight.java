@@ -67,12 +67,15 @@ public final class SeenLight extends EyePathTracer {
             double weight = images.weight();
             value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
         }
-        if (material.isBlack || !material.isDelta || !path.mayScatter()) {
+        if (material.isBlack || !material.bsdf.hasDelta() || !path.mayScatter()) {
             return false;
         }
         path.color(material, surface);
-        path.scatter(ray, material, surface, 0, 0, 0);
-        return survives(sampler) && path.goesOn();
+        double choice = material.isDelta ? 0 : sampler.unit(address++, Sampler.Purpose.CHOICE);
+        return path.scatter(ray, material, surface, 0, 0, choice)
+                && path.isSpecular()
+                && survives(sampler)
+                && path.goesOn();
     }
 
     private boolean glass(Ray ray, Sampler sampler) {

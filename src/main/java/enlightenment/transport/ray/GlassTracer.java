@@ -108,6 +108,13 @@ public final class GlassTracer {
         return inside.size() == 0 && (found == 0 || found == 1 && !coincident.isGlass(0));
     }
 
+    /** Lets a ray that passes a hole start behind it: on nothing but the surface that the hole is in. */
+    void startBehindHole(Ray ray) {
+        coincident.startBehind(ray, false);
+        coincident.clear();
+        next = NONE;
+    }
+
     /** The ray is at no surface now. */
     void leaveSurfaces() {
         coincident.clear();

@@ -61,6 +61,15 @@ public final class PathFollower {
     /** No line meets more surfaces: a path that passes more of them straight is caught in a loop by rounding, and ends. */
     private final int maxStraight;
 
+    /** Whether there are surfaces with holes. */
+    private final boolean hasMasks;
+
+    /** How far the last ray went to the last of the holes that it passed. */
+    private double passed;
+
+    /** How far the ray goes, in lengths of its direction. */
+    private double limit = Double.MAX_VALUE;
+
     /** Whether the surface that the path is at coincides with the one before. */
     private boolean tookNext;
 
@@ -75,6 +84,7 @@ public final class PathFollower {
         around = scene.physical == null ? null : scene.physical.around;
         this.counters = counters;
         this.maxBounces = maxBounces;
+        hasMasks = scene.physical != null && scene.physical.hasMasks;
         maxStraight = scene.crossings;
         tracer = new Tracer(scene, counters);
         glass = new GlassTracer(scene, counters);
@@ -148,6 +158,27 @@ public final class PathFollower {
 
     /** Follows the ray to what it meets next. */
     public Event next(Ray ray) {
+        passed = 0;
+        Event event = meet(ray);
+        while (hasMasks && event == Event.SURFACE && isAtHole()) {
+            // Nothing is there: neither an event nor a bounce, but the path has left a surface behind.
+            passed += distanceOfHit(ray);
+            limit -= at.hit.t - ray.tMin;
+            tracer.limit = limit;
+            surfaces++;
+            Optics.pass(ray, at.hit);
+            glass.startBehindHole(ray);
+            event = ++straight > maxStraight ? Event.NOTHING : meet(ray);
+        }
+        return event;
+    }
+
+    private boolean isAtHole() {
+        SurfaceMaterial whole = scene.material(at.id, at.hit.face);
+        return whole.detail != null && at.isHole(whole);
+    }
+
+    private Event meet(Ray ray) {
         Hit hit = at.hit;
         int struck = glass.takeNext(hit);
         tookNext = struck >= 0;
@@ -222,6 +253,11 @@ public final class PathFollower {
         return true;
     }
 
+    /** Whether {@link #scatter} sampled a delta lobe. */
+    public boolean isSpecular() {
+        return scattering.delta;
+    }
+
     /** The opaque surface that the path is at, as a Bsdf wants it: with its colour, and without a direction to go on. */
     public Scattering arrive(Ray ray, double[] color) {
         Optics.arrive(scattering, ray, at);
@@ -254,6 +290,10 @@ public final class PathFollower {
 
     /** How far the ray went to what {@link #next} found: nowhere if that coincides with the glass that it left. */
     public double distance(Ray ray) {
+        return passed + distanceOfHit(ray);
+    }
+
+    private double distanceOfHit(Ray ray) {
         return tookNext ? 0 : (at.hit.t - ray.tMin) * Math.sqrt(ray.dd);
     }
 
@@ -261,9 +301,11 @@ public final class PathFollower {
      * The same for a ray that goes no further than this, in lengths of the frame: {@link Event#NOTHING} if it meets nothing on that way.
      */
     public Event next(Ray ray, double length) {
-        tracer.limit = Math.min(ray.tMin + length / Math.sqrt(ray.dd), Double.MAX_VALUE);
+        limit = Math.min(ray.tMin + length / Math.sqrt(ray.dd), Double.MAX_VALUE);
+        tracer.limit = limit;
         Event event = next(ray);
-        tracer.limit = Double.MAX_VALUE;
+        limit = Double.MAX_VALUE;
+        tracer.limit = limit;
         return event;
     }
 
@@ -278,9 +320,9 @@ public final class PathFollower {
         s.oy = -ray.dy * scale;
         s.oz = -ray.dz * scale;
         at.arriveInMedium(
-                Math.fma(-length, s.ox, Math.fma(ray.tMin, ray.dx, ray.ox)),
-                Math.fma(-length, s.oy, Math.fma(ray.tMin, ray.dy, ray.oy)),
-                Math.fma(-length, s.oz, Math.fma(ray.tMin, ray.dz, ray.oz)));
+                Math.fma(passed - length, s.ox, Math.fma(ray.tMin, ray.dx, ray.ox)),
+                Math.fma(passed - length, s.oy, Math.fma(ray.tMin, ray.dy, ray.oy)),
+                Math.fma(passed - length, s.oz, Math.fma(ray.tMin, ray.dz, ray.oz)));
         glass.leaveSurfaces();
     }
 

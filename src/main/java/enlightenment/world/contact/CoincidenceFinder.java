@@ -61,7 +61,7 @@ final class CoincidenceFinder {
     }
 
     private boolean isBorderOfGlass(int id, int face) {
-        return primitives[id].isSolid() && compiled.materials().of(id, face).isGlass;
+        return compiled.materials().of(id, face).isGlass && primitives[id].isSolid();
     }
 
     private Bounds bounds(int id) {

@@ -39,8 +39,8 @@ public final class StraightGlass {
     public static boolean hasPanes(CompiledPrimitives compiled) {
         for (int id = 0; id < compiled.primitives().length; id++) {
             Primitive p = compiled.primitives()[id];
-            for (int face = 0; !p.isSolid() && face < p.faceCount(); face++) {
-                if (compiled.materials().of(id, face).isGlass) {
+            for (int face = 0; face < p.faceCount(); face++) {
+                if (compiled.materials().of(id, face).isGlass && !p.isSolid()) {
                     return true;
                 }
             }

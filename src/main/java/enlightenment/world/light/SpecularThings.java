@@ -69,7 +69,7 @@ public final class SpecularThings {
 
     private static boolean hasFace(CompiledPrimitives compiled, int id, Predicate<SurfaceMaterial> such) {
         for (int face = 0; face < compiled.primitives()[id].faceCount(); face++) {
-            if (such.test(compiled.materials().of(id, face))) {
+            if (compiled.materials().of(id, face).any(such)) {
                 return true;
             }
         }
@@ -80,10 +80,10 @@ public final class SpecularThings {
         return material.bsdf.isNarrow() && !material.isBlack;
     }
 
-    /** Whether it is glass, or scatters light into single directions only; not a border that turns no ray. */
+    /** Whether it is glass, or has a delta lobe; not a border that turns no ray. */
     public static boolean isSharp(SurfaceMaterial material) {
         boolean turns = material.medium == null || material.indexOfRefraction != 1;
-        return material.isGlass && turns || !material.isGlass && material.isDelta && !material.isBlack;
+        return material.isGlass && turns || !material.isGlass && material.bsdf.hasDelta() && !material.isBlack;
     }
 
     /** Halves the primitives, by their places along the longer side of their box, until there are groups enough. */

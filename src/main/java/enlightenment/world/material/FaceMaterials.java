@@ -1,7 +1,9 @@
 package enlightenment.world.material;
 
 import java.util.Arrays;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.function.Predicate;
 
@@ -30,12 +32,21 @@ public final class FaceMaterials {
 
     /** Each of the materials once. */
     public List<SurfaceMaterial> distinct() {
-        return Arrays.stream(materials).distinct().toList();
+        Set<SurfaceMaterial> all = new LinkedHashSet<>();
+        for (SurfaceMaterial m : materials) {
+            m.any(part -> !all.add(part) && false);
+        }
+        return List.copyOf(all);
+    }
+
+    /** Whether some surface has holes. */
+    public boolean haveMasks() {
+        return Arrays.stream(materials).anyMatch(SurfaceMaterial::hasMask);
     }
 
     /** Whether some surface is of such a material. */
     public boolean any(Predicate<SurfaceMaterial> such) {
-        return Arrays.stream(materials).anyMatch(such);
+        return Arrays.stream(materials).anyMatch(m -> m.any(such));
     }
 
     /** What fills a solid of glass: the material of the first of its faces that is of glass; face 0 of another one. */

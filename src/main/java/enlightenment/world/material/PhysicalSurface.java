@@ -6,8 +6,10 @@ import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Microfacets;
 import enlightenment.bsdf.Reradiation;
+import enlightenment.bsdf.RoughCoating;
 import enlightenment.bsdf.RoughDielectric;
 import enlightenment.bsdf.RoughDiffuse;
+import enlightenment.bsdf.SmoothCoating;
 import enlightenment.bsdf.SmoothConductor;
 import enlightenment.bsdf.SmoothDielectric;
 import enlightenment.bsdf.SpecularReflection;
@@ -66,6 +68,8 @@ public record PhysicalSurface(
             look += " " + matte.roughness();
         } else if (material instanceof Material.Glossy glossy) {
             look += " " + glossy.roughness() + " " + glossy.conductor() + " " + glossy.multipleScattering();
+        } else if (material instanceof Material.Coated coated) {
+            look += " " + coated.roughness() + " " + coated.indexOfRefraction() + " " + coated.nonlinear();
         } else if (material instanceof Material.Fluorescent dye) {
             reradiation = dyes.of(dye);
             look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
@@ -101,7 +105,7 @@ public record PhysicalSurface(
         if (material instanceof Material.Matte matte) {
             return matte.roughness() == 0 ? Lambert.INSTANCE : new RoughDiffuse(matte.roughness());
         }
-        if (material instanceof Material.Fluorescent) {
+        if (material instanceof Material.Fluorescent || !material.parts().isEmpty()) {
             return Lambert.INSTANCE;
         }
         if (material instanceof Material.Mirror) {
@@ -116,6 +120,9 @@ public record PhysicalSurface(
                     ? new SmoothConductor(fresnel)
                     : new GlossyReflection(alpha, fresnel, glossy.multipleScattering());
         }
+        if (material instanceof Material.Coated coated) {
+            return coating(coated);
+        }
         if (material instanceof Material.Glass glass) {
             return border(glass.roughness(), glass.multipleScattering());
         }
@@ -123,6 +130,17 @@ public record PhysicalSurface(
             return border(scattering.roughness(), true);
         }
         throw new AssertionError("no physical form of the material " + material.type());
+    }
+
+    private static Bsdf coating(Material.Coated coated) {
+        double index = coated.indexOfRefraction();
+        if (index == 1) {
+            return Lambert.INSTANCE;
+        }
+        double alpha = coated.roughness() * coated.roughness();
+        return Microfacets.isSmooth(alpha)
+                ? new SmoothCoating(index, coated.nonlinear())
+                : new RoughCoating(alpha, index, coated.nonlinear());
     }
 
     private static Bsdf border(double roughness, boolean losesNothing) {

@@ -6,13 +6,11 @@ import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.SmoothShading;
 import enlightenment.bsdf.SpecularReflection;
-import enlightenment.color.Color;
-import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.material.Material;
-import enlightenment.material.Texture;
 import enlightenment.primitive.Ray;
 import enlightenment.texture.ImageTexture;
+import java.util.function.Predicate;
 
 /** A material as shading reads it: plain fields, textures loaded. */
 public final class SurfaceMaterial {
@@ -83,13 +81,10 @@ public final class SurfaceMaterial {
     /** What physical shading adds to the look of the material, as text. */
     private final String look;
 
-    private final double r;
-    private final double g;
-    private final double b;
-    private final double[] other;
-    private final double checks;
-    private final ImageTexture image;
-    private final boolean bilinear;
+    private final TextureLookup texture;
+
+    /** What must be known of a place before it is known what the surface is made of there; null for most. */
+    public final SurfaceDetail detail;
 
     /** A material of classic shading, whose colours are display-referred. */
     public SurfaceMaterial(Material material, ImageTexture image) {
@@ -98,7 +93,12 @@ public final class SurfaceMaterial {
 
     /** A material of physical shading, whose colours are linear, as those of the image must be. */
     public SurfaceMaterial(Material material, ImageTexture image, PhysicalSurface physical) {
-        this.image = image;
+        this(material, image, physical, null);
+    }
+
+    /** A material of physical shading that has detail, which says what it is made of. */
+    public SurfaceMaterial(Material material, ImageTexture image, PhysicalSurface physical, SurfaceDetail detail) {
+        this.detail = detail;
         description = material;
         receivesShadows = material.receivesShadows();
         if (material instanceof Material.Glass glass) {
@@ -121,36 +121,10 @@ public final class SurfaceMaterial {
         isDelta = bsdf.isDelta();
         isGlass = bsdf.transmits();
         smooth = isGlass ? null : new SmoothShading(bsdf);
-        Texture texture = material.color();
-        double[] first = {0, 0, 0};
-        double[] second = null;
-        double scale = 0;
-        boolean smooth = false;
-        if (texture instanceof Texture.Solid solid) {
-            first = numbers(solid.color(), physical);
-        } else if (texture instanceof Texture.Checker checker) {
-            first = numbers(checker.colors().get(0), physical);
-            second = numbers(checker.colors().get(1), physical);
-            scale = checker.scale();
-        } else if (texture instanceof Texture.File file) {
-            smooth = file.filter() == Texture.Filter.BILINEAR;
-        } else {
-            throw new AssertionError("no compiled form of the texture " + texture);
-        }
-        r = first[0];
-        g = first[1];
-        b = first[2];
-        other = second;
-        checks = scale;
-        bilinear = smooth;
+        texture = new TextureLookup(material.color(), image, physical != null);
         PhysicalSurface p = physical == null ? PhysicalSurface.NONE : physical;
         reradiation = p.reradiation();
-        isBlack = texture instanceof Texture.Solid
-                && r == 0
-                && g == 0
-                && b == 0
-                && reradiation == null
-                && !bsdf.reflectsIfBlack();
+        isBlack = detail == null && texture.isBlack() && reradiation == null && !bsdf.reflectsIfBlack();
         look = physical == null ? "" : p.look() + " ";
         medium = p.medium();
         glowR = p.glow().r();
@@ -165,15 +139,6 @@ public final class SurfaceMaterial {
         absorbs = absorptionR > 0 || absorptionG > 0 || absorptionB > 0;
     }
 
-    private static double[] numbers(Color color, PhysicalSurface physical) {
-        if (physical == null) {
-            DisplayRgb c = color.display();
-            return new double[] {c.r(), c.g(), c.b()};
-        }
-        Rgb c = color.linear();
-        return new double[] {c.r(), c.g(), c.b()};
-    }
-
     /** Whether it emits visible light. */
     public boolean glowsVisibly() {
         return glowR > 0 || glowG > 0 || glowB > 0;
@@ -182,6 +147,43 @@ public final class SurfaceMaterial {
     /** The radiance that it emits. */
     public Rgb glow() {
         return new Rgb(glowR, glowG, glowB);
+    }
+
+    /** Whether it, or what it may be made of at some place, is such. */
+    public boolean any(Predicate<SurfaceMaterial> such) {
+        if (detail == null) {
+            return such.test(this);
+        }
+        for (SurfaceMaterial part : detail.parts()) {
+            if (part.any(such)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether there may be holes in it. */
+    boolean hasMask() {
+        if (detail == null) {
+            return false;
+        }
+        boolean has = detail.isMask();
+        for (SurfaceMaterial part : detail.parts()) {
+            has |= part.hasMask();
+        }
+        return has;
+    }
+
+    /** Whether it turns normals by a texture. */
+    public boolean turnsNormals() {
+        if (detail == null) {
+            return false;
+        }
+        boolean turns = detail.turnsNormal();
+        for (SurfaceMaterial part : detail.parts()) {
+            turns |= part.turnsNormals();
+        }
+        return turns;
     }
 
     /** Whether it emits to a side ({@link enlightenment.primitive.Hit#side}). */
@@ -201,19 +203,17 @@ public final class SurfaceMaterial {
 
     /** Whether the colour depends on texture coordinates. */
     public boolean isTextured() {
-        return image != null || other != null;
+        return texture.isTextured();
     }
 
     /** Whether the colour comes from an image. */
     public boolean hasImage() {
-        return image != null;
+        return texture.hasImage();
     }
 
     /** Writes the colour of an untextured surface. */
     public void color(double[] rgb) {
-        rgb[0] = r;
-        rgb[1] = g;
-        rgb[2] = b;
+        texture.color(rgb);
     }
 
     /**
@@ -234,34 +234,15 @@ public final class SurfaceMaterial {
      * @param wraps whether u is periodic, so that 0 and 1 are the same place
      */
     public void color(double u, double v, boolean wraps, double[] rgb) {
-        if (image != null) {
-            if (bilinear) {
-                image.bilinear(u, v, wraps, rgb);
-            } else {
-                image.nearest(u, v, rgb);
-            }
-        } else if (other != null && odd(u) != odd(v)) {
-            rgb[0] = other[0];
-            rgb[1] = other[1];
-            rgb[2] = other[2];
-        } else {
-            color(rgb);
-        }
-    }
-
-    private boolean odd(double coordinate) {
-        // The far edge belongs to the last square.
-        double square = Math.min(Math.floor(coordinate * checks), Math.ceil(checks) - 1);
-        return ((long) square & 1) != 0;
+        texture.color(u, v, wraps, rgb);
     }
 
     /** A text that is equal for materials that look the same, on every machine and wherever their image files are. */
     public String appearance() {
-        Texture texture = description.color();
-        String color = texture instanceof Texture.File file
-                ? "image " + image.fingerprint() + " " + file.filter() + " " + file.encoding()
-                : texture.toString();
-        return look + description.type() + " " + color + " " + receivesShadows + " " + indexOfRefraction + " "
+        if (detail != null) {
+            return description.type() + " " + detail.look();
+        }
+        return look + description.type() + " " + texture.look() + " " + receivesShadows + " " + indexOfRefraction + " "
                 + transparency + " " + priority;
     }
 }

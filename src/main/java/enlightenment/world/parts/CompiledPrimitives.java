@@ -90,7 +90,7 @@ public record CompiledPrimitives(
         int[] glass = new int[primitives.length];
         int n = 0;
         for (int i = 0; i < primitives.length; i++) {
-            if (primitives[i].isSolid() && materials.inside(i).isGlass) {
+            if (materials.inside(i).isGlass && primitives[i].isSolid()) {
                 glass[n++] = i;
             }
         }

@@ -4,6 +4,7 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.world.CompiledScene;
+import enlightenment.world.material.SurfaceDetail;
 import enlightenment.world.material.SurfaceMaterial;
 
 /**
@@ -24,6 +25,11 @@ public final class SurfaceInteraction {
     /** The material of the face; null in a medium. */
     public SurfaceMaterial material;
 
+    /** Whether the hit's shading normal has been turned by a texture. */
+    private boolean isTurned;
+
+    private final double[] scratch = new double[3];
+
     /** How the face scatters light; null in a medium. */
     public Bsdf bsdf;
 
@@ -40,9 +46,13 @@ public final class SurfaceInteraction {
     public void arrive(CompiledScene scene, int atId) {
         id = atId;
         material = scene.material(atId, hit.face);
+        isTurned = false;
+        while (material.detail != null) {
+            resolve(material.detail);
+        }
         light = material.glows && scene.physical != null ? scene.physical.lightOf(atId, hit.face) : NO_LIGHT;
         bsdf = material.bsdf;
-        if (material.smooth != null && hit.primitive.shadingNormal(hit)) {
+        if (material.smooth != null && (isTurned || hit.primitive.shadingNormal(hit))) {
             bsdf = material.smooth;
             nx = hit.sx * hit.side;
             ny = hit.sy * hit.side;
@@ -52,6 +62,30 @@ public final class SurfaceInteraction {
         nx = hit.nx * hit.side;
         ny = hit.ny * hit.side;
         nz = hit.nz * hit.side;
+    }
+
+    /** Finds what is there of a material with detail. */
+    private void resolve(SurfaceDetail detail) {
+        if (detail.turnsNormal()) {
+            if (!isTurned && !hit.primitive.shadingNormal(hit)) {
+                hit.shadeByOwnNormal();
+            }
+            isTurned = true;
+            detail.turn(hit, scratch);
+        }
+        material = detail.at(hit, scratch);
+    }
+
+    /** Whether the surface, of this material, has a hole there: there is nothing then. */
+    public boolean isHole(SurfaceMaterial of) {
+        SurfaceMaterial m = of;
+        while (m.detail != null) {
+            if (m.detail.isMask() && m.detail.isHole(hit, scratch)) {
+                return true;
+            }
+            m = m.detail.at(hit, scratch);
+        }
+        return false;
     }
 
     /** Places it at a point of a medium. */
@@ -71,6 +105,11 @@ public final class SurfaceInteraction {
         nx = 0;
         ny = 0;
         nz = 0;
+    }
+
+    /** Whether the shading normal is not that of the surface itself. */
+    public boolean isSmooth() {
+        return bsdf != material.bsdf;
     }
 
     /** Whether the surface emits light towards where the path came from. */

@@ -400,6 +400,28 @@ final class BadDocuments {
                     "classic shading"),
             edit("\"k\": [3.91, 2.45, 2.14],", "", "/materials/copper/k", "\"eta\" and \"k\" belong together"),
             edit("\"eta\": [0.2, 0.92, 1.1], ", "", "/materials/copper/eta", "\"eta\" and \"k\" belong together"),
+            edit(
+                    "\"color\": \"#ffeeff\", \"roughness\": 0.375, \"eta\": [0.2, 0.92, 1.1], \"k\": [3.91, 2.45, 2.14],",
+                    "\"roughness\": 0.375,",
+                    "/materials/copper/color",
+                    "missing; a glossy material needs it, or a \"metal\""),
+            edit(
+                    "\"roughness\": 0.375,",
+                    "\"roughness\": 0.375, \"metal\": \"gold\",",
+                    "/materials/copper/metal",
+                    "must stand without \"eta\" and \"k\""),
+            edit(
+                    "\"eta\": [0.2, 0.92, 1.1], \"k\": [3.91, 2.45, 2.14],",
+                    "\"metal\": \"Gold\",",
+                    "/materials/copper/metal",
+                    "did you mean \"gold\"?"),
+            edit("\"roughness\": 0.6875", "\"roughness\": 1.25", "/materials/varnish/roughness", "0.0..1.0, not 1.25"),
+            edit(
+                    "\"indexOfRefraction\": 1.75",
+                    "\"indexOfRefraction\": 0.75",
+                    "/materials/varnish/indexOfRefraction",
+                    "1.0..10.0, not 0.75"),
+            edit("\"nonlinear\": true", "\"nonlinear\": 1", "/materials/varnish/nonlinear", "true or false"),
             edit("[0.25, 0.5, 1]", "[0.25, 0.5]", "/materials/ember/color/linear", "three numbers"),
             edit("\"tone\": \"filmic\"", "\"tone\": \"film\"", "/display/tone", "did you mean \"filmic\"?"),
             edit("\"exposure\": -0.5", "\"exposure\": 2000", "/display/exposure", "-1000.0..1000.0, not 2000.0"),

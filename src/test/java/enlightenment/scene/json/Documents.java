@@ -40,7 +40,7 @@ final class Documents {
                   "dispersion": 36.5, "receivesShadows": true },
                 "ember": { "type": "matte", "color": { "linear": [0.25, 0.5, 1] }, "roughness": 0.625, "radiance": [4, 2, 0], "ultraviolet": 2.5 },
                 "copper": { "type": "glossy", "color": "#ffeeff", "roughness": 0.375, "eta": [0.2, 0.92, 1.1], "k": [3.91, 2.45, 2.14],
-                  "multipleScattering": false, "radiance": 1.5, "ultraviolet": 0.25 },
+                  "multipleScattering": false, "radiance": 1.5, "ultraviolet": 0.25 }, "varnish": { "type": "coated", "color": "#804020", "roughness": 0.6875, "indexOfRefraction": 1.75, "nonlinear": true, "radiance": 0.375, "ultraviolet": 0.125 },
                 "wax": { "type": "scattering", "color": "#f0e0c0", "meanFreePath": [0.3, 0.2, 0.1], "anisotropy": 0.375,
                   "indexOfRefraction": 1.44, "roughness": 0.125, "priority": 3 },
                 "milk": { "type": "scattering", "scatteringCoefficient": [6, 5, 4], "absorptionCoefficient": 0.125 },

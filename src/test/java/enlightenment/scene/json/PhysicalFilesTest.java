@@ -12,6 +12,7 @@ import enlightenment.light.Light;
 import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
+import enlightenment.material.Metal;
 import enlightenment.material.Texture;
 import enlightenment.scene.Background;
 import enlightenment.scene.Display;
@@ -19,6 +20,7 @@ import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException.Problem;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -91,6 +93,16 @@ class PhysicalFilesTest {
                 "\"type\": \"glossy\", \"color\": \"#fff\", \"roughness\": 0.25, \"eta\": 0.5, \"k\": [3, 2, 1]");
         assertEquals(Optional.of(new Conductor(Rgb.gray(0.5), new Rgb(3, 2, 1))), metal.conductor());
         assertTrue(metal.multipleScattering());
+    }
+
+    @Test
+    void metalsHaveNames() {
+        for (Metal metal : Metal.values()) {
+            Material.Glossy named = Material.Glossy.metal(Texture.of(DisplayRgb.WHITE), metal.conductor(), 0.25);
+            for (String word : List.of(metal.word(), metal.symbol())) {
+                assertEquals(named, material("\"type\": \"glossy\", \"roughness\": 0.25, \"metal\": \"" + word + "\""));
+            }
+        }
     }
 
     @Test

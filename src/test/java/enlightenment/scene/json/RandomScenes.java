@@ -22,6 +22,7 @@ import enlightenment.light.Light;
 import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
+import enlightenment.material.Metal;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
@@ -349,6 +350,17 @@ final class RandomScenes {
                 || material instanceof Material.Glass glass && glass.roughness() > 0;
     }
 
+    private Optional<Conductor> conductor() {
+        switch (random.nextInt(3)) {
+            case 0:
+                return Optional.empty();
+            case 1:
+                return Optional.of(Metal.values()[random.nextInt(Metal.values().length)].conductor());
+            default:
+                return Optional.of(new Conductor(new Rgb(positive(), positive(), positive()), radiance()));
+        }
+    }
+
     private Shape shape() {
         ExactPoint o = point();
         Vec3 u = vector();
@@ -420,21 +432,13 @@ final class RandomScenes {
                 ? Texture.of(surfaceColor())
                 : named.get(random.nextInt(named.size()));
         boolean shadows = isPhysical || random.nextBoolean();
-        switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 6 : 5)) {
+        switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 7 : 6)) {
             case 0:
                 return new Material.Matte(color, shadows, random.nextBoolean() ? 0 : unit(), radiance(), ultraviolet());
             case 1:
                 return new Material.Mirror(color, shadows, radiance(), ultraviolet());
             case 3:
-                return new Material.Glossy(
-                        color,
-                        unit(),
-                        random.nextBoolean()
-                                ? Optional.empty()
-                                : Optional.of(new Conductor(new Rgb(positive(), positive(), positive()), radiance())),
-                        random.nextBoolean(),
-                        radiance(),
-                        ultraviolet());
+                return new Material.Glossy(color, unit(), conductor(), random.nextBoolean(), radiance(), ultraviolet());
             case 4:
                 return new Material.Scattering(
                         retry(this::medium),
@@ -442,6 +446,14 @@ final class RandomScenes {
                         random.nextBoolean() ? 0 : unit(),
                         random.nextBoolean() ? 0 : random.nextInt());
             case 5:
+                return new Material.Coated(
+                        color,
+                        random.nextBoolean() ? 0 : unit(),
+                        random.nextBoolean() ? Material.Coated.USUAL_INDEX : 1 + 9 * unit(),
+                        random.nextBoolean(),
+                        radiance(),
+                        ultraviolet());
+            case 6:
                 return retry(() -> new Material.Fluorescent(
                         color, wavelengths(), wavelengths(), unit(), radiance(), ultraviolet()));
             default:

@@ -88,6 +88,7 @@ class SceneReaderTest {
                 false,
                 Rgb.gray(1.5),
                 0.25);
+        Material varnish = new Material.Coated(plain(128, 64, 32), 0.6875, 1.75, true, Rgb.gray(0.375), 0.125);
         Material wax = new Material.Scattering(
                 new Medium.Colored(DisplayRgb.ofBytes(0xf0, 0xe0, 0xc0), new Rgb(0.3, 0.2, 0.1), 0.375),
                 1.44,
@@ -103,8 +104,8 @@ class SceneReaderTest {
                 0.75);
         assertEquals(
                 Map.of(
-                        "ice", matte, "chrome", chrome, "glass", glass, "ember", ember, "copper", copper, "wax", wax,
-                        "milk", milk, "marker", marker),
+                        "ice", matte, "chrome", chrome, "glass", glass, "ember", ember, "copper", copper, "varnish",
+                        varnish, "wax", wax, "milk", milk, "marker", marker),
                 s.materials());
         assertEquals(new Display(-0.5, Tone.FILMIC), s.display());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());

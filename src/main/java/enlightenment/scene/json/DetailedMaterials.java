@@ -1,0 +1,91 @@
+package enlightenment.scene.json;
+
+import enlightenment.color.Rgb;
+import enlightenment.material.Bump;
+import enlightenment.material.Mask;
+import enlightenment.material.Material;
+import enlightenment.material.Mix;
+import enlightenment.material.NormalMap;
+import enlightenment.material.Texture;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Materials that are made of others. */
+final class DetailedMaterials {
+    private static final String SHARE = "a number in 0..1, or {\"texture\": NAME}";
+
+    private DetailedMaterials() {}
+
+    static Material read(String type, Fields f) {
+        if (type.equals("mix")) {
+            return mix(f);
+        }
+        Material of = f.has("of") ? Materials.use(f.get("of"), f.at("of"), f.values()) : null;
+        Texture map = type.equals("mask") ? share(f, "map") : texture(f, "map");
+        double height = f.number("height", 0);
+        if (of == null || map == null) {
+            return null;
+        }
+        return f.make(() -> switch (type) {
+            case "mask" -> new Mask(of, map);
+            case "normalMap" -> new NormalMap(of, map);
+            case "bump" -> new Bump(of, map, height);
+            default -> throw Family.unknown(type);
+        });
+    }
+
+    private static Material mix(Fields f) {
+        List<Material> parts = new ArrayList<>();
+        JsonValue v = f.get("materials");
+        JsonValue.Arr a = v == null ? null : f.values().array(v, f.at("materials"), 2, "an array of two materials");
+        for (int i = 0; a != null && i < 2; i++) {
+            parts.add(Materials.use(a.get(i), f.at("materials").child(i), f.values()));
+        }
+        Texture weight = share(f, "weight");
+        return a == null || parts.contains(null) || weight == null
+                ? null
+                : f.make(() -> new Mix(parts.get(0), parts.get(1), weight));
+    }
+
+    /** A number as a texture of one grey, or a texture; null after a problem. */
+    private static Texture share(Fields f, String key) {
+        if (f.get(key) instanceof JsonValue.Num) {
+            double share = f.number(key);
+            if (!(share >= 0 && share <= 1)) {
+                f.problem(key, "must lie in 0..1, not " + share);
+                return null;
+            }
+            return Texture.of(Rgb.gray(share));
+        }
+        return texture(f, key);
+    }
+
+    private static Texture texture(Fields f, String key) {
+        if (!f.has(key)) {
+            return null;
+        }
+        if (!(f.get(key) instanceof JsonValue.Obj)) {
+            f.problem(
+                    key,
+                    "must be " + (key.equals("weight") ? SHARE : "{\"texture\": NAME}") + ", not "
+                            + f.get(key).describe());
+            return null;
+        }
+        Fields reference = Fields.of(f.get(key), f.at(key), Vocabulary.TEXTURE_REFERENCE, f.values());
+        return reference == null || !reference.has("texture") ? null : Textures.named(reference);
+    }
+
+    static void write(Material value, JsonObjectBuilder p) {
+        if (value instanceof Mix mix) {
+            p.materials("materials", mix.parts()).share("weight", mix.weight());
+        } else if (value instanceof Mask mask) {
+            p.material("of", mask.of()).share("map", mask.map());
+        } else if (value instanceof NormalMap normals) {
+            p.material("of", normals.of()).texture("map", normals.map());
+        } else if (value instanceof Bump bump) {
+            p.material("of", bump.of()).texture("map", bump.map()).number("height", bump.height());
+        } else {
+            throw Family.unknown(value);
+        }
+    }
+}

@@ -1,0 +1,149 @@
+package enlightenment.world.material;
+
+import enlightenment.primitive.Hit;
+import enlightenment.sampling.Hash;
+
+/**
+ * What a material does at a place before it is known what the surface is made of there: it may be one of two, nothing at all, or turn the
+ * normal. Immutable.
+ *
+ * <p>Chance is a hash of the place: whoever comes there by whichever way finds the same.
+ */
+public final class SurfaceDetail {
+    /** The kinds of detail. */
+    enum Kind {
+        MIX,
+        MASK,
+        NORMAL_MAP,
+        BUMP
+    }
+
+    private static final long MIX_NUMBER = 0x6d69780000000001L;
+    private static final long MASK_NUMBER = 0x6d61736b00000001L;
+
+    private final Kind kind;
+    private final SurfaceMaterial first;
+
+    /** The second material of a mix, else null. */
+    private final SurfaceMaterial second;
+
+    private final TextureLookup map;
+    private final double height;
+
+    private SurfaceDetail(Kind kind, SurfaceMaterial first, SurfaceMaterial second, TextureLookup map, double height) {
+        this.kind = kind;
+        this.first = first;
+        this.second = second;
+        this.map = map;
+        this.height = height;
+    }
+
+    /** One of two, by chance: the second with the probability that a texture has. */
+    public static SurfaceDetail mix(SurfaceMaterial first, SurfaceMaterial second, TextureLookup weight) {
+        return new SurfaceDetail(Kind.MIX, first, second, weight, 0);
+    }
+
+    /** There with the probability that a texture has, else a hole. */
+    public static SurfaceDetail mask(SurfaceMaterial of, TextureLookup alpha) {
+        return new SurfaceDetail(Kind.MASK, of, null, alpha, 0);
+    }
+
+    /** With a normal that a texture has, in the basis of the texture's own directions. */
+    public static SurfaceDetail normalMap(SurfaceMaterial of, TextureLookup map) {
+        return new SurfaceDetail(Kind.NORMAL_MAP, of, null, map, 0);
+    }
+
+    /** With the normal of a surface that is as high above this one as a texture says, times a height. */
+    public static SurfaceDetail bump(SurfaceMaterial of, TextureLookup map, double height) {
+        return new SurfaceDetail(Kind.BUMP, of, null, map, height);
+    }
+
+    /** The materials that it may come to. */
+    public SurfaceMaterial[] parts() {
+        return second == null ? new SurfaceMaterial[] {first} : new SurfaceMaterial[] {first, second};
+    }
+
+    /** Whether it turns normals. */
+    public boolean turnsNormal() {
+        return kind == Kind.NORMAL_MAP || kind == Kind.BUMP;
+    }
+
+    /** Whether it may leave holes. */
+    public boolean isMask() {
+        return kind == Kind.MASK;
+    }
+
+    /** What the surface is made of at a place, which may have detail of its own. */
+    public SurfaceMaterial at(Hit hit, double[] scratch) {
+        return kind == Kind.MIX && number(hit, MIX_NUMBER) < value(hit, scratch) ? second : first;
+    }
+
+    /** Whether there is a hole in a mask. */
+    public boolean isHole(Hit hit, double[] scratch) {
+        return number(hit, MASK_NUMBER) >= value(hit, scratch);
+    }
+
+    private static double number(Hit hit, long purpose) {
+        return Hash.unit(Hash.of(
+                purpose + Double.doubleToLongBits(hit.px),
+                Double.doubleToLongBits(hit.py),
+                Double.doubleToLongBits(hit.pz)));
+    }
+
+    /** The mean of a texture's colours at a hit, 0..1 where they are. */
+    private double value(Hit hit, double[] scratch) {
+        if (map.isTextured()) {
+            hit.primitive.textureCoordinates(hit);
+        }
+        return value(hit.u, hit.v, hit, scratch);
+    }
+
+    private double value(double u, double v, Hit hit, double[] rgb) {
+        if (map.isTextured()) {
+            map.color(u, v, hit.primitive.repeatsTextures(), rgb);
+        } else {
+            map.color(rgb);
+        }
+        return (rgb[0] + rgb[1] + rgb[2]) / 3;
+    }
+
+    /**
+     * Turns a hit's shading normal.
+     *
+     * @param hit with a shading normal, and the directions of its texture
+     * @return whether it is turned, to a normal on the same side of the surface
+     */
+    public boolean turn(Hit hit, double[] scratch) {
+        if (!map.isTextured() || !hit.primitive.textureDirections(hit)) {
+            return false;
+        }
+        hit.primitive.textureCoordinates(hit);
+        return kind == Kind.BUMP ? turnByHeights(hit, scratch) : turnByNormals(hit, scratch);
+    }
+
+    /** The texture's red and green are the slopes along u to the right and v upwards, its blue the normal: each from −1 to 1. */
+    private boolean turnByNormals(Hit hit, double[] rgb) {
+        map.color(hit.u, hit.v, hit.primitive.repeatsTextures(), rgb);
+        double x = 2 * rgb[0] - 1;
+        double y = 2 * rgb[1] - 1;
+        double z = 2 * rgb[2] - 1;
+        return hit.turnShadingNormal(x, y, z);
+    }
+
+    /** J. Blinn, "Simulation of wrinkled surfaces", 1978: the slopes are differences over a texel. */
+    private boolean turnByHeights(Hit hit, double[] rgb) {
+        double d = map.texel() / 2;
+        if (!(d > 0)) {
+            return false;
+        }
+        double alongU = (value(hit.u + d, hit.v, hit, rgb) - value(hit.u - d, hit.v, hit, rgb)) / (2 * d);
+        double alongV = (value(hit.u, hit.v - d, hit, rgb) - value(hit.u, hit.v + d, hit, rgb)) / (2 * d);
+        return hit.turnShadingNormal(-height * alongU / hit.lengthU(), -height * alongV / hit.lengthV(), 1);
+    }
+
+    /** A text that is equal for details that look the same. */
+    String look() {
+        return kind + " " + map.look() + " " + height + " [" + first.appearance() + "]"
+                + (second == null ? "" : " [" + second.appearance() + "]");
+    }
+}

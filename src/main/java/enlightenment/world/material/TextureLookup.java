@@ -1,0 +1,122 @@
+package enlightenment.world.material;
+
+import enlightenment.color.Color;
+import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
+import enlightenment.material.Texture;
+import enlightenment.texture.ImageTexture;
+
+/** A texture ready to be looked up: one colour, a checkerboard, or an image. Immutable. */
+public final class TextureLookup {
+    private final Texture description;
+    private final double r;
+    private final double g;
+    private final double b;
+
+    /** The second colour of a checkerboard; null for others. */
+    private final double[] other;
+
+    private final double checks;
+    private final ImageTexture image;
+    private final boolean bilinear;
+
+    /**
+     * @param image the picture of a texture in a file, else null
+     * @param isLinear whether colours are linear light, else display-referred
+     */
+    public TextureLookup(Texture texture, ImageTexture image, boolean isLinear) {
+        description = texture;
+        this.image = image;
+        double[] first = {0, 0, 0};
+        double[] second = null;
+        double scale = 0;
+        boolean smooth = false;
+        if (texture instanceof Texture.Solid solid) {
+            first = numbers(solid.color(), isLinear);
+        } else if (texture instanceof Texture.Checker checker) {
+            first = numbers(checker.colors().get(0), isLinear);
+            second = numbers(checker.colors().get(1), isLinear);
+            scale = checker.scale();
+        } else if (texture instanceof Texture.File file) {
+            smooth = file.filter() == Texture.Filter.BILINEAR;
+        } else {
+            throw new AssertionError("no compiled form of the texture " + texture);
+        }
+        r = first[0];
+        g = first[1];
+        b = first[2];
+        other = second;
+        checks = scale;
+        bilinear = smooth;
+    }
+
+    private static double[] numbers(Color color, boolean isLinear) {
+        if (!isLinear) {
+            DisplayRgb c = color.display();
+            return new double[] {c.r(), c.g(), c.b()};
+        }
+        Rgb c = color.linear();
+        return new double[] {c.r(), c.g(), c.b()};
+    }
+
+    /** Whether it is black everywhere, as far as can be told without looking at an image. */
+    boolean isBlack() {
+        return description instanceof Texture.Solid && r == 0 && g == 0 && b == 0;
+    }
+
+    /** Whether it depends on texture coordinates. */
+    public boolean isTextured() {
+        return image != null || other != null;
+    }
+
+    /** Whether it is an image. */
+    public boolean hasImage() {
+        return image != null;
+    }
+
+    /** The distance of two columns, or of two rows if there are more of them, in texture coordinates; 0 without an image. */
+    double texel() {
+        return image == null ? 0 : 1.0 / Math.max(image.width(), image.height());
+    }
+
+    /** Writes the colour of one that is not textured. */
+    public void color(double[] rgb) {
+        rgb[0] = r;
+        rgb[1] = g;
+        rgb[2] = b;
+    }
+
+    /**
+     * Writes the colour at texture coordinates.
+     *
+     * @param wraps whether u is periodic, so that 0 and 1 are the same place
+     */
+    public void color(double u, double v, boolean wraps, double[] rgb) {
+        if (image != null) {
+            if (bilinear) {
+                image.bilinear(u, v, wraps, rgb);
+            } else {
+                image.nearest(u, v, rgb);
+            }
+        } else if (other != null && odd(u) != odd(v)) {
+            rgb[0] = other[0];
+            rgb[1] = other[1];
+            rgb[2] = other[2];
+        } else {
+            color(rgb);
+        }
+    }
+
+    private boolean odd(double coordinate) {
+        // The far edge belongs to the last square.
+        double square = Math.min(Math.floor(coordinate * checks), Math.ceil(checks) - 1);
+        return ((long) square & 1) != 0;
+    }
+
+    /** A text that is equal for textures that look the same, on every machine and wherever their image files are. */
+    String look() {
+        return description instanceof Texture.File file
+                ? "image " + image.fingerprint() + " " + file.filter() + " " + file.encoding()
+                : description.toString();
+    }
+}

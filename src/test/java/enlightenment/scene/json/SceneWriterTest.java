@@ -1,19 +1,26 @@
 package enlightenment.scene.json;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Transform;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
+import enlightenment.mesh.MeshFiles;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Animation;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneException;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.math.BigDecimal;
@@ -21,6 +28,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +36,9 @@ import org.junit.jupiter.api.io.TempDir;
 class SceneWriterTest {
     @TempDir
     Path folder;
+
+    private static final TriangleMesh CORNER =
+            TriangleMesh.of(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
 
     private static SceneBuilder scene() {
         return Scene.builder().camera(new Camera.Isometric(ExactPoint.ORIGIN, 5));
@@ -140,6 +151,35 @@ class SceneWriterTest {
         assertEquals(scene, SceneReader.read(file));
     }
 
+    /** As a mesh is sent to other machines: by the name of a file that holds it as it is, whatever it was read from. */
+    @Test
+    void aMeshMayHaveTheNameOfAFileThatHoldsIt() throws IOException {
+        Transform transform = Transform.of(new Transform.Scale(new Vec3(1, -1, 0.1)));
+        Material black = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
+        Scene scene = scene().object(Mesh.of(CORNER, transform), black).build();
+        String json = SceneWriter.toJson(scene, new FileNames() {
+            @Override
+            public String of(Path file) {
+                throw new AssertionError(file);
+            }
+
+            @Override
+            public Optional<String> of(TriangleMesh mesh) {
+                return Optional.of(mesh.digest());
+            }
+        });
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        MeshFiles.writePly(CORNER, bytes);
+        NamedFiles files = new NamedFiles(Map.of(CORNER.digest(), bytes.toByteArray()));
+        Mesh read =
+                (Mesh) SceneReader.readNamed(json, files, "").objects().get(0).shape();
+        assertEquals(CORNER, read.triangles());
+        assertEquals(transform, read.transform());
+        Mesh again =
+                (Mesh) SceneReader.readNamed(json, files, "").objects().get(0).shape();
+        assertSame(read.triangles(), again.triangles());
+    }
+
     @Test
     void whatIsAnimatedIsWrittenEvenWhereItIsUsual() {
         TreeMap<Integer, BigDecimal> keys = new TreeMap<>(Map.of(0, BigDecimal.ZERO, 10, BigDecimal.ONE));
@@ -176,6 +216,7 @@ class SceneWriterTest {
                 scene().animation(new Animation(1, 25, List.of(new Animation.Track("/objects/7/radius", keys))))
                         .build());
         Material black = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
+        refused("/objects/0", scene().object(Mesh.of(CORNER), black).build());
         refused("/name", scene().name("a\ud800b").build());
         refused("/materials/\udc00", scene().material("\udc00", black).build());
         for (String x : new String[] {"1e-500", "1e400", "1e-9999", "1." + "1".repeat(2000)}) {

@@ -8,7 +8,7 @@ import java.util.List;
  * @param parts at least one
  * @param materialLibraries the names of MTL files as an OBJ file has them, which are relative to its folder; else none
  */
-public record MeshFile(List<MeshFiles.Part> parts, List<String> materialLibraries) {
+public record MeshFile(List<MeshPart> parts, List<String> materialLibraries) {
     /** Copies the lists. */
     public MeshFile {
         parts = List.copyOf(parts);

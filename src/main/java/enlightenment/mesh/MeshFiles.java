@@ -29,19 +29,12 @@ public final class MeshFiles {
     private MeshFiles() {}
 
     /**
-     * The triangles of one material, or one shape of a {@code .serialized} file.
-     *
-     * @param material the name of the material, or ""
-     */
-    public record Part(String material, TriangleMesh mesh) {}
-
-    /**
      * Reads the parts of a file: one for each material of an OBJ file that has a triangle with an area, in the order of first use, one for each
      * shape of a {@code .serialized} file, in the file's order, else one.
      *
      * @param maxTriangles the limit of triangles in all parts
      */
-    public static List<Part> read(Path file, long maxTriangles) throws IOException {
+    public static List<MeshPart> read(Path file, long maxTriangles) throws IOException {
         return readFile(file, maxTriangles).parts();
     }
 
@@ -50,7 +43,7 @@ public final class MeshFiles {
      *
      * @param name for messages, and for the format
      */
-    public static List<Part> read(byte[] content, String name, long maxTriangles) throws IOException {
+    public static List<MeshPart> read(byte[] content, String name, long maxTriangles) throws IOException {
         return read(MeshSource.of(content, name), maxTriangles).parts();
     }
 
@@ -64,7 +57,7 @@ public final class MeshFiles {
      *
      * @param shape its number, counted from 0
      */
-    public static Part readShape(Path file, int shape, long maxTriangles) throws IOException {
+    public static MeshPart readShape(Path file, int shape, long maxTriangles) throws IOException {
         MeshSource source = MeshSource.of(file);
         return checked(source, () -> SerializedReader.read(source, shape, maxTriangles));
     }
@@ -116,6 +109,6 @@ public final class MeshFiles {
 
     private static MeshFile single(MeshSource source, MeshMaking making) throws IOException {
         TriangleMesh mesh = making.withArea(source).orElseThrow(() -> source.failure("has no triangle with an area"));
-        return new MeshFile(List.of(new Part("", mesh)), List.of());
+        return new MeshFile(List.of(new MeshPart("", mesh)), List.of());
     }
 }

@@ -42,8 +42,8 @@ public record MeshOrigin(Path file, String part, Normals normals, double crease)
      * @param parts those of the file
      * @throws IOException if it has no such part
      */
-    public TriangleMesh of(List<MeshFiles.Part> parts) throws IOException {
-        TriangleMesh read = part.isEmpty() ? TriangleMesh.joined(parts) : named(parts);
+    public TriangleMesh of(List<MeshPart> parts) throws IOException {
+        TriangleMesh read = part.isEmpty() ? JoinedMesh.of(parts) : named(parts);
         return switch (normals) {
             case FILE -> read;
             case FLAT -> read.flat();
@@ -51,8 +51,8 @@ public record MeshOrigin(Path file, String part, Normals normals, double crease)
         };
     }
 
-    private TriangleMesh named(List<MeshFiles.Part> parts) throws IOException {
-        for (MeshFiles.Part p : parts) {
+    private TriangleMesh named(List<MeshPart> parts) throws IOException {
+        for (MeshPart p : parts) {
             if (p.material().equals(part)) {
                 return p.mesh();
             }
@@ -60,10 +60,8 @@ public record MeshOrigin(Path file, String part, Normals normals, double crease)
         if (part.matches("[0-9]{1,9}") && Integer.parseInt(part) < parts.size()) {
             return parts.get(Integer.parseInt(part)).mesh();
         }
-        List<String> names = parts.stream()
-                .map(MeshFiles.Part::material)
-                .filter(n -> !n.isEmpty())
-                .toList();
+        List<String> names =
+                parts.stream().map(MeshPart::material).filter(n -> !n.isEmpty()).toList();
         throw new IOException(file + " has no part " + Plain.quoted(part) + " among its " + parts.size()
                 + (names.isEmpty() ? "" : Suggestion.of(part, names, "there are")));
     }

@@ -98,10 +98,10 @@ final class ObjReader {
             uv.checkLargest(in);
             normals.checkLargest(in);
         }
-        List<MeshFiles.Part> read = new ArrayList<>();
+        List<MeshPart> read = new ArrayList<>();
         for (ObjPart p : parts.values()) {
             p.mesh(source, positions.values, uv.values, normals.values)
-                    .ifPresent(mesh -> read.add(new MeshFiles.Part(p.material, mesh)));
+                    .ifPresent(mesh -> read.add(new MeshPart(p.material, mesh)));
         }
         if (read.isEmpty()) {
             throw source.failure(triangles == 0 ? "has no triangles" : "has no triangle with an area");

@@ -56,16 +56,16 @@ final class SerializedReader {
         return start.length >= 2 && start[0] == (byte) MAGIC && start[1] == MAGIC >> 8;
     }
 
-    static List<MeshFiles.Part> read(MeshSource source, long maxTriangles) throws IOException {
+    static List<MeshPart> read(MeshSource source, long maxTriangles) throws IOException {
         SerializedReader reader = new SerializedReader(source, maxTriangles);
-        List<MeshFiles.Part> parts = new ArrayList<>();
+        List<MeshPart> parts = new ArrayList<>();
         for (int i = 0; i < reader.offsets.length - 1; i++) {
             parts.add(reader.part(i));
         }
         return parts;
     }
 
-    static MeshFiles.Part read(MeshSource source, int shape, long maxTriangles) throws IOException {
+    static MeshPart read(MeshSource source, int shape, long maxTriangles) throws IOException {
         SerializedReader reader = new SerializedReader(source, maxTriangles);
         int shapes = reader.offsets.length - 1;
         if (shape < 0 || shape >= shapes) {
@@ -129,7 +129,7 @@ final class SerializedReader {
         return found;
     }
 
-    private MeshFiles.Part part(int number) throws IOException {
+    private MeshPart part(int number) throws IOException {
         shape = number;
         element = "";
         long size = offsets[number + 1] - offsets[number];
@@ -143,7 +143,7 @@ final class SerializedReader {
                 MeshMaking making = version == 5 ? this::packed : this::arrays;
                 TriangleMesh mesh =
                         making.withArea(source).orElseThrow(() -> in.failure("has no triangle with an area"));
-                return new MeshFiles.Part("", mesh);
+                return new MeshPart("", mesh);
             }
         }
     }

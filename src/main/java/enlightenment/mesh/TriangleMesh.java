@@ -8,7 +8,6 @@ import enlightenment.numeric.Products;
 import java.nio.ByteBuffer;
 import java.security.MessageDigest;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Optional;
 
 /**
@@ -98,32 +97,6 @@ public final class TriangleMesh {
             }
         }
         return new TriangleMesh(floats, null, indices, normals, uv);
-    }
-
-    /** All triangles of several meshes in one; normals and texture coordinates are kept where all have some. */
-    static TriangleMesh joined(List<MeshFiles.Part> parts) {
-        if (parts.size() == 1) {
-            return parts.get(0).mesh();
-        }
-        boolean hasNormals = parts.stream().allMatch(p -> p.mesh().hasNormals());
-        boolean hasUv = parts.stream().allMatch(p -> p.mesh().hasUv());
-        MeshBuilder all = new MeshBuilder();
-        for (MeshFiles.Part part : parts) {
-            TriangleMesh m = part.mesh();
-            int first = all.vertices();
-            for (int v = 0; v < m.vertices(); v++) {
-                all.vertex(m.coordinate(v, 0), m.coordinate(v, 1), m.coordinate(v, 2));
-                if (hasNormals) {
-                    all.normal(m.normals[3 * v], m.normals[3 * v + 1], m.normals[3 * v + 2]);
-                }
-                if (hasUv) {
-                    all.uv(m.uv[2 * v], m.uv[2 * v + 1]);
-                }
-            }
-            all.triangles(m.indices, first);
-            all.triangles(m.withoutArea, first);
-        }
-        return all.build();
     }
 
     /**

@@ -131,6 +131,8 @@ final class Placing {
 
     /** Its numbers: where it puts the origin, then the matrix. */
     double[] numbers() {
-        return Primitive.concat(offset, m0, m1, m2);
+        return new double[] {
+            offset.x(), offset.y(), offset.z(), m0.x(), m0.y(), m0.z(), m1.x(), m1.y(), m1.z(), m2.x(), m2.y(), m2.z()
+        };
     }
 }

@@ -95,10 +95,10 @@ class ObjReaderTest {
         assertEquals(List.of("a.mtl", "b.mtl", "my colours"), read.materialLibraries());
         assertEquals(
                 List.of("blue", "red one"),
-                read.parts().stream().map(MeshFiles.Part::material).toList());
+                read.parts().stream().map(MeshPart::material).toList());
         assertEquals(SQUARE_MESH, read.parts().get(0).mesh());
         assertEquals(SQUARE_MESH, read.parts().get(1).mesh());
-        List<MeshFiles.Part> first = MeshFiles.read(bytes(CORNERS + "f 1 2 3\nusemtl a\nf 1 3 4\n"), "a.obj", 2);
+        List<MeshPart> first = MeshFiles.read(bytes(CORNERS + "f 1 2 3\nusemtl a\nf 1 3 4\n"), "a.obj", 2);
         assertEquals("", first.get(0).material());
         assertEquals("a", first.get(1).material());
     }

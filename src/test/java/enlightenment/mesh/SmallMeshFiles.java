@@ -28,7 +28,7 @@ final class SmallMeshFiles {
     }
 
     static TriangleMesh mesh(byte[] content, String name) throws IOException {
-        List<MeshFiles.Part> parts = MeshFiles.read(content, name, MeshFiles.MAX_TRIANGLES);
+        List<MeshPart> parts = MeshFiles.read(content, name, MeshFiles.MAX_TRIANGLES);
         assertTrue(parts.size() == 1 && parts.get(0).material().isEmpty(), parts.toString());
         return parts.get(0).mesh();
     }

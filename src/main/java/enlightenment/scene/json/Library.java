@@ -17,7 +17,7 @@ final class Library {
     final Map<String, Texture> textures = new LinkedHashMap<>();
 
     /** Null for a mesh that is there but wrong: its own problem is enough. */
-    final Map<String, Meshes.Loaded> meshes = new LinkedHashMap<>();
+    final Map<String, LoadedMesh> meshes = new LinkedHashMap<>();
 
     /** The groups that have been read, by their names; null for one with a problem of its own. */
     final Map<String, List<SceneObject>> groups = new LinkedHashMap<>();
@@ -41,9 +41,9 @@ final class Library {
     final Map<String, byte[]> contents;
 
     /** Files of meshes that have been read. */
-    final Meshes.Files files;
+    final MeshCache files;
 
-    Library(Path folder, Map<String, byte[]> contents, Meshes.Files files) {
+    Library(Path folder, Map<String, byte[]> contents, MeshCache files) {
         this.folder = folder.toAbsolutePath();
         this.contents = contents;
         this.files = files;
@@ -52,25 +52,5 @@ final class Library {
     /** One of the same image files that nothing has been read into. */
     Library unread() {
         return new Library(folder, contents, files);
-    }
-
-    /** Reads a scene's meshes, textures and materials, as far as they are there. */
-    static void read(JsonValue.Obj scene, Values values) {
-        JsonValue meshes = scene.get("meshes");
-        if (meshes != null) {
-            Meshes.readNamed(meshes, JsonPointer.ROOT.child("meshes"), values);
-        }
-        JsonValue textures = scene.get("textures");
-        if (textures != null) {
-            Textures.readNamed(textures, JsonPointer.ROOT.child("textures"), values);
-        }
-        JsonValue materials = scene.get("materials");
-        if (materials != null) {
-            Materials.readNamed(materials, JsonPointer.ROOT.child("materials"), values);
-        }
-        JsonValue groups = scene.get("groups");
-        if (groups != null) {
-            Groups.note(groups, JsonPointer.ROOT.child("groups"), values);
-        }
     }
 }

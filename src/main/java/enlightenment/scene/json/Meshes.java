@@ -5,6 +5,7 @@ import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Transform;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.MeshOrigin;
+import enlightenment.mesh.MeshPart;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.text.PathText;
 import enlightenment.text.Plain;
@@ -12,7 +13,6 @@ import enlightenment.text.Suggestion;
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,15 +22,6 @@ final class Meshes {
     static final Keys NAMED = Keys.of("mesh", "a mesh", "file", "part normals crease");
 
     private Meshes() {}
-
-    /** A mesh with what is said of where it comes from. */
-    record Loaded(TriangleMesh mesh, MeshOrigin origin) {}
-
-    /** Files that have been read, for as long as a scene and its instants are read. */
-    static final class Files {
-        private final Map<String, List<MeshFiles.Part>> parts = new HashMap<>();
-        private final Map<MeshOrigin, TriangleMesh> meshes = new HashMap<>();
-    }
 
     /** Reads the part {@code meshes} into the library. */
     static void readNamed(JsonValue v, JsonPointer place, Values values) {
@@ -52,19 +43,19 @@ final class Meshes {
                             : "missing; a mesh needs the name of one of the scene's meshes, or a \"file\"");
             return null;
         }
-        Loaded loaded = f.has("mesh") ? named(f) : load(f);
+        LoadedMesh loaded = f.has("mesh") ? named(f) : load(f);
         return loaded == null || transform == null
                 ? null
                 : f.make(() -> new Mesh(loaded.mesh(), Optional.of(loaded.origin()), transform));
     }
 
-    private static Loaded named(Fields f) {
+    private static LoadedMesh named(Fields f) {
         for (String key : NAMED.optional()) {
             if (f.has(key)) {
                 f.problem(key, "stands where the mesh has its name");
             }
         }
-        Map<String, Loaded> named = f.values().library().meshes;
+        Map<String, LoadedMesh> named = f.values().library().meshes;
         String name = f.text("mesh", "the name of a mesh");
         if (name != null && !named.containsKey(name)) {
             String instead = named.isEmpty()
@@ -75,7 +66,7 @@ final class Meshes {
         return name == null ? null : named.get(name);
     }
 
-    private static Loaded load(Fields f) {
+    private static LoadedMesh load(Fields f) {
         String written = f.text("file", "the path of a file: PLY, OBJ, STL or .serialized");
         String part = f.text("part", "the name of a material, or the number of a shape");
         MeshOrigin.Normals normals = f.word("normals", MeshOrigin.Normals.FILE);
@@ -91,7 +82,7 @@ final class Meshes {
             return null;
         }
         try {
-            return new Loaded(mesh(origin, written, f.values().library()), origin);
+            return new LoadedMesh(mesh(origin, written, f.values().library()), origin);
         } catch (IOException e) {
             f.problem("file", FileFailure.described(e));
             return null;
@@ -126,7 +117,7 @@ final class Meshes {
             return known;
         }
         String key = origin.file().toString();
-        List<MeshFiles.Part> parts = library.files.parts.get(key);
+        List<MeshPart> parts = library.files.parts.get(key);
         if (parts == null) {
             parts = library.contents == null
                     ? MeshFiles.read(origin.file(), MeshFiles.MAX_TRIANGLES)

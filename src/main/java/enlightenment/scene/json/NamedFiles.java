@@ -8,7 +8,7 @@ import java.util.Map;
  */
 public final class NamedFiles {
     final Map<String, byte[]> contents;
-    final Meshes.Files files = new Meshes.Files();
+    final MeshCache files = new MeshCache();
 
     /** @param contents the files by their names */
     public NamedFiles(Map<String, byte[]> contents) {

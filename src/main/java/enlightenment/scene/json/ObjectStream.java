@@ -48,7 +48,7 @@ final class ObjectStream {
             if (instead == null) {
                 library = library.unread();
                 // Its problems are found once more when it is known to be all.
-                Library.read(before, new Values(values.problems().ofPart(), library));
+                LibraryReader.read(before, new Values(values.problems().ofPart(), library));
             }
             ofObjects = values.problems().ofPart();
             objects = new SceneObjects(new Values(ofObjects, library));
@@ -133,7 +133,7 @@ final class ObjectStream {
     void prepare(JsonValue.Obj scene, boolean animated) {
         boolean stands = pass.objects != null && standsBehindLibrary(scene) && !(animated && changesObjects(scene));
         Library library = values.library();
-        Library.read(scene, new Values(ofLibrary, library));
+        LibraryReader.read(scene, new Values(ofLibrary, library));
         if (stands) {
             // The materials that the objects have already, instead of equal ones.
             library.meshes.putAll(pass.library.meshes);

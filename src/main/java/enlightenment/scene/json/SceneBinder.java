@@ -26,7 +26,7 @@ final class SceneBinder {
      * @param contents what files hold that are not on the disk, by their names; null if they are
      * @param files meshes that have been read already, and will be
      */
-    SceneBinder(Problems problems, Path folder, Map<String, byte[]> contents, Meshes.Files files) {
+    SceneBinder(Problems problems, Path folder, Map<String, byte[]> contents, MeshCache files) {
         this.values = new Values(problems, new Library(folder, contents, files));
     }
 

@@ -161,7 +161,7 @@ public final class SceneReader {
     }
 
     private static Scene read(JsonTree.Source source, Path folder, Problems problems, OptionalInt frame) {
-        Meshes.Files files = new Meshes.Files();
+        MeshCache files = new MeshCache();
         Scene scene = new SceneBinder(problems, folder, null, files).read(source, frame);
         problems.throwIfAny();
         boolean isBlurred =
@@ -171,12 +171,7 @@ public final class SceneReader {
 
     /** The scene at the moments that the picture of a frame is made of. */
     private static List<Scene> instants(
-            JsonTree.Source source,
-            Path folder,
-            Problems problems,
-            Scene scene,
-            OptionalInt frame,
-            Meshes.Files files) {
+            JsonTree.Source source, Path folder, Problems problems, Scene scene, OptionalInt frame, MeshCache files) {
         List<Scene> instants = new ArrayList<>();
         for (int i = 0; i < scene.animation().orElseThrow().instants(); i++) {
             Scene instant = new SceneBinder(problems, folder, null, files).read(source, frame, i);

@@ -29,6 +29,7 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.MeshOrigin;
+import enlightenment.mesh.MeshPart;
 import enlightenment.scene.Animation;
 import enlightenment.scene.Background;
 import enlightenment.scene.ChosenSettings;
@@ -69,7 +70,7 @@ final class RandomScenes {
     private final Random random;
     private final Path imageFolder;
     private final Path meshFile;
-    private final List<MeshFiles.Part> meshParts;
+    private final List<MeshPart> meshParts;
     private final Map<String, Texture> textures = new LinkedHashMap<>();
     private final Map<String, Material> materials = new LinkedHashMap<>();
     private boolean isPhysical;

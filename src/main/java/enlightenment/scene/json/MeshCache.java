@@ -1,0 +1,14 @@
+package enlightenment.scene.json;
+
+import enlightenment.mesh.MeshOrigin;
+import enlightenment.mesh.MeshPart;
+import enlightenment.mesh.TriangleMesh;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Files of meshes that have been read, for as long as a scene and its instants are read. */
+final class MeshCache {
+    final Map<String, List<MeshPart>> parts = new HashMap<>();
+    final Map<MeshOrigin, TriangleMesh> meshes = new HashMap<>();
+}

@@ -71,7 +71,7 @@ final class DetailedMaterials {
                             + f.get(key).describe());
             return null;
         }
-        Fields reference = Fields.of(f.get(key), f.at(key), Vocabulary.TEXTURE_REFERENCE, f.values());
+        Fields reference = Fields.of(f.get(key), f.at(key), PartKeys.TEXTURE_REFERENCE, f.values());
         return reference == null || !reference.has("texture") ? null : Textures.named(reference);
     }
 

@@ -9,7 +9,7 @@ final class Displays {
 
     /** Null after a problem. */
     static Display read(JsonValue v, JsonPointer place, Values values) {
-        Fields f = Fields.of(v, place, Vocabulary.DISPLAY, values);
+        Fields f = Fields.of(v, place, PartKeys.DISPLAY, values);
         if (f == null) {
             return null;
         }

@@ -15,7 +15,7 @@ final class Media {
 
     /** The medium of a part that is nothing else; null after a problem. */
     static Medium read(JsonValue v, JsonPointer place, Values values) {
-        Fields f = Fields.of(v, place, Vocabulary.MEDIUM, values);
+        Fields f = Fields.of(v, place, PartKeys.MEDIUM, values);
         return f == null ? null : read(f);
     }
 

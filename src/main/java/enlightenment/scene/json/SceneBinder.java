@@ -43,7 +43,7 @@ final class SceneBinder {
     Scene read(JsonTree.Source source, OptionalInt frame, int instant) {
         ObjectStream objects = new ObjectStream(source, values);
         JsonValue root = objects.readAll();
-        Fields f = root == null ? null : Fields.of(root, JsonPointer.ROOT, Vocabulary.SCENE, values);
+        Fields f = root == null ? null : Fields.of(root, JsonPointer.ROOT, PartKeys.SCENE, values);
         if (f == null) {
             return null;
         }
@@ -74,7 +74,7 @@ final class SceneBinder {
     private Scene scene(Fields f, Animation animation, ObjectStream stream) {
         f.text("$schema", "the address of the schema");
         String name = f.text("name", "a text");
-        Fields image = f.has("image") ? Fields.of(f.get("image"), f.at("image"), Vocabulary.IMAGE, values) : null;
+        Fields image = f.has("image") ? Fields.of(f.get("image"), f.at("image"), PartKeys.IMAGE, values) : null;
         int width = image == null ? 1 : image.integer("width", 1, Scene.MAX_SIDE, 1);
         int height = image == null ? 1 : image.integer("height", 1, Scene.MAX_SIDE, 1);
         Camera camera = f.has("camera") ? Cameras.read(f.get("camera"), f.at("camera"), values) : null;

@@ -44,7 +44,7 @@ final class Shadings {
     }
 
     private static Shading classic(JsonValue v, JsonPointer place, Values values) {
-        Fields f = Fields.of(v, place, Vocabulary.CLASSIC_SHADING, ONLY_PHYSICAL, values);
+        Fields f = Fields.of(v, place, PartKeys.CLASSIC_SHADING, ONLY_PHYSICAL, values);
         if (f == null) {
             return null;
         }
@@ -66,7 +66,7 @@ final class Shadings {
     }
 
     private static Shading physical(JsonValue v, JsonPointer place, Values values) {
-        Fields f = Fields.of(v, place, Vocabulary.PHYSICAL_SHADING, ONLY_CLASSIC, values);
+        Fields f = Fields.of(v, place, PartKeys.PHYSICAL_SHADING, ONLY_CLASSIC, values);
         if (f == null) {
             return null;
         }

@@ -84,7 +84,7 @@ final class Textures {
             values.problems().add(v, place, "must be " + COLOR + ", not " + Values.describe(o, KINDS));
             return null;
         }
-        Fields f = Fields.of(v, place, Vocabulary.TEXTURE_REFERENCE, values);
+        Fields f = Fields.of(v, place, PartKeys.TEXTURE_REFERENCE, values);
         Texture texture = named(f);
         if (texture instanceof Texture.File file && values.library().lightFiles.contains(file.file())) {
             f.problem(

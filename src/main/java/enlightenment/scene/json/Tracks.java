@@ -43,7 +43,7 @@ final class Tracks {
 
     /** The animation; null after a problem. */
     Animation read(JsonValue v, JsonPointer place) {
-        Fields f = Fields.of(v, place, Vocabulary.ANIMATION, values);
+        Fields f = Fields.of(v, place, PartKeys.ANIMATION, values);
         if (f == null) {
             return null;
         }
@@ -53,7 +53,7 @@ final class Tracks {
         JsonValue t = f.get("tracks");
         JsonValue.Arr a = t == null ? null : values.array(t, f.at("tracks"), -1, "an array of tracks");
         for (int i = 0; a != null && i < a.size(); i++) {
-            Fields track = Fields.of(a.get(i), f.at("tracks").child(i), Vocabulary.TRACK, values);
+            Fields track = Fields.of(a.get(i), f.at("tracks").child(i), PartKeys.TRACK, values);
             if (track != null) {
                 tracks.add(track(track));
             }

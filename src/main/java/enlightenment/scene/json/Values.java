@@ -231,7 +231,7 @@ final class Values {
     }
 
     private Rgb linear(JsonValue v, JsonPointer place) {
-        Fields f = Fields.of(v, place, Vocabulary.LINEAR_COLOR, this);
+        Fields f = Fields.of(v, place, PartKeys.LINEAR_COLOR, this);
         return f.has("linear") ? three(f.get("linear"), f.at("linear"), "three numbers [r, g, b]") : Rgb.BLACK;
     }
 

@@ -9,25 +9,6 @@ import java.util.List;
  * these are read and written. The schema says the same; a test holds the two together.
  */
 final class Vocabulary {
-    static final Keys SCENE = Keys.of(
-            "scene",
-            "a scene",
-            "image camera objects",
-            "$schema name shading display meshes textures materials groups lights render animation");
-    static final Keys IMAGE = Keys.of("image", "an image", "width height", "");
-    static final Keys CLASSIC_SHADING =
-            Keys.of("classicShading", "the shading", "", "model ambient shadow background maxBounces");
-    static final Keys PHYSICAL_SHADING =
-            Keys.of("physicalShading", "physical shading", "model", "background medium maxBounces");
-    static final Keys MEDIUM = Keys.of(
-            "medium", "a medium", "", "color meanFreePath scatteringCoefficient absorptionCoefficient anisotropy");
-    static final Keys DISPLAY = Keys.of("display", "the display part", "", "exposure tone");
-    static final Keys LINEAR_COLOR = Keys.of("linearColor", "a linear colour", "linear", "");
-    static final Keys ANIMATION =
-            Keys.of("animation", "an animation", "frames framesPerSecond tracks", "shutter instants");
-    static final Keys TRACK = Keys.of("track", "a track", "target keys", "easing");
-    static final Keys TEXTURE_REFERENCE = Keys.of("textureReference", "a reference to a texture", "texture", "");
-
     private Vocabulary() {}
 
     /** All parts that come in several kinds. */
@@ -40,17 +21,17 @@ final class Vocabulary {
     static List<Keys> all() {
         Keys render = RenderPart.keys(BuiltInMethod.ALL);
         List<Keys> all = new ArrayList<>(List.of(
-                SCENE,
-                IMAGE,
-                CLASSIC_SHADING,
-                PHYSICAL_SHADING,
-                MEDIUM,
-                DISPLAY,
-                LINEAR_COLOR,
+                PartKeys.SCENE,
+                PartKeys.IMAGE,
+                PartKeys.CLASSIC_SHADING,
+                PartKeys.PHYSICAL_SHADING,
+                PartKeys.MEDIUM,
+                PartKeys.DISPLAY,
+                PartKeys.LINEAR_COLOR,
                 render,
-                ANIMATION,
-                TRACK,
-                TEXTURE_REFERENCE,
+                PartKeys.ANIMATION,
+                PartKeys.TRACK,
+                PartKeys.TEXTURE_REFERENCE,
                 Meshes.NAMED,
                 Groups.OBJECT));
         all.addAll(Transforms.ALL);

@@ -7,7 +7,7 @@ import enlightenment.sampling.Hash;
  * What a material does at a place before it is known what the surface is made of there: it may be one of two, nothing at all, or turn the
  * normal. Immutable.
  *
- * <p>Chance is a hash of the place: whoever comes there by whichever way finds the same.
+ * <p>Chance is a hash of the place: all paths that come there find one thing.
  */
 public final class SurfaceDetail {
     /** The kinds of detail. */

@@ -141,15 +141,15 @@ class SceneFormatDocumentTest {
 
     static List<Part> parts() {
         return List.of(
-                new Part("#### Classic", List.of(Vocabulary.CLASSIC_SHADING)),
-                new Part("#### Physical", List.of(Vocabulary.PHYSICAL_SHADING)),
-                new Part("#### Media", List.of(Vocabulary.MEDIUM)),
+                new Part("#### Classic", List.of(PartKeys.CLASSIC_SHADING)),
+                new Part("#### Physical", List.of(PartKeys.PHYSICAL_SHADING)),
+                new Part("#### Media", List.of(PartKeys.MEDIUM)),
                 new Part("### Meshes", List.of(Meshes.NAMED)),
                 new Part("### Transforms", Transforms.ALL),
                 new Part("### Groups", List.of(Groups.OBJECT)),
-                new Part("### Display", List.of(Vocabulary.DISPLAY)),
+                new Part("### Display", List.of(PartKeys.DISPLAY)),
                 new Part("### Render", List.of(RenderPart.keys(BuiltInMethod.ALL))),
-                new Part("### Animation", List.of(Vocabulary.ANIMATION, Vocabulary.TRACK)));
+                new Part("### Animation", List.of(PartKeys.ANIMATION, PartKeys.TRACK)));
     }
 
     @ParameterizedTest
@@ -180,8 +180,8 @@ class SceneFormatDocumentTest {
                 required.add(key);
             }
         }
-        assertEquals(new TreeSet<>(Vocabulary.SCENE.all()), all);
-        assertEquals(new TreeSet<>(Vocabulary.SCENE.required()), required);
+        assertEquals(new TreeSet<>(PartKeys.SCENE.all()), all);
+        assertEquals(new TreeSet<>(PartKeys.SCENE.required()), required);
     }
 
     /** A default where the key may be missing, the one that the schema has; and the range that the schema has. */
@@ -230,8 +230,7 @@ class SceneFormatDocumentTest {
                 .forEach(w -> assertTrue(document.contains("`\"" + w + "\"`"), w));
         Stream.concat(
                         Vocabulary.families().stream().flatMap(SceneFormatDocumentTest::refused),
-                        Stream.concat(
-                                Vocabulary.LINEAR_COLOR.all().stream(), Vocabulary.TEXTURE_REFERENCE.all().stream()))
+                        Stream.concat(PartKeys.LINEAR_COLOR.all().stream(), PartKeys.TEXTURE_REFERENCE.all().stream()))
                 .forEach(w -> assertTrue(document.contains("`" + w + "`") || document.contains("\"" + w + "\": "), w));
     }
 }

@@ -114,7 +114,8 @@ final class ScenePasses {
 
     private void buildAccelerator(int loopLimit) {
         Primitive[] primitives = compiled.primitives();
-        isLoop = Math.max(primitives.length, objects.size()) <= loopLimit;
+        boolean hasMeshes = Arrays.stream(primitives).anyMatch(MeshPrimitive.class::isInstance);
+        isLoop = Math.max(primitives.length, objects.size()) <= loopLimit && (!hasMeshes || loopLimit > LARGE_LOOP);
         accelerator = isLoop ? PrimitiveList.of(primitives, compiled.kind()) : Bvh.build(primitives, poll);
     }
 

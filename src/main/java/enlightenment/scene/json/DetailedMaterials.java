@@ -75,15 +75,29 @@ final class DetailedMaterials {
         return reference == null || !reference.has("texture") ? null : Textures.named(reference);
     }
 
+    /** A material by its name, or as it is. */
+    private static JsonValue json(Material m, JsonObjectBuilder p) {
+        String name = p.nameOf(m);
+        if (name != null) {
+            return new JsonValue.Str(0, 0, name);
+        }
+        Materials.FAMILY.write(m, p);
+        return p.json();
+    }
+
     static void write(Material value, JsonObjectBuilder p) {
         if (value instanceof Mix mix) {
-            p.materials("materials", mix.parts()).share("weight", mix.weight());
+            List<JsonValue> parts = new ArrayList<>();
+            mix.parts().forEach(m -> parts.add(json(m, p.child("materials", parts.size()))));
+            p.put("materials", JsonValue.Arr.of(parts)).share("weight", mix.weight());
         } else if (value instanceof Mask mask) {
-            p.material("of", mask.of()).share("map", mask.map());
+            p.put("of", json(mask.of(), p.child("of"))).share("map", mask.map());
         } else if (value instanceof NormalMap normals) {
-            p.material("of", normals.of()).texture("map", normals.map());
+            p.put("of", json(normals.of(), p.child("of"))).texture("map", normals.map());
         } else if (value instanceof Bump bump) {
-            p.material("of", bump.of()).texture("map", bump.map()).number("height", bump.height());
+            p.put("of", json(bump.of(), p.child("of")))
+                    .texture("map", bump.map())
+                    .number("height", bump.height());
         } else {
             throw Family.unknown(value);
         }

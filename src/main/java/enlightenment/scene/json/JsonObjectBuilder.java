@@ -116,24 +116,9 @@ final class JsonObjectBuilder {
         return text(key, names.of(texture));
     }
 
-    /** A material by its name, or as it is. */
-    JsonObjectBuilder material(String key, Material m) {
-        return put(key, json(m, child(key)));
-    }
-
-    JsonObjectBuilder materials(String key, List<Material> all) {
-        List<JsonValue> items = new ArrayList<>();
-        all.forEach(m -> items.add(json(m, child(key, items.size()))));
-        return put(key, JsonValue.Arr.of(items));
-    }
-
-    private JsonValue json(Material m, JsonObjectBuilder p) {
-        String name = names.of(m);
-        if (name != null && !names.isAnimated(p.place)) {
-            return new JsonValue.Str(0, 0, name);
-        }
-        Materials.FAMILY.write(m, p);
-        return p.json();
+    /** A material's name in this place; null if it has none, or is to be written out. */
+    String nameOf(Material m) {
+        return names.isAnimated(place) ? null : names.of(m);
     }
 
     /** A texture, or the number of its grey. */

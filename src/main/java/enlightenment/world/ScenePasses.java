@@ -6,6 +6,7 @@ import enlightenment.accel.PrimitiveList;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.numeric.Scale;
+import enlightenment.primitive.MeshPrimitive;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
@@ -35,6 +36,9 @@ import java.util.stream.Stream;
  * the last. For one scene at one moment.
  */
 final class ScenePasses {
+    /** How many other primitives a loop tests in the time that it takes to turn a ray to a mesh; has no influence on any answer. */
+    private static final int MESH_TESTS = 6;
+
     /** How far boxes are widened, in units of the largest coordinate: more than the roundings of two surfaces together. */
     private static final double WIDENING = Scale.gamma(128);
 
@@ -114,8 +118,10 @@ final class ScenePasses {
 
     private void buildAccelerator(int loopLimit) {
         Primitive[] primitives = compiled.primitives();
-        boolean hasMeshes = Arrays.stream(primitives).anyMatch(MeshPrimitive.class::isInstance);
-        isLoop = Math.max(primitives.length, objects.size()) <= loopLimit && (!hasMeshes || loopLimit > LARGE_LOOP);
+        long tests = Arrays.stream(primitives)
+                .mapToLong(p -> p instanceof MeshPrimitive ? MESH_TESTS : 1)
+                .sum();
+        isLoop = Math.max(tests, objects.size()) <= loopLimit;
         accelerator = isLoop ? PrimitiveList.of(primitives, compiled.kind()) : Bvh.build(primitives, poll);
     }
 

@@ -2,7 +2,6 @@ package enlightenment.mesh;
 
 import enlightenment.bvh.FloatSlabs;
 import enlightenment.bvh.Nodes;
-import enlightenment.frame.Bounds;
 import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 
@@ -44,6 +43,7 @@ public final class MeshRay {
     private double shearX;
     private double shearY;
     private double dz;
+    private double inverseZ;
 
     private TriangleTree tree;
     private float[] floats;
@@ -69,9 +69,11 @@ public final class MeshRay {
     private double e0;
     private double e1;
     private double e2;
-    private double nx;
-    private double ny;
-    private double nz;
+
+    /** Three coordinates of each corner of the triangle that the ray starts on, relative to the origin and with the axes turned. */
+    private final double[] startCorners = new double[9];
+
+    private boolean hasStart;
 
     /** The t of the closest crossing, {@link #MISS} if there is none. */
     public double t;
@@ -106,6 +108,7 @@ public final class MeshRay {
         d[2] = dirZ;
         tMin = from;
         start = NONE;
+        hasStart = false;
         leftOut = NONE;
         double sx = Math.abs(dirX);
         double sy = Math.abs(dirY);
@@ -117,8 +120,9 @@ public final class MeshRay {
         oy = o[ky];
         oz = o[kz];
         dz = d[kz];
-        shearX = d[kx] / dz;
-        shearY = d[ky] / dz;
+        inverseZ = 1 / dz;
+        shearX = d[kx] * inverseZ;
+        shearY = d[ky] * inverseZ;
         return this;
     }
 
@@ -133,6 +137,17 @@ public final class MeshRay {
         start = from;
         startSide = travels;
         tolerance = error;
+        hasStart = true;
+        load(3 * indices[3 * from], 3 * indices[3 * from + 1], 3 * indices[3 * from + 2]);
+        startCorners[0] = ax;
+        startCorners[1] = ay;
+        startCorners[2] = az;
+        startCorners[3] = bx;
+        startCorners[4] = by;
+        startCorners[5] = bz;
+        startCorners[6] = cx;
+        startCorners[7] = cy;
+        startCorners[8] = cz;
     }
 
     /** Leaves out one more triangle, on which the ray ends; {@link #NONE} for none. */
@@ -158,24 +173,22 @@ public final class MeshRay {
         }
         // In the tree's unit, with a direction whose largest component is in [1, 2), from where the ray enters the
         // mesh's box.
-        int lengths = -tree.exponent;
-        int directions = -Scale.exponent(Math.max(Math.abs(d[0]), Math.max(Math.abs(d[1]), Math.abs(d[2]))));
-        double px = scaled(Math.fma(entry, d[0], o[0]), lengths);
-        double py = scaled(Math.fma(entry, d[1], o[1]), lengths);
-        double pz = scaled(Math.fma(entry, d[2], o[2]), lengths);
-        double qx = scaled(d[0], directions);
-        double qy = scaled(d[1], directions);
-        double qz = scaled(d[2], directions);
-        double qq = qx * qx + qy * qy + qz * qz;
-        if (!slabs.set(px, py, pz, qx, qy, qz, qq, 0, tree.reach)) {
-            return false;
-        }
-        double scale = Math.scalb(1.0, lengths - directions);
-        return follow(tMax, entry, scale, any);
-    }
-
-    private static double scaled(double v, int k) {
-        return v * Math.scalb(1.0, k);
+        double directions = 1 / Math.scalb(1.0, Math.getExponent(dz));
+        double unit = tree.unit;
+        double qx = d[0] * directions;
+        double qy = d[1] * directions;
+        double qz = d[2] * directions;
+        boolean suits = slabs.set(
+                Math.fma(entry, d[0], o[0]) * unit,
+                Math.fma(entry, d[1], o[1]) * unit,
+                Math.fma(entry, d[2], o[2]) * unit,
+                qx,
+                qy,
+                qz,
+                qx * qx + qy * qy + qz * qz,
+                0,
+                tree.reach);
+        return suits && follow(tMax, entry, unit / directions, any);
     }
 
     private boolean follow(double tMax, double entry, double scale, boolean any) {
@@ -217,21 +230,23 @@ public final class MeshRay {
 
     /** Where the ray enters the mesh's box, at least from, a little early; infinite if it misses it. */
     private double entry(double tMax) {
-        Bounds box = tree.bounds;
         double from = tMin;
         double to = tMax;
         for (int axis = 0; axis < 3; axis++) {
-            double low = box.min().component(axis) - o[axis];
-            double high = box.max().component(axis) - o[axis];
-            double slack = ERROR * (Math.max(Math.abs(low), Math.abs(high)) + tree.largest);
-            if (d[axis] == 0) {
+            double low = tree.low[axis] - o[axis];
+            double high = tree.high[axis] - o[axis];
+            double slack = ERROR * (Math.abs(o[axis]) + tree.largest);
+            double v = d[axis];
+            if (v == 0) {
                 if (low > slack || high < -slack) {
                     return MISS;
                 }
                 continue;
             }
-            double first = ((d[axis] > 0 ? low : -high) - slack) / Math.abs(d[axis]);
-            double last = ((d[axis] > 0 ? high : -low) + slack) / Math.abs(d[axis]);
+            double inverse = 1 / v;
+            double widened = slack * Math.abs(inverse);
+            double first = Math.min(low * inverse, high * inverse) - widened;
+            double last = Math.max(low * inverse, high * inverse) + widened;
             from = first > from ? first : from;
             to = last < to ? last : to;
         }
@@ -247,12 +262,12 @@ public final class MeshRay {
             if (candidate == start || candidate == leftOut || !covers(candidate)) {
                 continue;
             }
-            double s = distance(candidate);
+            double s = distance();
             if (s < best || s == best && wins(candidate)) {
                 best = s;
                 t = s;
                 triangle = candidate;
-                side = towards() < 0 ? 1 : -1;
+                side = sideOfArea();
                 found = true;
             }
         }
@@ -264,13 +279,13 @@ public final class MeshRay {
         if (t == MISS) {
             return true;
         }
-        int own = towards() < 0 ? 1 : -1;
+        int own = sideOfArea();
         return own == side ? candidate < triangle : own < side;
     }
 
-    /** The triangle's normal times the direction, with axes turned. */
-    private double towards() {
-        return Products.dot(nx, ny, nz, d[kx], d[ky], dz);
+    /** The side of the triangle that the ray meets: the area of its projection is the normal times the direction, over dz. */
+    private int sideOfArea() {
+        return (e0 + e1 + e2) * dz < 0 ? 1 : -1;
     }
 
     /** Whether the ray's line meets a triangle; loads it. */
@@ -316,90 +331,71 @@ public final class MeshRay {
         }
     }
 
-    /** The t at which the ray meets the loaded triangle, which it covers; {@link #MISS} if that does not count. */
-    private double distance(int candidate) {
+    /**
+     * The t at which the ray meets the loaded triangle, which it covers: between those of its corners, weighted by the edge functions, with
+     * which it agrees however flatly the ray meets it. {@link #MISS} if it does not count.
+     */
+    private double distance() {
+        double ta = az * inverseZ;
+        double tb = bz * inverseZ;
+        double tc = cz * inverseZ;
+        double lo = Math.min(ta, Math.min(tb, tc));
+        double hi = Math.max(ta, Math.max(tb, tc));
+        double between = (e1 * ta + e2 * tb + e0 * tc) / (e0 + e1 + e2);
+        between = between < lo ? lo : between > hi ? hi : between;
+        if (hasStart && touchesStart() && isInPlane()) {
+            return isConcave() && sideOfArea() == startSide ? tMin : MISS;
+        }
+        return between >= tMin ? between : MISS;
+    }
+
+    /** Whether the loaded triangle has a corner where the one that the ray starts on has one. */
+    private boolean touchesStart() {
+        double[] s = startCorners;
+        for (int k = 0; k < 9; k += 3) {
+            double x = s[k];
+            if (x == ax && s[k + 1] == ay && s[k + 2] == az
+                    || x == bx && s[k + 1] == by && s[k + 2] == bz
+                    || x == cx && s[k + 1] == cy && s[k + 2] == cz) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether the origin lies in the plane of the loaded triangle, as far as it is known. */
+    private boolean isInPlane() {
         double ux = bx - ax;
         double uy = by - ay;
         double uz = bz - az;
         double vx = cx - ax;
         double vy = cy - ay;
         double vz = cz - az;
-        nx = Products.difference(uy, vz, uz, vy);
-        ny = Products.difference(uz, vx, ux, vz);
-        nz = Products.difference(ux, vy, uy, vx);
+        double nx = Products.difference(uy, vz, uz, vy);
+        double ny = Products.difference(uz, vx, ux, vz);
+        double nz = Products.difference(ux, vy, uy, vx);
         double height = Products.accurateDot(nx, ny, nz, ax, ay, az);
-        if (start != NONE && isAtStart(candidate, height)) {
-            return isConcave(candidate) && towards() * startSide < 0 ? tMin : MISS;
-        }
-        return settle(height / Products.accurateDot(nx, ny, nz, d[kx], d[ky], dz));
+        double far = Math.max(Math.abs(ax), Math.max(Math.abs(ay), Math.abs(az)));
+        return Math.abs(height) <= (Math.abs(nx) + Math.abs(ny) + Math.abs(nz)) * (tolerance + ERROR * far);
     }
 
-    /** Makes the distance to the plane agree with the edge functions, which are rounded otherwise where the ray is almost in the plane. */
-    private double settle(double plane) {
-        double ta = az / dz;
-        double tb = bz / dz;
-        double tc = cz / dz;
-        double lo = Math.min(ta, Math.min(tb, tc));
-        double hi = Math.max(ta, Math.max(tb, tc));
-        double m = Math.max(size(ax, ay, az), Math.max(size(bx, by, bz), size(cx, cy, cz)));
-        double edge = Math.min(Math.abs(e0), Math.min(Math.abs(e1), Math.abs(e2)));
-        boolean central = edge > ERROR * m * m;
-        if (central && (plane >= lo && plane <= hi || plane < tMin && lo < tMin)) {
-            return plane >= tMin ? plane : MISS;
-        }
-        double between = (e1 * ta + e2 * tb + e0 * tc) / (e0 + e1 + e2);
-        between = between < lo ? lo : between > hi ? hi : between;
-        boolean agree = Math.abs(plane - between) * Math.abs(dz) <= ERROR * m;
-        double settled = agree ? plane : between;
-        return settled >= tMin ? settled : MISS;
-    }
-
-    private static double size(double x, double y, double z) {
-        return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-    }
-
-    /** Whether the origin lies in a triangle's plane, as far as is known, and the triangle touches the one that the ray starts on. */
-    private boolean isAtStart(int candidate, double height) {
-        double n = Math.abs(nx) + Math.abs(ny) + Math.abs(nz);
-        double far = size(ax, ay, az);
-        return Math.abs(height) <= n * (tolerance + ERROR * far) && touches(candidate);
-    }
-
-    private boolean touches(int candidate) {
-        TriangleMesh mesh = tree.mesh;
-        for (int i = 0; i < 3; i++) {
-            int v = mesh.vertex(start, i);
-            for (int k = 0; k < 3; k++) {
-                int w = mesh.vertex(candidate, k);
-                if (v == w
-                        || mesh.coordinate(v, 0) == mesh.coordinate(w, 0)
-                                && mesh.coordinate(v, 1) == mesh.coordinate(w, 1)
-                                && mesh.coordinate(v, 2) == mesh.coordinate(w, 2)) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-    /** Whether the farthest corner of a triangle is on the side of the start triangle's plane that the ray travels on. */
-    private boolean isConcave(int candidate) {
-        TriangleMesh mesh = tree.mesh;
-        double[] n = new double[3];
-        mesh.normal(start, n);
-        int a = mesh.vertex(start, 0);
-        double farthest = 0;
-        for (int k = 0; k < 3; k++) {
-            int v = mesh.vertex(candidate, k);
-            double h = Products.accurateDot(
-                    n[0],
-                    n[1],
-                    n[2],
-                    mesh.coordinate(v, 0) - mesh.coordinate(a, 0),
-                    mesh.coordinate(v, 1) - mesh.coordinate(a, 1),
-                    mesh.coordinate(v, 2) - mesh.coordinate(a, 2));
-            farthest = Math.abs(h) > Math.abs(farthest) ? h : farthest;
-        }
+    /** Whether the farthest corner of the loaded triangle is on the side of the start triangle's plane that the ray travels on. */
+    private boolean isConcave() {
+        double[] s = startCorners;
+        double ux = s[3] - s[0];
+        double uy = s[4] - s[1];
+        double uz = s[5] - s[2];
+        double vx = s[6] - s[0];
+        double vy = s[7] - s[1];
+        double vz = s[8] - s[2];
+        double nx = Products.difference(uy, vz, uz, vy);
+        double ny = Products.difference(uz, vx, ux, vz);
+        double nz = Products.difference(ux, vy, uy, vx);
+        double a = Products.accurateDot(nx, ny, nz, ax - s[0], ay - s[1], az - s[2]);
+        double b = Products.accurateDot(nx, ny, nz, bx - s[0], by - s[1], bz - s[2]);
+        double c = Products.accurateDot(nx, ny, nz, cx - s[0], cy - s[1], cz - s[2]);
+        double farthest = Math.abs(b) > Math.abs(a) ? b : a;
+        farthest = Math.abs(c) > Math.abs(farthest) ? c : farthest;
         return farthest * startSide > 0;
     }
 
@@ -407,8 +403,7 @@ public final class MeshRay {
     public void complete(int found) {
         triangle = found;
         covers(found);
-        distance(found);
-        side = towards() < 0 ? 1 : -1;
+        side = sideOfArea();
         double sum = e0 + e1 + e2;
         weightB = sum == 0 ? 0 : clamped(e2 / sum);
         weightC = sum == 0 ? 0 : clamped(e0 / sum);

@@ -27,6 +27,14 @@ public final class TriangleTree {
     /** That reach in the mesh's coordinates. */
     final double largest;
 
+    /** By axis, the box around all triangles, in the mesh's coordinates. */
+    final double[] low;
+
+    final double[] high;
+
+    /** What the mesh's coordinates are multiplied by. */
+    final double unit;
+
     final float[] boxes;
     final int[] child;
 
@@ -40,7 +48,10 @@ public final class TriangleTree {
         this.mesh = mesh;
         bounds = mesh.bounds();
         largest = bounds.maxAbs();
+        low = new double[] {mesh.min().x(), mesh.min().y(), mesh.min().z()};
+        high = new double[] {mesh.max().x(), mesh.max().y(), mesh.max().z()};
         exponent = Scale.exponent(largest);
+        unit = Math.scalb(1.0, -exponent);
         ItemBoxes items = new ItemBoxes(mesh.triangles(), this::setBox);
         BvhBuilder builder = new BvhBuilder(items, poll);
         boxes = builder.floats();

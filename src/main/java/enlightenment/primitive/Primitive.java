@@ -48,7 +48,7 @@ public abstract sealed class Primitive
 
     /** The t of the nearest crossing with tMin ≤ t ≤ tMax, or {@link #MISS}; for rays and primitives of any size. */
     public final double nearest(Ray ray, double tMax) {
-        if (extreme || ray.special) {
+        if (isSpecial(ray)) {
             return nearestSpecial(ray, tMax);
         }
         return nearestOrdinary(ray, tMax);
@@ -85,7 +85,12 @@ public abstract sealed class Primitive
 
     /** Whether there is a crossing with tMin ≤ t ≤ tMax that is not the end of the ray. */
     public final boolean blocks(Ray ray, double tMax) {
-        return extreme || ray.special ? nearestSpecial(ray, tMax) <= tMax : blocksOrdinary(ray, tMax);
+        return isSpecial(ray) ? nearestSpecial(ray, tMax) <= tMax : blocksOrdinary(ray, tMax);
+    }
+
+    /** Whether the ray or this is extreme, or the ray starts or ends on several primitives, of which this is one. */
+    private boolean isSpecial(Ray ray) {
+        return extreme || ray.special && (ray.extreme || ray.concerns(this));
     }
 
     /** {@link #blocks} for ordinary magnitudes. */

@@ -215,6 +215,16 @@ public final class Ray {
         return 0;
     }
 
+    /** Whether a primitive is one of those that the ray starts on besides the first, or may end on. */
+    boolean concerns(Primitive p) {
+        for (int k = 0; k < alsoCount; k++) {
+            if (alsoStarts[k] == p) {
+                return true;
+            }
+        }
+        return end != null && end.concerns(p);
+    }
+
     /** The element of a primitive that the ray starts on. */
     int elementOf(Primitive primitive) {
         if (start == primitive) {

@@ -12,8 +12,8 @@ import enlightenment.numeric.Scale;
  * <p>Triangles are tested by edge functions of sheared vertices, whose signs are exact for the rounded vertices (Woop, Benthin and Wald,
  * "Watertight ray/triangle intersection", JCGT 2013): triangles that share edges leave no gap.
  *
- * <p>A ray that leaves a triangle never meets that again. A neighbour whose plane the origin lies in, up to the origin's rounding, is met
- * where the surface is concave there and the ray turns to the neighbour, and nowhere else: no offset is needed.
+ * <p>A ray that leaves a triangle never meets that again. Whether it meets a triangle that touches that one, where the origin's rounding is in
+ * doubt, follows from the corners of both: see {@link Departure}. No offset is needed.
  */
 public final class MeshRay {
     /** The t of no crossing. */
@@ -24,6 +24,9 @@ public final class MeshRay {
 
     /** Bounds the roundings of a sheared coordinate relative to the vertices' distance, and of edge functions to its square. */
     private static final double ERROR = Scale.gamma(64);
+
+    /** An edge function is in doubt up to this many times a vertex' distance and its error. */
+    private static final double NEAR = 8;
 
     private final FloatSlabs slabs = new FloatSlabs();
     private final int[] stack = new int[Nodes.MAX_DEPTH];
@@ -51,9 +54,8 @@ public final class MeshRay {
     private int[] indices;
 
     private int start;
-    private int startSide;
     private int leftOut;
-    private double tolerance;
+    private final Departure departure = new Departure();
 
     /** The triangle that is being tested, relative to the origin and with the axes turned. */
     private double ax;
@@ -131,8 +133,7 @@ public final class MeshRay {
      */
     public void startOn(int from, int travels, double error) {
         start = from;
-        startSide = travels;
-        tolerance = error;
+        departure.set(tree.mesh, from, travels, o, error);
     }
 
     /** Leaves out one more triangle, on which the ray ends; {@link #NONE} for none. */
@@ -218,12 +219,13 @@ public final class MeshRay {
     /** Where the ray enters the mesh's box, at least from, a little early; infinite if it misses it. */
     private double entry(double tMax) {
         Bounds box = tree.bounds;
+        double off = start == NONE ? 0 : departure.tolerance;
         double from = tMin;
         double to = tMax;
         for (int axis = 0; axis < 3; axis++) {
             double low = box.min().component(axis) - o[axis];
             double high = box.max().component(axis) - o[axis];
-            double slack = ERROR * (Math.max(Math.abs(low), Math.abs(high)) + tree.largest);
+            double slack = ERROR * (Math.max(Math.abs(low), Math.abs(high)) + tree.largest) + off;
             if (d[axis] == 0) {
                 if (low > slack || high < -slack) {
                     return MISS;
@@ -244,10 +246,11 @@ public final class MeshRay {
         double best = limit;
         for (int i = first; i < end; i++) {
             int candidate = tree.order[i];
-            if (candidate == start || candidate == leftOut || !covers(candidate)) {
+            if (candidate == start || candidate == leftOut) {
                 continue;
             }
-            double s = distance(candidate);
+            boolean covered = covers(candidate);
+            double s = start != NONE ? leaving(candidate, covered) : covered ? distance() : MISS;
             if (s < best || s == best && wins(candidate)) {
                 best = s;
                 t = s;
@@ -316,8 +319,8 @@ public final class MeshRay {
         }
     }
 
-    /** The t at which the ray meets the loaded triangle, which it covers; {@link #MISS} if that does not count. */
-    private double distance(int candidate) {
+    /** Sets the normal of the loaded triangle; returns the height of its plane above the origin, times the normal's length. */
+    private double plane() {
         double ux = bx - ax;
         double uy = by - ay;
         double uz = bz - az;
@@ -327,11 +330,91 @@ public final class MeshRay {
         nx = Products.difference(uy, vz, uz, vy);
         ny = Products.difference(uz, vx, ux, vz);
         nz = Products.difference(ux, vy, uy, vx);
-        double height = Products.accurateDot(nx, ny, nz, ax, ay, az);
-        if (start != NONE && isAtStart(candidate, height)) {
-            return isConcave(candidate) && towards() * startSide < 0 ? tMin : MISS;
-        }
+        return Products.accurateDot(nx, ny, nz, ax, ay, az);
+    }
+
+    /** The t at which the ray meets the loaded triangle, which it covers; {@link #MISS} if that does not count. */
+    private double distance() {
+        double height = plane();
         return settle(height / Products.accurateDot(nx, ny, nz, d[kx], d[ky], dz));
+    }
+
+    /** The same where the ray starts on a triangle of the mesh. */
+    private double leaving(int candidate, boolean covered) {
+        if (departure.corner >= 0) {
+            int k = departure.cornerAt(candidate);
+            if (k >= 0) {
+                return inFan(candidate, k) ? tMin : MISS;
+            }
+        }
+        double m = Math.max(size(ax, ay, az), Math.max(size(bx, by, bz), size(cx, cy, cz)));
+        double near = departure.tolerance + ERROR * m;
+        if (!covered && !(Math.min(Math.abs(e0), Math.min(Math.abs(e1), Math.abs(e2))) <= NEAR * near * m)) {
+            return MISS;
+        }
+        int edge = departure.sharedEdge(candidate);
+        if (edge < 0 && !covered || edge == Departure.ALL) {
+            return MISS;
+        }
+        double height = plane();
+        double plane = height / Products.accurateDot(nx, ny, nz, d[kx], d[ky], dz);
+        if (edge >= 0) {
+            return meets(candidate, edge) ? afterStart(plane, covered) : MISS;
+        }
+        double edges = size(bx - ax, by - ay, bz - az) + size(cx - ax, cy - ay, cz - az);
+        double n = Math.abs(nx) + Math.abs(ny) + Math.abs(nz);
+        boolean isAtStart = Math.abs(height) <= n * near + ERROR * m * edges * size(ax, ay, az);
+        return isAtStart && departure.isInPlane(candidate) ? MISS : settle(plane);
+    }
+
+    /** Whether a ray that leaves the start triangle meets one that shares an edge with it. */
+    private boolean meets(int candidate, int edge) {
+        double towards = towards();
+        if (!departure.isRaised(candidate) || !(towards * departure.sideOf(candidate) < 0)) {
+            return false;
+        }
+        double sign = Math.signum(towards) * Math.signum(dz);
+        boolean within0 = edge == 0 || sign * e0 >= 0;
+        boolean within1 = edge == 1 || sign * e1 >= 0;
+        boolean within2 = edge == 2 || sign * e2 >= 0;
+        return within0 && within1 && within2;
+    }
+
+    /** The t of a crossing that is known to be there: not before the start, and not beyond the triangle. */
+    private double afterStart(double plane, boolean covered) {
+        double settled = covered ? settle(plane) : plane;
+        double hi = Math.max(az / dz, Math.max(bz / dz, cz / dz));
+        return settled == MISS ? tMin : Math.max(tMin, Math.min(settled, hi));
+    }
+
+    /** Whether a ray from the start triangle's centroid meets the cone that a triangle is seen as from its corner k. */
+    private boolean inFan(int candidate, int k) {
+        plane();
+        double towards = towards();
+        double gx = departure.centroid(kx);
+        double gy = departure.centroid(ky);
+        double gz = departure.centroid(kz);
+        TriangleMesh mesh = tree.mesh;
+        int v = mesh.vertex(candidate, k);
+        int next = mesh.vertex(candidate, (k + 1) % 3);
+        int last = mesh.vertex(candidate, (k + 2) % 3);
+        double vx = mesh.coordinate(v, kx) - gx;
+        double vy = mesh.coordinate(v, ky) - gy;
+        double vz = mesh.coordinate(v, kz) - gz;
+        double height = Products.accurateDot(nx, ny, nz, vx, vy, vz);
+        if (!(height * towards > 0)) {
+            return false;
+        }
+        double px = Math.fma(-shearX, vz, vx);
+        double py = Math.fma(-shearY, vz, vy);
+        double nextZ = mesh.coordinate(next, kz) - gz;
+        double qx = Math.fma(-shearX, nextZ, mesh.coordinate(next, kx) - gx);
+        double qy = Math.fma(-shearY, nextZ, mesh.coordinate(next, ky) - gy);
+        double lastZ = mesh.coordinate(last, kz) - gz;
+        double rx = Math.fma(-shearX, lastZ, mesh.coordinate(last, kx) - gx);
+        double ry = Math.fma(-shearY, lastZ, mesh.coordinate(last, ky) - gy);
+        double sign = Math.signum(towards) * Math.signum(dz);
+        return sign * Products.difference(px, qy, py, qx) >= 0 && sign * Products.difference(rx, py, ry, px) >= 0;
     }
 
     /** Makes the distance to the plane agree with the edge functions, which are rounded otherwise where the ray is almost in the plane. */
@@ -358,56 +441,11 @@ public final class MeshRay {
         return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
     }
 
-    /** Whether the origin lies in a triangle's plane, as far as is known, and the triangle touches the one that the ray starts on. */
-    private boolean isAtStart(int candidate, double height) {
-        double n = Math.abs(nx) + Math.abs(ny) + Math.abs(nz);
-        double far = size(ax, ay, az);
-        return Math.abs(height) <= n * (tolerance + ERROR * far) && touches(candidate);
-    }
-
-    private boolean touches(int candidate) {
-        TriangleMesh mesh = tree.mesh;
-        for (int i = 0; i < 3; i++) {
-            int v = mesh.vertex(start, i);
-            for (int k = 0; k < 3; k++) {
-                int w = mesh.vertex(candidate, k);
-                if (v == w
-                        || mesh.coordinate(v, 0) == mesh.coordinate(w, 0)
-                                && mesh.coordinate(v, 1) == mesh.coordinate(w, 1)
-                                && mesh.coordinate(v, 2) == mesh.coordinate(w, 2)) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-    /** Whether the farthest corner of a triangle is on the side of the start triangle's plane that the ray travels on. */
-    private boolean isConcave(int candidate) {
-        TriangleMesh mesh = tree.mesh;
-        double[] n = new double[3];
-        mesh.normal(start, n);
-        int a = mesh.vertex(start, 0);
-        double farthest = 0;
-        for (int k = 0; k < 3; k++) {
-            int v = mesh.vertex(candidate, k);
-            double h = Products.accurateDot(
-                    n[0],
-                    n[1],
-                    n[2],
-                    mesh.coordinate(v, 0) - mesh.coordinate(a, 0),
-                    mesh.coordinate(v, 1) - mesh.coordinate(a, 1),
-                    mesh.coordinate(v, 2) - mesh.coordinate(a, 2));
-            farthest = Math.abs(h) > Math.abs(farthest) ? h : farthest;
-        }
-        return farthest * startSide > 0;
-    }
-
     /** Finds the weights of the corners where the ray's line crosses a triangle that {@link #closest} found. */
     public void complete(int found) {
         triangle = found;
         covers(found);
-        distance(found);
+        plane();
         side = towards() < 0 ? 1 : -1;
         double sum = e0 + e1 + e2;
         weightB = sum == 0 ? 0 : clamped(e2 / sum);

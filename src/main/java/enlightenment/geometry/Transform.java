@@ -76,7 +76,7 @@ public final class Transform {
         public Matrix {
             Objects.requireNonNull(offset, "offset");
             Check.that(row0.isFinite() && row1.isFinite() && row2.isFinite(), "matrix", "must have finite entries");
-            Check.that(row0.cross(row1).dot(row2) != 0, "matrix", "must have an inverse: it makes everything flat");
+            Check.that(hasInverse(row0, row1, row2), "matrix", "must have an inverse: it makes everything flat");
         }
     }
 
@@ -100,11 +100,17 @@ public final class Transform {
         row1 = b;
         row2 = c;
         offset = d;
-        double determinant = a.cross(b).dot(c);
-        Check.that(
-                Double.isFinite(determinant) && determinant != 0,
-                "transform",
-                "must have an inverse in double precision");
+        Check.that(hasInverse(a, b, c), "transform", "must have an inverse in double precision");
+    }
+
+    /** Whether the determinant is not 0, whatever the unit of the coordinates is: powers of two are taken out of the rows. */
+    private static boolean hasInverse(Vec3 a, Vec3 b, Vec3 c) {
+        boolean isFinite = a.isFinite() && b.isFinite() && c.isFinite();
+        return isFinite && unit(a).cross(unit(b)).dot(unit(c)) != 0;
+    }
+
+    private static Vec3 unit(Vec3 row) {
+        return row.maxAbs() > 0 ? row.scaledBy(-row.exponent()) : row;
     }
 
     /**

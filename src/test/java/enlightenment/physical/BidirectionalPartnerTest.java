@@ -51,6 +51,8 @@ class BidirectionalPartnerTest {
                 "nested glass",
                 "pane",
                 "rough glass",
+                "smooth meshes of matte, mirror and glass",
+                "smooth meshes of metal and coats",
                 "rough matte",
                 "under water by a panel",
                 "window",

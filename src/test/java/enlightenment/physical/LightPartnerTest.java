@@ -42,6 +42,8 @@ class LightPartnerTest {
                 "pane",
                 "point light behind a pane",
                 "rough glass",
+                "smooth meshes of matte, mirror and glass",
+                "smooth meshes of metal and coats",
                 "under water by a panel",
                 "within a light"
             })

@@ -53,6 +53,8 @@ class NaivePartnerTest {
                 "nested glass",
                 "pane",
                 "rough glass",
+                "smooth meshes of matte, mirror and glass",
+                "smooth meshes of metal and coats",
                 "rough jade",
                 "fog that only absorbs",
                 "rough matte",

@@ -7,15 +7,18 @@ import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
+import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -185,6 +188,11 @@ final class MovedScene {
         }
         if (shape instanceof Torus t) {
             return new Torus(point(t.center()), t.axis(), length(t.majorRadius()), length(t.minorRadius()));
+        }
+        if (shape instanceof Mesh m) {
+            double s = length(1);
+            return m.placed(Transform.of(
+                    new Transform.Matrix(Vec3.X.times(s), Vec3.Y.times(s), Vec3.Z.times(s), point(ExactPoint.ORIGIN))));
         }
         Triangle t = (Triangle) shape;
         return new Triangle(point(t.a()), point(t.b()), point(t.c()));

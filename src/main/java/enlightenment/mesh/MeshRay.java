@@ -339,7 +339,7 @@ public final class MeshRay {
         return settle(height / Products.accurateDot(nx, ny, nz, d[kx], d[ky], dz));
     }
 
-    /** The same where the ray starts on a triangle of the mesh. */
+    /** {@link #distance} of a triangle where the ray starts on another one of the mesh. */
     private double leaving(int candidate, boolean covered) {
         if (departure.corner >= 0) {
             int k = departure.cornerAt(candidate);

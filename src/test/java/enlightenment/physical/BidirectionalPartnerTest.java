@@ -47,6 +47,7 @@ class BidirectionalPartnerTest {
                 "lights of all kinds",
                 "many lights of all kinds",
                 "metals",
+                "meshes whose normals are bent",
                 "milk in glass",
                 "nested glass",
                 "pane",

@@ -39,6 +39,7 @@ class LightPartnerTest {
                 "background and lights",
                 "coated, mirror and glass",
                 "lights of all kinds",
+                "meshes whose normals are bent",
                 "pane",
                 "point light behind a pane",
                 "rough glass",

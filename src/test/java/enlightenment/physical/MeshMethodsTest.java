@@ -12,7 +12,10 @@ import java.util.Map;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Methods that no naive partner is compared with make the same picture of smooth meshes as single paths from the eye. */
+/**
+ * All methods make the same picture of smooth meshes as single paths from the eye. Where normals of matte meshes are bent, light that is carried
+ * from the lights would be off by the cosines' ratio if it were not corrected: by up to a half.
+ */
 class MeshMethodsTest {
     private static final Map<String, Scene> SCENES = PartnerScenes.all();
 
@@ -24,14 +27,18 @@ class MeshMethodsTest {
     @CsvSource({
         "CLUSTER, 'smooth meshes of matte, mirror and glass'",
         "CLUSTER, smooth meshes of metal and coats",
+        "CLUSTER, meshes whose normals are bent",
+        "METROPOLIS, meshes whose normals are bent",
+        "BIDIRECTIONAL, meshes whose normals are bent",
+        "LIGHT, meshes whose normals are bent",
         "METROPOLIS, 'smooth meshes of matte, mirror and glass'",
         "METROPOLIS, smooth meshes of metal and coats"
     })
     void othersMakeThePictureOfSinglePaths(BuiltInMethod method, String name) {
         Scene scene = SCENES.get(name);
         List<Image> traced =
-                Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE).withAntialias(5), 100, 12);
-        List<Image> others = Rendered.seeds(scene, settings(scene, method).withAntialias(5), 1, 12);
+                Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE).withAntialias(3), 100, 12);
+        List<Image> others = Rendered.seeds(scene, settings(scene, method).withAntialias(3), 1, 12);
         for (int part = 0; part < 4; part++) {
             int x = part % 2 * 8;
             int y = part / 2 * 8;
@@ -40,7 +47,7 @@ class MeshMethodsTest {
                 double[] b = Rendered.means(others, x, y, x + 8, y + 8, band);
                 String told =
                         "part " + part + ", band " + band + ": " + Statistics.of(b) + " instead of " + Statistics.of(a);
-                assertTrue(Welch.of(a, b).probability() >= Welch.sidak(0.01, 48), told);
+                assertTrue(Welch.of(a, b).probability() >= Welch.sidak(0.01, 96), told);
             }
         }
     }

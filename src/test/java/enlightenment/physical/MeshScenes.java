@@ -43,5 +43,25 @@ final class MeshScenes {
                         .object(ball(-0.45, 0.5, 0.1, 0.45), Material.Glossy.of(linear(0.9, 0.6, 0.3), 0.7))
                         .object(ball(0.5, 0.6, 0.3, 0.4), Material.Coated.of(linear(0.1, 0.5, 0.9), 0))
                         .object(ball(0.1, 0.4, -0.5, 0.3), Material.Coated.of(linear(0.2, 0.9, 0.6), 0.5)));
+        Transform cube = Transform.of(
+                new Transform.Rotate(new Vec3(0, 30, 0)),
+                new Transform.Scale(new Vec3(0.6, 0.6, 0.6)),
+                new Transform.Translate(at(-0.6, 0.2, -0.3)));
+        scenes.put(
+                "meshes whose normals are bent",
+                room().light(panel(0.3, 1.9, 0, 0.4, new Rgb(8, 8, 8), false))
+                        .object(Mesh.of(TestMeshes.cube().smooth(), cube), PhysicalScenes.WHITE)
+                        .object(slope(), Material.Matte.of(linear(0.8, 0.8, 0.8))));
+    }
+
+    /** A square above the floor, shaded as if it were turned towards the right wall. */
+    private static Shape slope() {
+        TriangleMesh square = TestMeshes.moved(TestMeshes.grid(1), true, v -> new Vec3(v.x(), 0.02, v.y()));
+        float[] normals = new float[3 * square.vertices()];
+        for (int v = 0; v < square.vertices(); v++) {
+            normals[3 * v] = 0.9f;
+            normals[3 * v + 1] = 1;
+        }
+        return Mesh.of(square.withNormals(normals));
     }
 }

@@ -49,6 +49,7 @@ class NaivePartnerTest {
                 "lights of all kinds",
                 "many lights of all kinds",
                 "metals",
+                "meshes whose normals are bent",
                 "milk in glass",
                 "nested glass",
                 "pane",

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 
 /** A ray finds in the hierarchy of a mesh what it finds among all its triangles, one by one. */
 class MeshRayTest {
-    private static final int FEW = 3_000;
+    private static final int FEW = 1_500;
 
     /** By name: a mesh in the cube from −1 to 1. */
     private static Map<String, TriangleMesh> meshes() {

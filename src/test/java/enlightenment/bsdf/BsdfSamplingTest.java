@@ -160,6 +160,7 @@ class BsdfSamplingTest {
         Set<String> tested =
                 cases().stream().map(c -> c.bsdf.getClass().getName()).collect(Collectors.toCollection(TreeSet::new));
         tested.add(HenyeyGreenstein.class.getName());
+        tested.add(SmoothShading.class.getName());
         Set<String> all = new ClassFileImporter()
                         .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
                         .importPackages(Bsdf.class.getPackageName())

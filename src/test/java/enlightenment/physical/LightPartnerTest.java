@@ -39,9 +39,12 @@ class LightPartnerTest {
                 "background and lights",
                 "coated, mirror and glass",
                 "lights of all kinds",
+                "meshes whose normals are bent",
                 "pane",
                 "point light behind a pane",
                 "rough glass",
+                "smooth meshes of matte, mirror and glass",
+                "smooth meshes of metal and coats",
                 "under water by a panel",
                 "within a light"
             })

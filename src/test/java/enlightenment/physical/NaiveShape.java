@@ -4,6 +4,7 @@ import enlightenment.geometry.Box;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
@@ -21,6 +22,11 @@ abstract class NaiveShape {
 
     /** The unit normal at a point of the surface: outwards where there is an inside, else to the front. */
     abstract Vec3 normal(Vec3 p);
+
+    /** The normal by which a point is shaded, as long as 1 and on the side of {@link #normal}. */
+    Vec3 shadingNormal(Vec3 p) {
+        return normal(p);
+    }
 
     /** Whether the point is inside; false for what has no volume. */
     boolean contains(Vec3 p) {
@@ -58,6 +64,9 @@ abstract class NaiveShape {
         }
         if (shape instanceof Cylinder c) {
             return new Tube(at(c.base()), at(c.top()), c.radius(), c.capped());
+        }
+        if (shape instanceof Mesh m) {
+            return new NaiveMesh(m);
         }
         throw new UnsupportedOperationException("no naive form of a " + shape.type());
     }
@@ -132,6 +141,11 @@ abstract class NaiveShape {
 
         double area() {
             return cross.length();
+        }
+
+        /** The volume between half of it and a point behind it. */
+        double cone(Vec3 p) {
+            return corner.minus(p).dot(cross) / 6;
         }
 
         /** The mirror image of a point. */

@@ -240,15 +240,15 @@ final class NaiveTracer {
             return new double[3];
         }
         if (material instanceof Material.Mirror) {
-            Vec3 on = d.minus(hit.normal().times(2 * d.dot(hit.normal())));
-            path.mirrored();
-            return NaiveColors.product(color(hit), radiance(hit.point(), on, scattered + 1, events, path));
+            double[] seen = mirrored(hit, shadingNormal(hit, d), d, scattered, events, path);
+            return NaiveColors.product(color(hit), seen);
         }
         NaiveReflector reflector = reflector(material, hit);
         if (reflector instanceof NaiveCoat coat && coat.isSmooth()) {
-            double reflectance = coat.fresnel(Math.min(1, -d.dot(hit.normal())));
+            Vec3 n = shadingNormal(hit, d);
+            double reflectance = coat.fresnel(Math.min(1, -d.dot(n)));
             if (path.random.nextDouble() < reflectance) {
-                return mirrored(hit, hit.normal(), d, scattered, events, path);
+                return mirrored(hit, n, d, scattered, events, path);
             }
         }
         return reflected(reflector, hit, d, scattered + 1, events, path);
@@ -278,7 +278,8 @@ final class NaiveTracer {
         if (isLeftOut(path)) {
             return new double[3];
         }
-        Vec3[] axes = axes(hit.normal());
+        Vec3 n = shadingNormal(hit, d);
+        Vec3[] axes = axes(n);
         Vec3 out = local(axes, d.negated());
         double[] sum = new double[3];
         points.add(hit.point(), axes, reflector, out, scattered < scene.maxBounces, sum);
@@ -288,7 +289,11 @@ final class NaiveTracer {
         }
         double density = reflector.density(out, in);
         Vec3 on = axes[0].times(in.x()).plus(axes[1].times(in.y())).plus(axes[2].times(in.z()));
-        double[] arriving = radiance(hit.point(), on, scattered, events, path);
+        double soft = softened(hit, n, on);
+        if (soft == 0) {
+            return sum;
+        }
+        double[] arriving = scaled(radiance(hit.point(), on, scattered, events, path), soft);
         for (int band = 0; band < 3; band++) {
             sum[band] += reflector.value(band, out, in) * in.z() / density * arriving[band];
         }
@@ -324,9 +329,26 @@ final class NaiveTracer {
     private double[] mirrored(NaiveScene.Hit hit, Vec3 facet, Vec3 d, int scattered, int events, Path path) {
         path.mirrored();
         Vec3 on = d.minus(facet.times(2 * d.dot(facet)));
+        double soft = hit.surface().isGlass() ? 1 : softened(hit, facet, on);
         return scattered == scene.maxBounces || on.dot(hit.normal()) <= 0
                 ? new double[3]
-                : radiance(hit.point(), on, scattered + 1, events, path);
+                : scaled(radiance(hit.point(), on, scattered + 1, events, path), soft);
+    }
+
+    /** On the side of the eye: where it turns away from that, its mirror image in the plane across the view. */
+    private static Vec3 shadingNormal(NaiveScene.Hit hit, Vec3 d) {
+        Vec3 n = hit.surface().shape().shadingNormal(hit.point()).times(hit.front() ? 1 : -1);
+        return n.dot(d) > 0 ? n.minus(d.times(2 * n.dot(d))) : n;
+    }
+
+    /** Chiang, Li and Burley, "Taming the shadow terminator", 2019; 0 for light from behind the triangle. */
+    private static double softened(NaiveScene.Hit hit, Vec3 n, Vec3 light) {
+        double straight = hit.normal().dot(light);
+        if (straight <= 0) {
+            return 0;
+        }
+        double g = Math.min(1, straight / (n.dot(light) * Math.abs(n.dot(hit.normal()))));
+        return -g * g * g + g * g + g;
     }
 
     /** Radiance on the two sides of a border is in the ratio of the squares of the indices. */

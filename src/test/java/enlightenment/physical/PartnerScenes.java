@@ -62,6 +62,7 @@ final class PartnerScenes {
         MeetingScenes.addTo(scenes);
         UnusualScenes.addTo(scenes);
         MediaScenes.addTo(scenes);
+        MeshScenes.addTo(scenes);
         Map<String, Scene> built = new TreeMap<>();
         scenes.forEach((name, scene) -> built.put(name, scene.name(name).build()));
         return built;

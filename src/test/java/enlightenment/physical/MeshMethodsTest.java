@@ -1,0 +1,54 @@
+package enlightenment.physical;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.image.Image;
+import enlightenment.render.Welch;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * All methods make the same picture of smooth meshes as single paths from the eye. Where normals of matte meshes are bent, light that is carried
+ * from the lights would be off by the cosines' ratio if it were not corrected: by up to a half.
+ */
+class MeshMethodsTest {
+    private static final Map<String, Scene> SCENES = PartnerScenes.all();
+
+    private static RenderSettings settings(Scene scene, BuiltInMethod method) {
+        return RenderSettings.of(scene).withMethod(method).withThreads(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "CLUSTER, 'smooth meshes of matte, mirror and glass'",
+        "CLUSTER, smooth meshes of metal and coats",
+        "CLUSTER, meshes whose normals are bent",
+        "METROPOLIS, meshes whose normals are bent",
+        "BIDIRECTIONAL, meshes whose normals are bent",
+        "LIGHT, meshes whose normals are bent",
+        "METROPOLIS, 'smooth meshes of matte, mirror and glass'",
+        "METROPOLIS, smooth meshes of metal and coats"
+    })
+    void othersMakeThePictureOfSinglePaths(BuiltInMethod method, String name) {
+        Scene scene = SCENES.get(name);
+        List<Image> traced =
+                Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE).withAntialias(3), 100, 12);
+        List<Image> others = Rendered.seeds(scene, settings(scene, method).withAntialias(3), 1, 12);
+        for (int part = 0; part < 4; part++) {
+            int x = part % 2 * 8;
+            int y = part / 2 * 8;
+            for (int band = 0; band < 3; band++) {
+                double[] a = Rendered.means(traced, x, y, x + 8, y + 8, band);
+                double[] b = Rendered.means(others, x, y, x + 8, y + 8, band);
+                String told =
+                        "part " + part + ", band " + band + ": " + Statistics.of(b) + " instead of " + Statistics.of(a);
+                assertTrue(Welch.of(a, b).probability() >= Welch.sidak(0.01, 96), told);
+            }
+        }
+    }
+}

@@ -81,7 +81,8 @@ public final class MeshRay {
         if (!(entry <= tMax)) {
             return false;
         }
-        // In the tree's unit, with a direction whose largest component is in [1, 2), from where the ray enters the mesh's box.
+        // In the tree's unit, with a direction whose largest component is in [1, 2), from where the ray enters the
+        // mesh's box.
         double[] o = test.o;
         double[] d = test.d;
         double directions = 1 / Math.scalb(1.0, Math.getExponent(test.dz));

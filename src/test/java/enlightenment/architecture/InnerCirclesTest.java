@@ -27,7 +27,6 @@ class InnerCirclesTest {
     private static final Map<String, Integer> DEBTS = Map.of(
             "enlightenment.primitive", 10,
             "enlightenment.scene", 14,
-            "enlightenment.scene.json", 7,
             "enlightenment.store", 9);
 
     /** By package and class: the classes of that package that it uses. */

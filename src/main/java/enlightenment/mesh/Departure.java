@@ -36,6 +36,10 @@ final class Departure {
     private final int[] vertices = new int[3];
     private final double[] normal = new double[3];
     private boolean hasNormal;
+    private boolean isReady;
+
+    /** The ray's origin. */
+    private double[] start;
 
     /** The corner of the triangle that does not lie on the edge that {@link #sharedEdge} found, and that of the neighbour. */
     private int opposite;
@@ -46,19 +50,22 @@ final class Departure {
         mesh = of;
         triangle = from;
         side = travels;
-        hasNormal = false;
-        double largest = 0;
-        for (int k = 0; k < 3; k++) {
-            int v = of.vertex(from, k);
-            vertices[k] = v;
-            for (int axis = 0; axis < 3; axis++) {
-                largest = Math.max(largest, Math.abs(of.coordinate(v, axis)));
-            }
+        start = origin;
+        tolerance = error + ROUNDED * of.maxAbs();
+        isReady = false;
+    }
+
+    /** Looks at the triangle; only a ray that comes near a triangle that touches it needs that. */
+    void prepare() {
+        if (isReady) {
+            return;
         }
-        tolerance = error + ROUNDED * largest;
+        isReady = true;
+        hasNormal = false;
         corner = -1;
         for (int k = 0; k < 3; k++) {
-            if (isNear(vertices[k], origin)) {
+            vertices[k] = mesh.vertex(triangle, k);
+            if (isNear(vertices[k], start)) {
                 corner = k;
             }
         }

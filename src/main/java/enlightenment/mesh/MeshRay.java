@@ -85,7 +85,7 @@ public final class MeshRay {
         // mesh's box.
         double[] o = test.o;
         double[] d = test.d;
-        double directions = 1 / Math.scalb(1.0, Math.getExponent(test.dz));
+        double directions = test.scale;
         double unit = tree.unit;
         double qx = d[0] * directions;
         double qy = d[1] * directions;
@@ -157,7 +157,7 @@ public final class MeshRay {
                 }
                 continue;
             }
-            double inverse = 1 / v;
+            double inverse = test.inverse[axis];
             double widened = slack * Math.abs(inverse);
             double first = Math.min(low * inverse, high * inverse) - widened;
             double last = Math.max(low * inverse, high * inverse) + widened;

@@ -18,6 +18,13 @@ final class TriangleTest {
     final double[] o = new double[3];
 
     final double[] d = new double[3];
+
+    /** By axis, 1 over the direction. */
+    final double[] inverse = new double[3];
+
+    /** The power of two that brings the direction's largest component into [1, 2). */
+    double scale;
+
     double tMin;
 
     /** Axes turned so that the third one is that of the direction's largest component, dz. */
@@ -76,23 +83,34 @@ final class TriangleTest {
         o[0] = x;
         o[1] = y;
         o[2] = z;
-        d[0] = dirX;
-        d[1] = dirY;
-        d[2] = dirZ;
         tMin = from;
         start = MeshRay.NONE;
         leftOut = MeshRay.NONE;
+        // Meshes that are not turned see a ray in the same direction one after the other.
+        if (!(d[0] == dirX && d[1] == dirY && d[2] == dirZ)) {
+            direct(dirX, dirY, dirZ);
+        }
+        ox = o[kx];
+        oy = o[ky];
+        oz = o[kz];
+    }
+
+    private void direct(double dirX, double dirY, double dirZ) {
+        d[0] = dirX;
+        d[1] = dirY;
+        d[2] = dirZ;
+        for (int axis = 0; axis < 3; axis++) {
+            inverse[axis] = 1 / d[axis];
+        }
         double sx = Math.abs(dirX);
         double sy = Math.abs(dirY);
         double sz = Math.abs(dirZ);
         kz = sx > sy ? (sx > sz ? 0 : 2) : (sy > sz ? 1 : 2);
         kx = kz == 2 ? 0 : kz + 1;
         ky = kx == 2 ? 0 : kx + 1;
-        ox = o[kx];
-        oy = o[ky];
-        oz = o[kz];
         dz = d[kz];
-        inverseZ = 1 / dz;
+        inverseZ = inverse[kz];
+        scale = 1 / Math.scalb(1.0, Math.getExponent(dz));
         shearX = d[kx] * inverseZ;
         shearY = d[ky] * inverseZ;
     }
@@ -232,7 +250,11 @@ final class TriangleTest {
         double edges = size(bx - ax, by - ay, bz - az) + size(cx - ax, cy - ay, cz - az);
         double n = Math.abs(nx) + Math.abs(ny) + Math.abs(nz);
         boolean isAtStart = Math.abs(height) <= n * near + ERROR * m * edges * size(ax, ay, az);
-        return isAtStart && departure.isInPlane(candidate);
+        if (!isAtStart) {
+            return false;
+        }
+        departure.prepare();
+        return departure.isInPlane(candidate);
     }
 
     private double reach() {
@@ -264,6 +286,7 @@ final class TriangleTest {
 
     /** The t of a triangle that touches the one that the ray starts on. */
     private double leaving(int candidate, boolean covered) {
+        departure.prepare();
         if (departure.corner >= 0) {
             int k = departure.cornerAt(candidate);
             if (k >= 0) {

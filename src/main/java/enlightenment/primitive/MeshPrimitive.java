@@ -163,6 +163,35 @@ public final class MeshPrimitive extends Primitive {
         return true;
     }
 
+    /** The sum over the corners of how far the hit is below the plane across the corner's normal, along that, by their weights. */
+    @Override
+    public boolean bulge(Hit hit, double[] offset) {
+        if (!mesh.hasNormals()) {
+            return false;
+        }
+        double[] weights = {1 - hit.weightB - hit.weightC, hit.weightB, hit.weightC};
+        Vec3[] corners = new Vec3[3];
+        Vec3 at = Vec3.ZERO;
+        for (int k = 0; k < 3; k++) {
+            corners[k] = mesh.position(mesh.vertex(hit.element, k));
+            at = at.plus(corners[k].times(weights[k]));
+        }
+        Vec3 sum = Vec3.ZERO;
+        for (int k = 0; k < 3; k++) {
+            Vec3 n = mesh.normal(mesh.vertex(hit.element, k));
+            if (n.maxAbs() > 0) {
+                Vec3 unit = n.normalized().times(hit.side);
+                double below = Math.min(0, at.minus(corners[k]).dot(unit));
+                sum = sum.minus(unit.times(weights[k] * below));
+            }
+        }
+        Vec3 placed = placing.vector(sum);
+        offset[0] = placed.x();
+        offset[1] = placed.y();
+        offset[2] = placed.z();
+        return true;
+    }
+
     /** Those of the vertices, interpolated; without any, the triangle's corners are (0, 0), (1, 0) and (0, 1). */
     @Override
     public void textureCoordinates(Hit hit) {

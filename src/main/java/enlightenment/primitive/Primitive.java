@@ -130,6 +130,16 @@ public abstract sealed class Primitive
         return false;
     }
 
+    /**
+     * Writes the offset from a hit to where the surface would be if it were as smooth as its shading normals say, on the side that the ray
+     * arrived on (J. Hanika, "Hacking the shadow terminator", Ray Tracing Gems II, 2021, chapter 4).
+     *
+     * @return false if there is none
+     */
+    public boolean bulge(Hit hit, double[] offset) {
+        return false;
+    }
+
     /** Whether u is periodic: 0 and 1 are the same column of a texture, without a seam. */
     public boolean repeatsTextures() {
         return false;

@@ -1,7 +1,9 @@
 package enlightenment.render;
 
+import enlightenment.geometry.Mesh;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
@@ -11,6 +13,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneObject;
 import enlightenment.work.Cancellation;
 import enlightenment.work.Phases;
 import enlightenment.work.PictureMemory;
@@ -21,6 +24,8 @@ import enlightenment.world.check.SceneHints;
 import enlightenment.world.check.SceneProblems;
 import enlightenment.world.light.SceneImages;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -185,9 +190,22 @@ public final class Renderer {
                 compiled.features(),
                 compiled.absent(),
                 primitives,
-                memoryFor(settings) + primitives * BYTES_PER_PRIMITIVE,
+                memoryFor(settings) + primitives * BYTES_PER_PRIMITIVE + meshBytes(scene),
                 List.copyOf(hints),
                 List.copyOf(methods));
+    }
+
+    /** What meshes take, each once. */
+    private static long meshBytes(Scene scene) {
+        Set<TriangleMesh> meshes = Collections.newSetFromMap(new IdentityHashMap<>());
+        for (SceneObject object : scene.objects()) {
+            if (object.shape() instanceof Mesh mesh) {
+                meshes.add(mesh.triangles());
+            }
+        }
+        return meshes.stream()
+                .mapToLong(m -> m.bytes() + m.tree(() -> {}).bytes())
+                .sum();
     }
 
     /**

@@ -33,6 +33,9 @@ final class ClassicDirectLight {
     private final PathReport report;
     private final LightCone cone = new LightCone();
     private final EmitterView view = new EmitterView(cone);
+    /** The offset of a smooth surface from its triangle. */
+    private final double[] bulge = new double[3];
+
     private final Ray shadowRay = new Ray();
 
     /** Primitives that the shaded point lies on; if there are more, the others are tested needlessly. */
@@ -291,12 +294,26 @@ final class ClassicDirectLight {
 
     private boolean isBlocked() {
         path.poll.tick();
-        shadowRay.set(hit.px, hit.py, hit.pz, view.dx, view.dy, view.dz, 0);
+        double length = view.length;
+        if (path.at.isSmooth() && hit.primitive.bulge(hit, bulge)) {
+            // To the same point of the light; lengths are in units of the way to it.
+            shadowRay.set(
+                    hit.px + bulge[0],
+                    hit.py + bulge[1],
+                    hit.pz + bulge[2],
+                    Math.fma(view.dx, length, -bulge[0]),
+                    Math.fma(view.dy, length, -bulge[1]),
+                    Math.fma(view.dz, length, -bulge[2]),
+                    0);
+            length = 1;
+        } else {
+            shadowRay.set(hit.px, hit.py, hit.pz, view.dx, view.dy, view.dz, 0);
+        }
         shadowRay.from(hit, hit.side);
         if (glass.surfaces() > 1) {
             glass.startOnAll(shadowRay);
         }
-        boolean blocked = tracer.occluded(shadowRay, view.length, cone.light());
+        boolean blocked = tracer.occluded(shadowRay, length, cone.light());
         if (report.isRead()) {
             report.shadowRays++;
             report.blockedShadowRays += blocked ? 1 : 0;

@@ -11,10 +11,12 @@ import enlightenment.cli.setting.SettingsLine;
 import enlightenment.cli.setting.StretchHint;
 import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.Terminal;
+import enlightenment.geometry.Mesh;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.render.Renderer;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.MethodSetting;
@@ -26,11 +28,14 @@ import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import enlightenment.text.Plain;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -144,6 +149,7 @@ public final class InspectCommand extends Subcommand {
             }
         }
         line("objects", counts(shapes));
+        meshes(scene);
         Map<String, Integer> lights = new LinkedHashMap<>();
         for (Light light : scene.lights()) {
             count(lights, light.type());
@@ -160,6 +166,42 @@ public final class InspectCommand extends Subcommand {
         }
         line("named materials", counts(named));
         line("surfaces", counts(used));
+    }
+
+    /** What meshes hold; each counts once, however often it is placed. */
+    private void meshes(Scene scene) {
+        Set<TriangleMesh> meshes = Collections.newSetFromMap(new IdentityHashMap<>());
+        int instances = 0;
+        for (SceneObject object : scene.objects()) {
+            if (object.shape() instanceof Mesh mesh) {
+                meshes.add(mesh.triangles());
+                instances++;
+            }
+        }
+        if (meshes.isEmpty()) {
+            return;
+        }
+        long triangles = 0;
+        long dropped = 0;
+        long bytes = 0;
+        int open = 0;
+        for (TriangleMesh mesh : meshes) {
+            triangles += mesh.triangles();
+            dropped += mesh.dropped();
+            bytes += mesh.bytes() + mesh.tree(() -> {}).bytes();
+            open += mesh.isClosed() ? 0 : 1;
+        }
+        line(
+                "meshes",
+                String.format(
+                        Locale.ROOT,
+                        "%d of %d triangles, placed %d times; %.1f MiB, %.1f bytes a triangle with its hierarchy",
+                        meshes.size(),
+                        triangles,
+                        instances,
+                        bytes / MEBI,
+                        bytes / (double) triangles));
+        line("", dropped + " triangles without an area left out; " + open + " meshes have open edges");
     }
 
     private static String kind(Texture texture) {

@@ -16,6 +16,7 @@ public record Bump(Material of, Texture map, double height) implements Material 
     public Bump {
         Detail.check("of", of);
         Objects.requireNonNull(map, "map");
+        Check.that(map instanceof Texture.File, "map", "must be a texture that is a file: no other has slopes");
         Check.finite("height", height);
     }
 

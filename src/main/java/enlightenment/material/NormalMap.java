@@ -1,5 +1,6 @@
 package enlightenment.material;
 
+import enlightenment.check.Check;
 import java.util.List;
 import java.util.Objects;
 
@@ -14,6 +15,10 @@ public record NormalMap(Material of, Texture map) implements Material {
     public NormalMap {
         Detail.check("of", of);
         Objects.requireNonNull(map, "map");
+        Check.that(
+                !(map instanceof Texture.File file) || file.encoding() == Texture.Encoding.LINEAR,
+                "map",
+                "must be a texture with \"encoding\": \"linear\": its numbers are directions, not colours");
     }
 
     @Override

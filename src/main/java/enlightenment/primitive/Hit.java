@@ -120,16 +120,6 @@ public final class Hit {
         sz = nz;
     }
 
-    /** The length of a unit of u on the surface. */
-    public double lengthU() {
-        return Math.sqrt(ux * ux + uy * uy + uz * uz);
-    }
-
-    /** The length of a unit of v on the surface. */
-    public double lengthV() {
-        return Math.sqrt(vx * vx + vy * vy + vz * vz);
-    }
-
     /**
      * Turns the shading normal to a direction: of its coordinates, x is along the texture's u, y along its v, and z along the normal as it is.
      *
@@ -145,9 +135,35 @@ public final class Hit {
         double by = sz * tx - sx * tz;
         double bz = sx * ty - sy * tx;
         double b = bx * vx + by * vy + bz * vz < 0 ? -t : t;
-        double px = x * t * tx + y * b * bx + z * sx;
-        double py = x * t * ty + y * b * by + z * sy;
-        double pz = x * t * tz + y * b * bz + z * sz;
+        return shadeBy(
+                x * t * tx + y * b * bx + z * sx, x * t * ty + y * b * by + z * sy, x * t * tz + y * b * bz + z * sz);
+    }
+
+    /**
+     * Turns the shading normal to that of a surface whose height grows along the texture's directions, which need not be at right angles.
+     *
+     * @param du how much it grows in a unit of u
+     * @param dv how much it grows in a unit of v
+     * @return whether there is such a direction on the outside of the surface; else nothing is changed
+     */
+    public boolean tiltShadingNormal(double du, double dv) {
+        double u = sx * ux + sy * uy + sz * uz;
+        double v = sx * vx + sy * vy + sz * vz;
+        double ax = ux - u * sx;
+        double ay = uy - u * sy;
+        double az = uz - u * sz;
+        double bx = vx - v * sx;
+        double by = vy - v * sy;
+        double bz = vz - v * sz;
+        // The gradient g in the plane of the normal s with g·a = du and g·b = dv: (du b × s + dv s × a) / s·(a × b).
+        double area = sx * (ay * bz - az * by) + sy * (az * bx - ax * bz) + sz * (ax * by - ay * bx);
+        double x = du * (by * sz - bz * sy) + dv * (sy * az - sz * ay);
+        double y = du * (bz * sx - bx * sz) + dv * (sz * ax - sx * az);
+        double z = du * (bx * sy - by * sx) + dv * (sx * ay - sy * ax);
+        return shadeBy(sx - x / area, sy - y / area, sz - z / area);
+    }
+
+    private boolean shadeBy(double px, double py, double pz) {
         double length = Math.sqrt(px * px + py * py + pz * pz);
         if (!(length > 0 && length < Double.POSITIVE_INFINITY && px * nx + py * ny + pz * nz > 0)) {
             return false;

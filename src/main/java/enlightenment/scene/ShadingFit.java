@@ -1,7 +1,14 @@
 package enlightenment.scene;
 
 import enlightenment.camera.Camera;
+import enlightenment.geometry.Mesh;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Triangle;
+import enlightenment.material.Bump;
 import enlightenment.material.Material;
+import enlightenment.material.NormalMap;
 import enlightenment.math.InvalidValueException;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -63,10 +70,38 @@ final class ShadingFit {
         look(object.material(), place);
         if (model == Shading.Model.PHYSICAL) {
             lookAtPane(object, place);
+            lookAtRelief(object, place);
         }
         for (int i = 0; i < object.faces().size(); i++) {
             look(object.faces().get(i), "objects/" + index + "/faces/" + i);
         }
+    }
+
+    /** Normals turn about the directions of a texture, which are known of some shapes. */
+    private void lookAtRelief(SceneObject object, String place) {
+        Shape shape = object.shape();
+        if (shape instanceof Mesh
+                || shape instanceof Rectangle
+                || shape instanceof Triangle
+                || shape instanceof Sphere) {
+            return;
+        }
+        if (object.faces().isEmpty()) {
+            lookAtRelief(object.material(), shape, place);
+        }
+        for (int i = 0; i < object.faces().size(); i++) {
+            lookAtRelief(object.faces().get(i), shape, place.replace("material", "faces/" + i));
+        }
+    }
+
+    private void lookAtRelief(Material material, Shape shape, String place) {
+        if (material instanceof NormalMap || material instanceof Bump) {
+            found.putIfAbsent(
+                    place,
+                    "normal maps and bumps need a mesh, a rectangle, a triangle or a sphere: the directions of textures are"
+                            + " not known of a " + shape.type());
+        }
+        material.parts().forEach(part -> lookAtRelief(part, shape, place));
     }
 
     /** What has no thickness has no medium inside, and no second face that could turn light back. */
@@ -98,6 +133,16 @@ final class ShadingFit {
             found.putIfAbsent(
                     placeOf(named, material, place) + "/receivesShadows",
                     "must be true in physical shading: what stands in the way of light takes it from every surface alike");
+        }
+        if (model == Shading.Model.PHYSICAL) {
+            lookAtParts(material, place);
+        }
+    }
+
+    private void lookAtParts(Material material, String place) {
+        for (int i = 0; i < material.parts().size(); i++) {
+            String key = material.parts().size() == 1 ? "/of" : "/materials/" + i;
+            look(material.parts().get(i), placeOf(named, material, place) + key);
         }
     }
 

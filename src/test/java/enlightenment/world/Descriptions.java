@@ -16,8 +16,12 @@ import enlightenment.geometry.Torus;
 import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
+import enlightenment.material.Bump;
+import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
+import enlightenment.material.Mix;
+import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
@@ -102,7 +106,14 @@ public final class Descriptions {
                     Material.Coated.of(RED, 0.5),
                     Material.Glass.of(RED, 1.5),
                     Material.Scattering.of(Medium.Colored.of(Rgb.gray(0.5), Rgb.gray(0.25))),
-                    new Material.Fluorescent(RED, new WavelengthBand(300, 400), new WavelengthBand(500, 600), 0.5)));
+                    new Material.Fluorescent(RED, new WavelengthBand(300, 400), new WavelengthBand(500, 600), 0.5),
+                    new Mix(Material.Matte.of(RED), Material.Mirror.of(RED), Texture.of(Rgb.gray(0.5))),
+                    new Mask(Material.Matte.of(RED), Texture.of(Rgb.gray(0.5))),
+                    new NormalMap(Material.Matte.of(RED), Texture.of(new Rgb(0.5, 0.25, 1))),
+                    new Bump(
+                            Material.Matte.of(RED),
+                            new Texture.File(Path.of("texture.png"), Texture.Filter.BILINEAR, Texture.Encoding.LINEAR),
+                            0.5)));
 
     /** Those that classic shading knows. */
     public static final List<Material> CLASSIC_MATERIALS = MATERIALS.stream()

@@ -72,7 +72,7 @@ final class DetailedMaterials {
             return null;
         }
         Fields reference = Fields.of(f.get(key), f.at(key), PartKeys.TEXTURE_REFERENCE, f.values());
-        return reference == null || !reference.has("texture") ? null : Textures.named(reference);
+        return reference == null || !reference.has("texture") ? null : Textures.ofSurface(reference);
     }
 
     /** A material by its name, or as it is. */

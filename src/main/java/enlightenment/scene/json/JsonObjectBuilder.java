@@ -123,11 +123,7 @@ final class JsonObjectBuilder {
 
     /** A texture, or the number of its grey. */
     JsonObjectBuilder share(String key, Texture texture) {
-        boolean isGrey = texture instanceof Texture.Solid s
-                && s.color() instanceof Rgb c
-                && Double.compare(c.r(), c.g()) == 0
-                && Double.compare(c.g(), c.b()) == 0;
-        return isGrey && names.of(texture) == null
+        return Names.isGrey(texture) && (names.of(texture) == null || animated(key))
                 ? number(key, ((Texture.Solid) texture).color().linear().r())
                 : put(key, child(key).text("texture", names.of(texture)).json());
     }

@@ -1,6 +1,9 @@
 package enlightenment.scene.json;
 
+import enlightenment.color.Rgb;
+import enlightenment.material.Mask;
 import enlightenment.material.Material;
+import enlightenment.material.Mix;
 import enlightenment.material.Texture;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Background;
@@ -9,9 +12,11 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 
 /** How a scene's textures, materials and image files are called in its text, and which of its numbers are animated. */
@@ -20,6 +25,7 @@ final class Names {
     private final TreeSet<String> targets = new TreeSet<>();
     private final Map<String, Texture> textures;
     private final Map<Texture, String> textureNames = new HashMap<>();
+    private final Set<String> written = new HashSet<>();
     private final Map<Material, String> materialNames = new HashMap<>();
 
     /** @param fileNames how image files are called in the text */
@@ -43,12 +49,35 @@ final class Names {
     /** In the format only a colour can stand where it is used: every other texture needs a name. */
     private void nameTexture(Material material) {
         nameTexture(material.color());
-        material.textures().forEach(this::nameTexture);
+        for (Texture texture : material.textures()) {
+            if (!isNumber(material, texture)) {
+                addName(texture);
+            }
+        }
         material.parts().forEach(this::nameTexture);
     }
 
     private void nameTexture(Texture texture) {
-        if (texture instanceof Texture.Solid || textureNames.containsKey(texture)) {
+        if (!(texture instanceof Texture.Solid)) {
+            addName(texture);
+        }
+    }
+
+    /** Whether a texture of a material can stand there as a number. */
+    private static boolean isNumber(Material material, Texture texture) {
+        return (material instanceof Mix || material instanceof Mask) && isGrey(texture);
+    }
+
+    /** Whether a texture is one grey, which a number says. */
+    static boolean isGrey(Texture texture) {
+        return texture instanceof Texture.Solid s
+                && s.color() instanceof Rgb c
+                && Double.compare(c.r(), c.g()) == 0
+                && Double.compare(c.g(), c.b()) == 0;
+    }
+
+    private void addName(Texture texture) {
+        if (textureNames.containsKey(texture)) {
             return;
         }
         int n = 1;
@@ -69,9 +98,15 @@ final class Names {
         return textureNames.get(texture);
     }
 
-    /** A material's name; null if it has none. */
+    /** A material's name; null if it has none, or none that is in the text already: parts are named before what they are parts of. */
     String of(Material material) {
-        return materialNames.get(material);
+        String name = materialNames.get(material);
+        return written.contains(name) ? name : null;
+    }
+
+    /** Notes that the material of a name is in the text now. */
+    void wroteMaterial(String name) {
+        written.add(name);
     }
 
     String of(Path file) {

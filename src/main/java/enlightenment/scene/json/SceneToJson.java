@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /** Turns a scene into JSON. */
 final class SceneToJson {
@@ -37,8 +38,8 @@ final class SceneToJson {
         if (!display.isEmpty()) {
             root.put("display", display.json());
         }
-        putNamed(root, "textures", Textures.FAMILY, names.textures());
-        putNamed(root, "materials", Materials.FAMILY, scene.materials());
+        putNamed(root, "textures", Textures.FAMILY, names.textures(), name -> {});
+        putNamed(root, "materials", Materials.FAMILY, scene.materials(), names::wroteMaterial);
         if (!scene.lights().isEmpty()) {
             List<JsonValue> lights = new ArrayList<>();
             scene.lights().forEach(l -> lights.add(json(Lights.FAMILY, l, root.child("lights", lights.size()))));
@@ -57,9 +58,13 @@ final class SceneToJson {
         return p.json();
     }
 
-    private static <T> void putNamed(JsonObjectBuilder root, String key, Family<T> family, Map<String, T> values) {
+    private static <T> void putNamed(
+            JsonObjectBuilder root, String key, Family<T> family, Map<String, T> values, Consumer<String> wrote) {
         JsonObjectBuilder all = root.child(key);
-        values.forEach((name, value) -> all.put(name, json(family, value, all.child(name))));
+        values.forEach((name, value) -> {
+            all.put(name, json(family, value, all.child(name)));
+            wrote.accept(name);
+        });
         if (!all.isEmpty()) {
             root.put(key, all.json());
         }

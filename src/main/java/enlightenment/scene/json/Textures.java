@@ -84,9 +84,14 @@ final class Textures {
             values.problems().add(v, place, "must be " + COLOR + ", not " + Values.describe(o, KINDS));
             return null;
         }
-        Fields f = Fields.of(v, place, PartKeys.TEXTURE_REFERENCE, values);
+        return ofSurface(Fields.of(v, place, PartKeys.TEXTURE_REFERENCE, values));
+    }
+
+    /** The texture that a part of a material refers to; null after a problem, here or where the texture has its name. */
+    static Texture ofSurface(Fields f) {
         Texture texture = named(f);
-        if (texture instanceof Texture.File file && values.library().lightFiles.contains(file.file())) {
+        if (texture instanceof Texture.File file
+                && f.values().library().lightFiles.contains(file.file())) {
             f.problem(
                     "texture",
                     "is a file of floats, which only a background can have: surfaces take "

@@ -163,7 +163,8 @@ public final class PathFollower {
         while (hasMasks && event == Event.SURFACE && isAtHole()) {
             // Nothing is there: neither an event nor a bounce, but the path has left a surface behind.
             passed += distanceOfHit(ray);
-            limit -= at.hit.t - ray.tMin;
+            // The ray behind it starts at 0, wherever this one does.
+            limit -= at.hit.t;
             tracer.limit = limit;
             surfaces++;
             Optics.pass(ray, at.hit);

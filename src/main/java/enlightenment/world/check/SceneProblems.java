@@ -120,7 +120,13 @@ public final class SceneProblems {
             materials.add(object.material());
         });
         Set<Texture> textures = new HashSet<>();
-        materials.forEach(material -> textures.add(material.color()));
+        materials.forEach(material -> addTextures(material, textures));
         return textures;
+    }
+
+    private static void addTextures(Material material, Set<Texture> textures) {
+        textures.add(material.color());
+        textures.addAll(material.textures());
+        material.parts().forEach(part -> addTextures(part, textures));
     }
 }

@@ -30,12 +30,23 @@ public final class SurfaceDetail {
     private final TextureLookup map;
     private final double height;
 
+    /** What its random numbers are drawn for: another purpose than that of each detail inside of it, so that the two are independent. */
+    private final long purpose;
+
     private SurfaceDetail(Kind kind, SurfaceMaterial first, SurfaceMaterial second, TextureLookup map, double height) {
         this.kind = kind;
         this.first = first;
         this.second = second;
         this.map = map;
         this.height = height;
+        purpose = Hash.next(kind == Kind.MIX ? MIX_NUMBER : MASK_NUMBER, depth());
+    }
+
+    /** How many details lie inside of each other. */
+    private int depth() {
+        int inside = first.detail == null ? 0 : first.detail.depth();
+        int other = second == null || second.detail == null ? 0 : second.detail.depth();
+        return 1 + Math.max(inside, other);
     }
 
     /** One of two, by chance: the second with the probability that a texture has. */
@@ -75,15 +86,15 @@ public final class SurfaceDetail {
 
     /** What the surface is made of at a place, which may have detail of its own. */
     public SurfaceMaterial at(Hit hit, double[] scratch) {
-        return kind == Kind.MIX && number(hit, MIX_NUMBER) < value(hit, scratch) ? second : first;
+        return kind == Kind.MIX && number(hit) < value(hit, scratch) ? second : first;
     }
 
     /** Whether there is a hole in a mask. */
     public boolean isHole(Hit hit, double[] scratch) {
-        return number(hit, MASK_NUMBER) >= value(hit, scratch);
+        return number(hit) >= value(hit, scratch);
     }
 
-    private static double number(Hit hit, long purpose) {
+    private double number(Hit hit) {
         return Hash.unit(Hash.of(
                 purpose + Double.doubleToLongBits(hit.px),
                 Double.doubleToLongBits(hit.py),
@@ -114,7 +125,7 @@ public final class SurfaceDetail {
      * @return whether it is turned, to a normal on the same side of the surface
      */
     public boolean turn(Hit hit, double[] scratch) {
-        if (!map.isTextured() || !hit.primitive.textureDirections(hit)) {
+        if (!hit.primitive.textureDirections(hit)) {
             return false;
         }
         hit.primitive.textureCoordinates(hit);
@@ -130,15 +141,20 @@ public final class SurfaceDetail {
         return hit.turnShadingNormal(x, y, z);
     }
 
-    /** J. Blinn, "Simulation of wrinkled surfaces", 1978: the slopes are differences over a texel. */
+    /** J. Blinn, "Simulation of wrinkled surfaces", 1978: the slopes are differences over a texel, which does not reach over an edge. */
     private boolean turnByHeights(Hit hit, double[] rgb) {
         double d = map.texel() / 2;
-        if (!(d > 0)) {
-            return false;
+        double left = hit.u - d;
+        double right = hit.u + d;
+        if (!hit.primitive.repeatsTextures()) {
+            left = Math.max(left, 0);
+            right = Math.min(right, 1);
         }
-        double alongU = (value(hit.u + d, hit.v, hit, rgb) - value(hit.u - d, hit.v, hit, rgb)) / (2 * d);
-        double alongV = (value(hit.u, hit.v - d, hit, rgb) - value(hit.u, hit.v + d, hit, rgb)) / (2 * d);
-        return hit.turnShadingNormal(-height * alongU / hit.lengthU(), -height * alongV / hit.lengthV(), 1);
+        double top = Math.max(hit.v - d, Math.floor(hit.v));
+        double bottom = Math.min(hit.v + d, Math.floor(hit.v) + 1);
+        double alongU = (value(right, hit.v, hit, rgb) - value(left, hit.v, hit, rgb)) / (right - left);
+        double alongV = (value(hit.u, top, hit, rgb) - value(hit.u, bottom, hit, rgb)) / (bottom - top);
+        return hit.tiltShadingNormal(height * alongU, height * alongV);
     }
 
     /** A text that is equal for details that look the same. */

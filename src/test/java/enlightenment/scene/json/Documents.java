@@ -45,7 +45,7 @@ final class Documents {
                   "indexOfRefraction": 1.44, "roughness": 0.125, "priority": 3 },
                 "milk": { "type": "scattering", "scatteringCoefficient": [6, 5, 4], "absorptionCoefficient": 0.125 },
                 "marker": { "type": "fluorescent", "color": [0.5, 0.25, 0], "absorption": [320, 450], "emission": [500, 600.5],
-                  "yield": 0.875, "radiance": 0.5, "ultraviolet": 0.75 }
+                  "yield": 0.875, "radiance": 0.5, "ultraviolet": 0.75 }, "leaf": { "type": "mask", "of": { "type": "matte", "color": "#306020" }, "map": {"texture": "ice"} }, "rust": { "type": "mix", "materials": ["leaf", { "type": "matte", "color": "#c0c0c0" }], "weight": 0.5625 }, "grooves": { "type": "normalMap", "of": "rust", "map": {"texture": "plain"} }, "hammered": { "type": "bump", "of": "grooves", "map": {"texture":  "ice"}, "height": -0.0625 }
               },
               "groups": {
                 "pair": [

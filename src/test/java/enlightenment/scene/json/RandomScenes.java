@@ -19,10 +19,14 @@ import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Bump;
 import enlightenment.material.Conductor;
+import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Metal;
+import enlightenment.material.Mix;
+import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
@@ -226,7 +230,8 @@ final class RandomScenes {
                 String step = animated(mesh.transform().steps().get(0));
                 tracks.add(new Animation.Track("/objects/" + i + "/transform/0/" + step, keys()));
             } else if (o.material().color() instanceof Texture.Solid
-                    && !(o.material() instanceof Material.Scattering)) {
+                    && !(o.material() instanceof Material.Scattering)
+                    && o.material().parts().isEmpty()) {
                 boolean linear = ((Texture.Solid) o.material().color()).color() instanceof Rgb;
                 tracks.add(new Animation.Track(
                         "/objects/" + i + "/material/color/" + (linear ? "linear/2" : "2"), keys()));
@@ -336,11 +341,19 @@ final class RandomScenes {
         List<Material> faces = new ArrayList<>();
         if (shape instanceof Cube && random.nextBoolean()) {
             for (int i = 0; i < 6; i++) {
-                faces.add(material());
+                Material face = material();
+                while (isTurned(face)) {
+                    face = newMaterial();
+                }
+                faces.add(face);
             }
         }
         Material material = !faces.isEmpty() && random.nextBoolean() ? faces.get(0) : material();
-        while (isPhysical && needsVolume(material) && !shape.enclosesVolume()) {
+        boolean canTurn = shape instanceof Mesh
+                || shape instanceof Rectangle
+                || shape instanceof Triangle
+                || shape instanceof Sphere;
+        while (isPhysical && (needsVolume(material) && !shape.enclosesVolume() || isTurned(material) && !canTurn)) {
             material = newMaterial();
         }
         return new SceneObject(name, shape, material, faces);
@@ -433,7 +446,7 @@ final class RandomScenes {
                 ? Texture.of(surfaceColor())
                 : named.get(random.nextInt(named.size()));
         boolean shadows = isPhysical || random.nextBoolean();
-        switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 7 : 6)) {
+        switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 8 : 7)) {
             case 0:
                 return new Material.Matte(color, shadows, random.nextBoolean() ? 0 : unit(), radiance(), ultraviolet());
             case 1:
@@ -455,6 +468,8 @@ final class RandomScenes {
                         radiance(),
                         ultraviolet());
             case 6:
+                return detailed();
+            case 7:
                 return retry(() -> new Material.Fluorescent(
                         color, wavelengths(), wavelengths(), unit(), radiance(), ultraviolet()));
             default:
@@ -469,6 +484,53 @@ final class RandomScenes {
                         random.nextBoolean(),
                         hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive())));
         }
+    }
+
+    /** A material that is made of others. */
+    private Material detailed() {
+        Material of = part();
+        switch (random.nextInt(4)) {
+            case 0:
+                return new Mix(of, part(), share());
+            case 1:
+                return new Mask(of, share());
+            case 2:
+                Texture.File file = file();
+                Texture normals = new Texture.File(file.file(), file.filter(), Texture.Encoding.LINEAR);
+                return new NormalMap(of, withName(random.nextBoolean() ? normals : Texture.of(surfaceColor())));
+            default:
+                return new Bump(of, withName(file()), number());
+        }
+    }
+
+    /** A material that others may be made of, with a name or without one. */
+    private Material part() {
+        while (true) {
+            Material m = material();
+            try {
+                return new Mask(m, Texture.of(Rgb.WHITE)).of();
+            } catch (IllegalArgumentException e) {
+                // It glows, or is not opaque; the next one.
+            }
+        }
+    }
+
+    private Texture share() {
+        return random.nextBoolean() ? Texture.of(Rgb.gray(unit())) : withName(texture());
+    }
+
+    /** A texture that the scene has a name for. */
+    private Texture withName(Texture texture) {
+        if (!textures.containsValue(texture)) {
+            textures.put("map " + textures.size(), texture);
+        }
+        return texture;
+    }
+
+    private static boolean isTurned(Material material) {
+        return material instanceof NormalMap
+                || material instanceof Bump
+                || material.parts().stream().anyMatch(RandomScenes::isTurned);
     }
 
     private double ultraviolet() {

@@ -22,9 +22,13 @@ import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Bump;
 import enlightenment.material.Conductor;
+import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
+import enlightenment.material.Mix;
+import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
@@ -51,6 +55,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -102,11 +107,16 @@ class SceneReaderTest {
                 0.875,
                 Rgb.gray(0.5),
                 0.75);
-        assertEquals(
-                Map.of(
-                        "ice", matte, "chrome", chrome, "glass", glass, "ember", ember, "copper", copper, "varnish",
-                        varnish, "wax", wax, "milk", milk, "marker", marker),
-                s.materials());
+        Material leaf = new Mask(Material.Matte.of(plain(0x30, 0x60, 0x20)), ice);
+        Material grey = Material.Matte.of(plain(192, 192, 192));
+        Material rust = new Mix(leaf, grey, Texture.of(Rgb.gray(0.5625)));
+        Material grooves = new NormalMap(rust, plain(0, 0, 255));
+        Material hammered = new Bump(grooves, ice, -0.0625);
+        Map<String, Material> materials = new HashMap<>(Map.of(
+                "ice", matte, "chrome", chrome, "glass", glass, "ember", ember, "copper", copper, "varnish", varnish,
+                "wax", wax, "milk", milk, "marker", marker));
+        materials.putAll(Map.of("leaf", leaf, "rust", rust, "grooves", grooves, "hammered", hammered));
+        assertEquals(materials, s.materials());
         assertEquals(new Display(-0.5, Tone.FILMIC), s.display());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());
         assertEquals(new ClassicShading(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48), 7), s.shading());

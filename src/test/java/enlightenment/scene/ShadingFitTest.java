@@ -7,16 +7,27 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
+import enlightenment.geometry.Box;
+import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
+import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Torus;
+import enlightenment.material.Bump;
+import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
+import enlightenment.material.Mix;
+import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
+import java.nio.file.Path;
 import java.util.Collections;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
@@ -25,6 +36,8 @@ class ShadingFitTest {
     private static final Texture WHITE = Texture.of(DisplayRgb.WHITE);
     private static final Material BRASS = Material.Glossy.of(WHITE, 0.5);
     private static final Material SKY = new Material.Matte(WHITE, false);
+    private static final Texture HEIGHTS =
+            new Texture.File(Path.of("heights.png"), Texture.Filter.BILINEAR, Texture.Encoding.LINEAR);
     private static final Sphere BALL = Sphere.of(ExactPoint.ORIGIN, 1);
 
     private static SceneBuilder scene(Shading shading) {
@@ -128,11 +141,68 @@ class ShadingFitTest {
     void facesAreLookedAtToo() {
         Cube cube = new Cube(ExactPoint.ORIGIN, 1, Vec3.ZERO);
         Material white = Material.Matte.of(WHITE);
-        SceneObject object =
-                new SceneObject("", cube, white, java.util.List.of(white, white, white, SKY, white, white));
+        SceneObject object = new SceneObject("", cube, white, List.of(white, white, white, SKY, white, white));
         assertEquals(
                 "objects/0/faces/3/receivesShadows",
                 refused(scene(PhysicalShading.DEFAULT).object(object)).key());
+    }
+
+    @Test
+    void reliefIsRefusedWhereDirectionsOfTexturesAreUnknown() {
+        Material normals = new NormalMap(Material.Matte.of(WHITE), Texture.of(new Rgb(0.5, 0.5, 1)));
+        Material bump = new Bump(Material.Matte.of(WHITE), HEIGHTS, 0.5);
+        Material inside = new Mix(BRASS, new Mask(bump, WHITE), WHITE);
+        Cube cube = new Cube(ExactPoint.ORIGIN, 1, Vec3.ZERO);
+        List<Shape> unknown = List.of(
+                new Disk(ExactPoint.ORIGIN, Vec3.Y, 1),
+                new Cylinder(ExactPoint.ORIGIN, ExactPoint.of(0, 1, 0), 0.5, true),
+                new Cone(ExactPoint.ORIGIN, ExactPoint.of(0, 1, 0), 0.5, 0, true),
+                new Torus(ExactPoint.ORIGIN, Vec3.Y, 2, 1),
+                new Box(ExactPoint.ORIGIN, ExactPoint.of(1, 1, 1)),
+                cube);
+        for (Material material : List.of(normals, bump, inside)) {
+            for (Shape shape : unknown) {
+                InvalidValueException e = refused(
+                        scene(PhysicalShading.DEFAULT).object(BALL, material).object(shape, material));
+                assertEquals("objects/1/material", e.key());
+                assertTrue(
+                        e.problem()
+                                .startsWith("normal maps and bumps need a mesh, a rectangle, a triangle or a sphere"),
+                        e.problem());
+            }
+        }
+        SceneObject faces = new SceneObject("", cube, BRASS, List.of(BRASS, BRASS, inside, BRASS, BRASS, BRASS));
+        assertEquals(
+                "objects/0/faces/2",
+                refused(scene(PhysicalShading.DEFAULT).object(faces)).key());
+        Material holes = new Mask(BRASS, WHITE);
+        unknown.forEach(
+                shape -> scene(PhysicalShading.DEFAULT).object(shape, holes).build());
+    }
+
+    @Test
+    void whatWouldTurnNoNormalIsNoMap() {
+        Material white = Material.Matte.of(WHITE);
+        Texture checks = new Texture.Checker(List.of(DisplayRgb.WHITE, DisplayRgb.BLACK), 2);
+        for (Texture map : List.of(WHITE, checks)) {
+            InvalidValueException e = assertThrows(InvalidValueException.class, () -> new Bump(white, map, 1));
+            assertEquals("map", e.key());
+            assertEquals("must be a texture that is a file: no other has slopes", e.problem());
+        }
+        Texture colors = new Texture.File(Path.of("n.png"), Texture.Filter.BILINEAR, Texture.Encoding.SRGB);
+        InvalidValueException e = assertThrows(InvalidValueException.class, () -> new NormalMap(white, colors));
+        assertEquals("map", e.key());
+        assertTrue(e.problem().startsWith("must be a texture with \"encoding\": \"linear\""), e.problem());
+    }
+
+    @Test
+    void partsOfMaterialsAreLookedAtToo() {
+        InvalidValueException e = refused(scene(PhysicalShading.DEFAULT).object(BALL, new Mix(BRASS, SKY, WHITE)));
+        assertEquals("objects/0/material/materials/1/receivesShadows", e.key());
+        assertEquals(
+                "objects/0/material/type",
+                refused(scene(ClassicShading.DEFAULT).object(BALL, new Mask(Material.Matte.of(WHITE), WHITE)))
+                        .key());
     }
 
     @Test

@@ -26,8 +26,8 @@ public final class NarrowChains {
             boolean isSharp = false;
             for (int face = 0; face < scene.primitives[id].faceCount(); face++) {
                 SurfaceMaterial material = scene.material(id, face);
-                isSharp |= SpecularThings.isSharp(material);
-                if (SpecularThings.isNarrow(material)) {
+                isSharp |= material.any(SpecularThings::isSharp);
+                if (material.any(SpecularThings::isNarrow)) {
                     isNarrow = true;
                     if (mayFollowItself(scene.primitives[id], material)) {
                         return true;

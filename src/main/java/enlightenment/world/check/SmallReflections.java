@@ -7,6 +7,7 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.camera.EyeProjection;
 import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.light.SpecularThings;
+import enlightenment.world.material.SurfaceMaterial;
 
 /**
  * Lamps whose reflections in curved mirrors or glass may be smaller than a pixel, so that the samples of a pixel may all miss them. A sphere maps
@@ -41,8 +42,9 @@ public final class SmallReflections {
     private static boolean isCurvedAndSharp(CompiledScene scene, int id) {
         Primitive p = scene.primitives[id];
         for (int face = 0; face < p.faceCount(); face++) {
-            if (SpecularThings.isSharp(scene.material(id, face))
-                    && !p.support(face).isFlat()) {
+            SurfaceMaterial material = scene.material(id, face);
+            boolean isCurved = !p.support(face).isFlat() || material.turnsNormals();
+            if (isCurved && material.any(SpecularThings::isSharp)) {
                 return true;
             }
         }

@@ -15,6 +15,7 @@ import enlightenment.scene.json.SceneReader;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.light.SceneImages;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -51,6 +52,36 @@ class SceneProblemsTest {
             assertEquals("/shading/background/radiance", problems.get(0).pointer(), problems.toString());
             assertTrue(problems.get(0).message().contains("beyond the range of floats"), problems.toString());
         }
+    }
+
+    /** A PNG file that ends after its signature: of a part's colour, of a mask and of a bump around it. */
+    @Test
+    void imagesOfMaterialsThatAreMadeOfOthersAreReadToo(@TempDir Path folder) throws IOException {
+        for (String name : List.of("color.png", "mask.png", "bump.png")) {
+            Files.write(folder.resolve(name), new byte[] {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'});
+        }
+        Scene scene = SceneReader.readString(
+                """
+                { "image": { "width": 8, "height": 6 },
+                  "camera": { "type": "perspective", "eye": [0, 0, 0], "lookAt": [0, 0, 1], "fieldOfView": 40 },
+                  "shading": { "model": "physical" },
+                  "textures": { "color": { "file": "color.png" }, "mask": { "file": "mask.png" }, "bump": { "file": "bump.png" } },
+                  "materials": {
+                    "inner": { "type": "mask", "of": { "type": "matte", "color": { "texture": "color" } }, "map": { "texture": "mask" } },
+                    "outer": { "type": "bump", "of": "inner", "map": { "texture": "bump" }, "height": 1 } },
+                  "objects": [{ "type": "sphere", "center": [0, 0, 5], "radius": 1, "material": "outer" }] }
+                """,
+                folder,
+                "");
+        List<String> others = new ArrayList<>();
+        List<Problem> problems = assertThrows(
+                        SceneException.class,
+                        () -> SceneProblems.check(scene, RenderSettings.of(scene), path -> others.add(path.toString())))
+                .problems();
+        assertEquals(
+                List.of("/textures/color/file", "/textures/mask/file", "/textures/bump/file"),
+                problems.stream().map(Problem::pointer).toList());
+        assertEquals(List.of(), others);
     }
 
     @Test

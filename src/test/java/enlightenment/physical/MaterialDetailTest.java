@@ -413,6 +413,6 @@ class MaterialDetailTest {
     }
 
     private static List<Image> pictures(Scene scene, BuiltInMethod method, int seed) {
-        return Rendered.seeds(scene, RenderSettings.of(scene).withMethod(method).withAntialias(5), seed, SEEDS);
+        return Rendered.seeds(scene, RenderSettings.of(scene).withMethod(method).withAntialias(7), seed, SEEDS);
     }
 }

@@ -162,9 +162,12 @@ final class Materials {
     private static Material named(JsonValue.Str name, JsonPointer place, Values values) {
         Map<String, Material> named = values.library().materials;
         if (!named.containsKey(name.text)) {
-            String instead = named.isEmpty()
-                    ? "; the scene names no materials (/materials)"
-                    : Suggestion.of(name.text, named.keySet(), "there are");
+            boolean isPart = place.toString().startsWith("/materials/");
+            String instead = isPart
+                    ? " before this one: what a material is made of must stand above it"
+                    : named.isEmpty()
+                            ? "; the scene names no materials (/materials)"
+                            : Suggestion.of(name.text, named.keySet(), "there are");
             values.problems().add(name, place, "unknown material " + Plain.quoted(name.text) + instead);
         }
         return named.get(name.text);

@@ -3,7 +3,11 @@ package enlightenment.scene.json;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import enlightenment.scene.SceneException.Problem;
+import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -87,10 +91,38 @@ class BadMatterTest {
                 "'glass', 'color': '#fff', 'indexOfRefraction': 1.5, 'dispersion': 0.001 | /dispersion | is too small",
                 "'glass', 'color': '#fff', 'indexOfRefraction': 1.5, 'ultraviolet': 3 | /ultraviolet | does not glow",
                 "'matte', 'color': '#fff', 'dispersion': 40 | /dispersion | unknown key",
+                "'mask', 'of': 'later', 'map': 1}, 'later': {'type': 'matte', 'color': '#fff' | /of | 'later' before this one",
+                "'mask', 'of': {'type': 'glass', 'color': '#fff', 'indexOfRefraction': 1.5}, 'map': 1 | /of | an opaque material",
+                "'mask', 'of': {'type': 'matte', 'color': '#fff', 'radiance': 1}, 'map': 1 | /of | does not glow",
+                "'mask', 'of': {'type': 'matte', 'color': '#fff'}, 'map': -0.5 | /map | must lie in 0..1, not -0.5",
+                "'mask', 'of': {'type': 'matte', 'color': '#fff'}, 'map': 1, 'receivesShadows': true | /receivesShadows | classic",
+                "'bump', 'of': {'type': 'matte', 'color': '#fff'}, 'map': {'texture': 'no'}, 'height': 1 | /map/texture | names no",
             })
     void ofMaterials(String keys, String pointer, String words) {
         Problem problem = problem("'model': 'physical'", "'materials': {'m': {'type': " + keys + "}}");
         assertTells(problem, "/materials/m" + pointer, words);
+    }
+
+    @Test
+    void ofMapsThatShowNothing() throws IOException {
+        Documents.withImage(folder);
+        ImageFiles.writePfm(new Image(1, 1, new float[3], Encoding.LINEAR), folder.resolve("sky.pfm"));
+        String textures =
+                "'textures': {'colors': {'file': 'ice.png'}, 'plain': {'type': 'color', 'color': '#888'}, 'floats': {'file':"
+                        + " 'sky.pfm', 'encoding': 'linear'}}, 'materials': {'m': {'of': {'type': 'matte', 'color': '#fff'}, 'type': ";
+        String model = "'model': 'physical'";
+        assertTells(
+                problem(model, textures + "'normalMap', 'map': {'texture': 'colors'}}}"),
+                "/materials/m/map",
+                "must be a texture with 'encoding': 'linear'");
+        assertTells(
+                problem(model, textures + "'bump', 'height': 1, 'map': {'texture': 'plain'}}}"),
+                "/materials/m/map",
+                "no other has slopes");
+        assertTells(
+                problem(model, textures + "'mask', 'map': {'texture': 'floats'}}}"),
+                "/materials/m/map/texture",
+                "is a file of floats");
     }
 
     @Test

@@ -7,16 +7,20 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Transform;
+import enlightenment.material.Mask;
 import enlightenment.material.Material;
+import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Animation;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneException;
@@ -121,6 +125,23 @@ class SceneWriterTest {
                 }
                 """,
                 json);
+    }
+
+    /** A name stands before its use, so a part that is named later is written out; and maps of one colour get names. */
+    @Test
+    void partsThatAreNamedLaterAndMapsOfOneColourAreReadBackEqual() {
+        Texture red = Texture.of(DisplayRgb.of(1, 0.25, 0));
+        Material wood = Material.Matte.of(Texture.of(DisplayRgb.ofBytes(1, 2, 3)));
+        Material turned = new NormalMap(new Mask(wood, red), Texture.of(Rgb.gray(0.5)));
+        Scene scene = scene().shading(PhysicalShading.DEFAULT)
+                .material("turned", turned)
+                .material("wood", wood)
+                .object(ball(), turned)
+                .build();
+        Scene back = Documents.read(SceneWriter.toJson(scene, folder), folder);
+        assertEquals(scene.materials(), back.materials());
+        assertEquals(scene.objects(), back.objects());
+        assertEquals(2, back.textures().size());
     }
 
     @Test

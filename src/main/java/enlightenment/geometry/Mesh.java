@@ -1,11 +1,12 @@
 package enlightenment.geometry;
 
-import enlightenment.frame.Bounds;
 import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshOrigin;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.numeric.Scale;
-import java.util.ArrayList;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -51,25 +52,48 @@ public record Mesh(TriangleMesh triangles, Optional<MeshOrigin> origin, Transfor
         return "mesh";
     }
 
-    /** The corners of the mesh's box, placed. */
+    /** Near the middle of the mesh's box, in few decimals: there may be a million instances. */
     @Override
     public List<ExactPoint> anchors() {
-        Bounds box = new Bounds(triangles.min(), triangles.max());
-        List<ExactPoint> corners = new ArrayList<>();
-        for (int k = 0; k < 8; k++) {
-            corners.add(transform.apply(box.corner(k)));
-        }
-        return corners;
+        return List.of(middle(step()));
     }
 
-    /** What placing a corner rounds. */
+    private ExactPoint middle(int step) {
+        Vec3 m = transform.applyLinear(triangles.min().plus(triangles.max()).times(0.5));
+        ExactPoint o = transform.offset();
+        return new ExactPoint(
+                o.x().add(rounded(m.x(), step)), o.y().add(rounded(m.y(), step)), o.z().add(rounded(m.z(), step)));
+    }
+
+    private static BigDecimal rounded(double v, int step) {
+        return new BigDecimal(v).setScale(-step, RoundingMode.HALF_EVEN);
+    }
+
+    /** The exponent of ten that the middle is rounded to: a thousandth of the size. */
+    private int step() {
+        double size = size();
+        return size > 0 ? (int) Math.floor(StrictMath.log10(size)) - 3 : 0;
+    }
+
+    /** How far any corner of the placed box is from its middle, at most. */
+    private double size() {
+        Vec3 half = triangles.max().minus(triangles.min()).times(0.5);
+        double sum = 0;
+        for (int k = 0; k < 3; k++) {
+            Vec3 row = transform.row(k);
+            sum += Math.abs(row.x()) * half.x() + Math.abs(row.y()) * half.y() + Math.abs(row.z()) * half.z();
+        }
+        return sum;
+    }
+
+    /** What the box reaches beyond its middle, with what is rounded there. */
     @Override
     public double reach() {
         double largest = 0;
         for (int k = 0; k < 3; k++) {
             largest = Math.max(largest, transform.row(k).maxAbs() * triangles.maxAbs());
         }
-        return Scale.gamma(8) * 3 * largest;
+        return 1.01 * size() + Scale.gamma(8) * 3 * largest;
     }
 
     @Override

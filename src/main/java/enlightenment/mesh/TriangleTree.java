@@ -4,9 +4,7 @@ import enlightenment.bvh.BvhBuilder;
 import enlightenment.bvh.ItemBoxes;
 import enlightenment.bvh.Nodes;
 import enlightenment.frame.Bounds;
-import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
-import java.util.function.Consumer;
 
 /**
  * The hierarchy of a mesh's triangles, in the mesh's own coordinates times a power of two that brings the largest into [1, 2): so its boxes are
@@ -16,7 +14,7 @@ import java.util.function.Consumer;
  */
 public final class TriangleTree {
     /** Levels of the tree whose boxes, turned and joined, are the bounds of a mesh that is turned. */
-    private static final int BOUND_LEVELS = 6;
+    private static final int BOUND_LEVELS = 5;
 
     /** The exponent of the scale that boxes are kept in. */
     final int exponent;
@@ -73,38 +71,33 @@ public final class TriangleTree {
         }
     }
 
-    /** Gives the corners of boxes that enclose all triangles together, in the mesh's coordinates: tighter than one where the mesh is turned. */
-    public void forEachCorner(Consumer<Vec3> receiver) {
-        addParts(0, 1, receiver);
+    /** Takes boxes, each by its centre and half extents. */
+    public interface Boxes {
+        void accept(double x, double y, double z, double hx, double hy, double hz);
     }
 
-    private void addParts(int node, int level, Consumer<Vec3> receiver) {
+    /** Gives boxes that enclose all triangles together, in the mesh's coordinates: tighter than one where the mesh is turned. */
+    public void forEachBox(Boxes receiver) {
+        addBoxes(0, 1, receiver);
+    }
+
+    private void addBoxes(int node, int level, Boxes receiver) {
+        double back = Scale.scalb(1, exponent);
         for (int side = 0; side < 2; side++) {
             int link = child[2 * node + side];
+            int at = Nodes.NODE * node + side;
             if (link >= 0 && level < BOUND_LEVELS) {
-                addParts(link, level + 1, receiver);
+                addBoxes(link, level + 1, receiver);
             } else if (link != Nodes.EMPTY) {
-                Bounds box = box(node, side);
-                for (int k = 0; k < 8; k++) {
-                    receiver.accept(box.corner(k));
-                }
+                receiver.accept(
+                        boxes[at] * back,
+                        boxes[at + 2] * back,
+                        boxes[at + 4] * back,
+                        boxes[at + 6] * back,
+                        boxes[at + 8] * back,
+                        boxes[at + 10] * back);
             }
         }
-    }
-
-    private Bounds box(int node, int side) {
-        int at = Nodes.NODE * node + side;
-        double[] low = new double[3];
-        double[] high = new double[3];
-        for (int axis = 0; axis < 3; axis++) {
-            double center = boxes[at + 2 * axis];
-            double half = boxes[at + 6 + 2 * axis];
-            low[axis] =
-                    Math.max(Scale.scalb(center - half, exponent), bounds.min().component(axis));
-            high[axis] =
-                    Math.min(Scale.scalb(center + half, exponent), bounds.max().component(axis));
-        }
-        return new Bounds(new Vec3(low[0], low[1], low[2]), new Vec3(high[0], high[1], high[2]));
     }
 
     /** The mesh whose tree it is. */

@@ -8,7 +8,6 @@ import enlightenment.mesh.TriangleTree;
 import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 import java.util.Arrays;
-import java.util.function.Consumer;
 
 /**
  * An instance of a mesh: rays are mapped to its coordinates and follow its tree. It is one surface, curved as far as others need to know, of
@@ -36,31 +35,17 @@ public final class MeshPrimitive extends Primitive {
     }
 
     private static Bounds bounds(TriangleTree tree, Placing placing) {
-        Corners all = new Corners(placing);
+        Vec3 min = tree.mesh().min();
+        Vec3 max = tree.mesh().max();
+        PlacedBoxes all = new PlacedBoxes(placing);
         if (placing.isMove) {
-            all.accept(tree.mesh().min());
-            all.accept(tree.mesh().max());
+            Vec3 middle = min.plus(max).times(0.5);
+            Vec3 half = max.minus(min).times(0.5);
+            all.accept(middle.x(), middle.y(), middle.z(), half.x(), half.y(), half.z());
         } else {
-            tree.forEachCorner(all);
+            tree.forEachBox(all);
         }
-        Vec3 slack = placing.slack(tree.mesh().maxAbs());
-        return new Bounds(all.box.min().minus(slack), all.box.max().plus(slack));
-    }
-
-    /** The box around placed points. */
-    private static final class Corners implements Consumer<Vec3> {
-        private final Placing placing;
-        private Bounds box;
-
-        Corners(Placing placing) {
-            this.placing = placing;
-        }
-
-        @Override
-        public void accept(Vec3 c) {
-            Bounds point = Bounds.of(placing.point(c.x(), c.y(), c.z()));
-            box = box == null ? point : box.union(point);
-        }
+        return all.bounds(placing.slack(tree.mesh().maxAbs()));
     }
 
     @Override

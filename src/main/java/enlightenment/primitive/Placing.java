@@ -82,6 +82,18 @@ final class Placing {
                 offset.z() + Products.dot(m2.x(), m2.y(), m2.z(), x, y, z));
     }
 
+    /** A coordinate of where a point of the mesh is. */
+    double coordinate(int axis, double x, double y, double z) {
+        Vec3 row = axis == 0 ? m0 : axis == 1 ? m1 : m2;
+        return offset.component(axis) + Products.dot(row.x(), row.y(), row.z(), x, y, z);
+    }
+
+    /** The half extent of a placed box. */
+    double extent(int axis, double hx, double hy, double hz) {
+        Vec3 row = axis == 0 ? m0 : axis == 1 ? m1 : m2;
+        return Math.abs(row.x()) * hx + Math.abs(row.y()) * hy + Math.abs(row.z()) * hz;
+    }
+
     /** A vector of the mesh in the frame. */
     Vec3 vector(Vec3 v) {
         return isMove

@@ -1,0 +1,32 @@
+package enlightenment.primitive;
+
+import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
+import enlightenment.mesh.TriangleTree;
+
+/** The box around boxes of a mesh that have been placed. */
+final class PlacedBoxes implements TriangleTree.Boxes {
+    private final Placing placing;
+    private final double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+    private final double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+
+    PlacedBoxes(Placing placing) {
+        this.placing = placing;
+    }
+
+    @Override
+    public void accept(double x, double y, double z, double hx, double hy, double hz) {
+        for (int axis = 0; axis < 3; axis++) {
+            double center = placing.coordinate(axis, x, y, z);
+            double half = placing.extent(axis, hx, hy, hz);
+            low[axis] = Math.min(low[axis], center - half);
+            high[axis] = Math.max(high[axis], center + half);
+        }
+    }
+
+    /** @param slack what is rounded, by axis */
+    Bounds bounds(Vec3 slack) {
+        return new Bounds(
+                new Vec3(low[0], low[1], low[2]).minus(slack), new Vec3(high[0], high[1], high[2]).plus(slack));
+    }
+}

@@ -1,181 +1,116 @@
-"""Simple scenes as meshes, for renderers that have nothing else: every object and light of a scene file as points, quads and normals, and its camera.
-
-Round things become grids of quads with the normals of the thing itself: FINE, lamps LAMP of them around and along. What is not known is refused.
-"""
+#!/usr/bin/env python3
+"""Makes the meshes of scenes/knot.json: python3 src/bench/scripts/meshes.py FOLDER"""
 import math
-
-import numpy
-
-FINE, LAMP = (256, 128), (64, 32)
+import struct
+import sys
 
 
-class Mesh:
-    def __init__(self, points, quads, normals=None):
-        self.points, self.quads, self.normals = numpy.asarray(points, float), quads, normals
+def write(path, vertices, normals, uv, triangles):
+    with open(path, "wb") as f:
+        lines = ["ply", "format binary_little_endian 1.0", "comment made by src/bench/scripts/meshes.py"]
+        lines.append(f"element vertex {len(vertices)}")
+        lines += [f"property float {p}" for p in ("x", "y", "z", "nx", "ny", "nz", "u", "v")]
+        lines += [f"element face {len(triangles)}", "property list uchar int vertex_indices", "end_header"]
+        f.write(("\n".join(lines) + "\n").encode("ascii"))
+        for p, n, t in zip(vertices, normals, uv):
+            f.write(struct.pack("<8f", *p, *n, *t))
+        for t in triangles:
+            f.write(struct.pack("<B3i", 3, *t))
 
-    def area(self):
-        a, b, c, d = (self.points[[q[k] for q in self.quads]] for k in range(4))
-        return 0.5 * numpy.linalg.norm(numpy.cross(c - a, d - b), axis=1).sum()
 
-    def part(self, keep):
-        return Mesh(self.points, [q for k, q in enumerate(self.quads) if keep(k)], self.normals)
+def minus(a, b):
+    return [a[k] - b[k] for k in range(3)]
 
 
-def grid(surface, across, along):
-    """Of surface(u, v) -> (point, normal); quads turn counterclockwise around normals that dpoint/du x dpoint/dv points along."""
-    points, normals = [], []
-    for j in range(along + 1):
-        for i in range(across + 1):
-            p, n = surface(i / across, j / along)
-            points.append(p)
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def unit(a):
+    s = math.sqrt(sum(x * x for x in a))
+    return [x / s for x in a]
+
+
+def knot(along, around, radius):
+    """A tube around a trefoil knot, whose seams have vertices of their own, since texture coordinates differ there."""
+
+    def centre(t):
+        return [math.sin(t) + 2 * math.sin(2 * t), math.cos(t) - 2 * math.cos(2 * t), -math.sin(3 * t)]
+
+    vertices, normals, uv, triangles = [], [], [], []
+    for i in range(along + 1):
+        t = 2 * math.pi * i / along
+        c = centre(t)
+        tangent = unit(minus(centre(t + 1e-4), centre(t - 1e-4)))
+        # A frame that comes back to itself: by the direction from the knot's axis.
+        side = unit(cross(tangent, [math.cos(t), -math.sin(t), 2]))
+        up = cross(side, tangent)
+        for k in range(around + 1):
+            a = 2 * math.pi * k / around
+            n = [math.cos(a) * side[j] + math.sin(a) * up[j] for j in range(3)]
+            vertices.append([c[j] + radius * n[j] for j in range(3)])
             normals.append(n)
-    step = across + 1
-    quads = [(j * step + i, j * step + i + 1, (j + 1) * step + i + 1, (j + 1) * step + i) for j in range(along) for i in range(across)]
-    return Mesh(points, quads, normals)
+            uv.append([24 * i / along, 3 * k / around])
+    row = around + 1
+    for i in range(along):
+        for k in range(around):
+            a = i * row + k
+            triangles += [(a, a + row, a + 1), (a + 1, a + row, a + row + 1)]
+    p, q, r = (vertices[j] for j in triangles[0])
+    outside = sum(x * y for x, y in zip(cross(minus(q, p), minus(r, p)), normals[triangles[0][0]]))
+    if outside < 0:
+        triangles = [(a, c, b) for a, b, c in triangles]
+    return vertices, normals, uv, triangles
 
 
-def unit(v):
-    v = numpy.asarray(v, float)
-    return v / numpy.linalg.norm(v)
+def ball(cuts):
+    """A sphere of 20·4^cuts triangles."""
+    g = (1 + math.sqrt(5)) / 2
+    v = [unit(p) for p in (
+        (-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g),
+        (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1))]
+    f = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6),
+         (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10),
+         (8, 6, 7), (9, 8, 1)]
+    for _ in range(cuts):
+        middles, g = {}, []
+
+        def middle(a, b):
+            key = (min(a, b), max(a, b))
+            if key not in middles:
+                v.append(unit([v[a][k] + v[b][k] for k in range(3)]))
+                middles[key] = len(v) - 1
+            return middles[key]
+
+        for a, b, c in f:
+            x, y, z = middle(a, b), middle(b, c), middle(c, a)
+            g += [(a, x, z), (b, y, x), (c, z, y), (x, y, z)]
+        f = g
+    return v, f
 
 
-def frame(axis):
-    """Two directions with x cross y = axis."""
-    axis = unit(axis)
-    x = unit(numpy.cross(axis, (1, 0, 0) if abs(axis[0]) < 0.5 else (0, 1, 0)))
-    return x, numpy.cross(axis, x), axis
+def pebble(cuts):
+    """A ball with dents; its normals are those of the surface, by differences."""
+
+    def point(d):
+        h = sum(math.sin(w[0] * d[0] + w[1] * d[1] + w[2] * d[2] + w[3]) * w[4] for w in (
+            (3, 1, 2, 0.3, 0.12), (-2, 4, 1, 1.1, 0.08), (5, -3, 4, 2.0, 0.035), (7, 6, -5, 0.7, 0.02)))
+        return [d[0] * (1 + h), 0.7 * d[1] * (1 + h), d[2] * (1 + h)]
+
+    directions, triangles = ball(cuts)
+    vertices, normals, uv = [], [], []
+    for d in directions:
+        a = unit(cross(d, [0, 1, 0] if abs(d[1]) < 0.9 else [1, 0, 0]))
+        b = cross(d, a)
+        e = 1e-4
+        p = [point(unit([d[k] + s * e * w[k] for k in range(3)])) for w in (a, b) for s in (1, -1)]
+        n = unit(cross(minus(p[0], p[1]), minus(p[2], p[3])))
+        vertices.append(point(d))
+        normals.append(n if sum(x * y for x, y in zip(n, d)) > 0 else [-x for x in n])
+        uv.append([0.5 + math.atan2(d[0], d[2]) / (2 * math.pi), 0.5 + math.asin(d[1]) / math.pi])
+    return vertices, normals, uv, triangles
 
 
-def sphere(center, radius, fine):
-    def surface(u, v):
-        t, p = math.pi * v, 2 * math.pi * u
-        n = numpy.array((math.sin(t) * math.cos(p), math.cos(t), math.sin(t) * math.sin(p)))
-        return center + radius * n, n
-
-    return grid(surface, *fine)
-
-
-def wall(base, top, radius, other, fine):
-    """Of a cylinder or a cone, without caps."""
-    base, top = numpy.asarray(base, float), numpy.asarray(top, float)
-    x, y, axis = frame(top - base)
-    height = numpy.linalg.norm(top - base)
-
-    def surface(u, v):
-        out = math.cos(2 * math.pi * u) * x + math.sin(2 * math.pi * u) * y
-        return base + v * (top - base) + (radius + v * (other - radius)) * out, unit(out + (radius - other) / height * axis)
-
-    return grid(surface, fine[0], 1)
-
-
-def torus(center, axis, major, minor, fine):
-    x, y, z = frame(axis)
-
-    def surface(u, v):
-        out = math.cos(2 * math.pi * u) * x + math.sin(2 * math.pi * u) * y
-        n = math.cos(2 * math.pi * v) * out + math.sin(2 * math.pi * v) * z
-        return center + major * out + minor * n, n
-
-    return grid(surface, *fine)
-
-
-def disk(center, normal, radius, fine):
-    x, y, z = frame(normal)
-
-    def surface(u, v):
-        out = math.cos(2 * math.pi * u) * x + math.sin(2 * math.pi * u) * y
-        return center + radius * (1 - v) * out, z
-
-    return grid(surface, fine[0], 1)
-
-
-def box(least, most):
-    points = [(x, y, z) for x in (least[0], most[0]) for y in (least[1], most[1]) for z in (least[2], most[2])]
-    return Mesh(points, [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
-
-
-def cube(center, radius, degrees):
-    h = radius / math.sqrt(3)
-    mesh = box((-h, -h, -h), (h, h, h))
-    if degrees[0] or degrees[2]:
-        raise SystemExit("cubes turn about y alone here")
-    c, s = math.cos(math.radians(degrees[1])), math.sin(math.radians(degrees[1]))
-    mesh.points = numpy.asarray(center) + mesh.points @ numpy.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]).T
-    return mesh
-
-
-def rectangle(corners, squares=1):
-    """Rows from the top, as the squares of a checker are counted; quads turn counterclockwise around the front's normal."""
-    a, b, c, d = (numpy.asarray(p, float) for p in corners)
-    points = [b + i / squares * (c - b) + j / squares * (a - b) for j in range(squares + 1) for i in range(squares + 1)]
-    step = squares + 1
-    quads = [((j + 1) * step + i, j * step + i, j * step + i + 1, (j + 1) * step + i + 1) for j in range(squares) for i in range(squares)]
-    return Mesh(points, quads)
-
-
-def mesh(thing, fine=FINE, squares=1):
-    kind = thing["type"]
-    at = lambda key: numpy.asarray(thing[key], float)
-    if kind == "rectangle":
-        return rectangle(thing["corners"], squares)
-    if kind == "sphere":
-        return sphere(at("center"), thing["radius"], fine)
-    if kind == "box":
-        return box(thing["min"], thing["max"])
-    if kind == "cube":
-        return cube(thing["center"], thing["radius"], thing.get("rotation", (0, 0, 0)))
-    if kind == "cylinder":
-        return wall(thing["base"], thing["top"], thing["radius"], thing["radius"], fine)
-    if kind == "cone" and not thing.get("capped", True):
-        return wall(thing["base"], thing["apex"], thing["radius"], thing.get("topRadius", 0), fine)
-    if kind == "torus":
-        return torus(at("center"), thing["axis"], thing["majorRadius"], thing["minorRadius"], fine)
-    if kind == "disk":
-        return disk(at("center"), thing["normal"], thing["radius"], fine)
-    raise SystemExit(f"no mesh for: {kind}")
-
-
-def things(scene):
-    """(mesh, material, None) of each object and (mesh, None, light) of each light; a checkered rectangle becomes two things of plain colours."""
-    for o in scene["objects"]:
-        material = scene["materials"][o["material"]]
-        name = material.get("color", {}).get("texture") if isinstance(material.get("color"), dict) else None
-        if name is None:
-            yield mesh(o), material, None
-            continue
-        texture = scene["textures"][name]
-        n = texture["scale"]
-        whole = mesh(o, squares=n)
-        for k in (0, 1):
-            yield whole.part(lambda q: (q % n + q // n) % 2 == k), {**material, "color": texture["colors"][k]}, None
-    for light in scene["lights"]:
-        lamp = mesh(light, LAMP)
-        if light["type"] == "sphere":
-            # As large as the ball, or it would be darker: what is seen of a convex thing is a quarter of its surface, on average.
-            lamp.points = light["center"] + (lamp.points - light["center"]) * light["radius"] * math.sqrt(4 * math.pi / lamp.area())
-        yield lamp, None, light
-
-
-def linear(color):
-    return [float(v) for v in color["linear"]]
-
-
-class Camera:
-    """eye, forward, right and up; half the picture's width and height, and its centre, in the plane at distance 1."""
-
-    def __init__(self, scene):
-        c, image = scene["camera"], scene["image"]
-        self.eye = numpy.asarray(c["eye"], float)
-        if c["type"] == "window":
-            left, top = numpy.asarray(c["lowerLeft"], float), numpy.asarray(c["upperRight"], float)
-            distance = left[2] - self.eye[2]
-            self.forward, self.up = numpy.array((0.0, 0, 1)), numpy.array((0.0, 1, 0))
-            self.half = tuple((top - left)[:2] / (2 * distance))
-            self.center = tuple(((left + top) / 2 - self.eye)[:2] / distance)
-        else:
-            self.forward = unit(numpy.asarray(c["lookAt"], float) - self.eye)
-            up = numpy.asarray(c.get("up", (0, 1, 0)), float)
-            self.up = unit(up - (up @ self.forward) * self.forward)
-            height = math.tan(math.radians(c["fieldOfView"]) / 2)
-            self.half = (height * image["width"] / image["height"], height)
-            self.center = (0.0, 0.0)
+folder = sys.argv[1]
+write(folder + "/knot.ply", *knot(192, 24, 0.55))
+write(folder + "/pebble.ply", *pebble(4))

@@ -22,9 +22,6 @@ public final class Transform {
     private static final MathContext DIGITS = new MathContext(60);
 
     private final List<Step> steps;
-    private final Vec3 row0;
-    private final Vec3 row1;
-    private final Vec3 row2;
     private final ExactPoint offset;
 
     /** A step of a transform. */
@@ -82,28 +79,28 @@ public final class Transform {
 
     private Transform(List<Step> steps) {
         this.steps = List.copyOf(steps);
-        Vec3 a = Vec3.X;
-        Vec3 b = Vec3.Y;
-        Vec3 c = Vec3.Z;
         ExactPoint d = ExactPoint.ORIGIN;
         for (Step step : this.steps) {
-            Matrix m = matrix(step);
-            Vec3 p = times(m.row0(), a, b, c);
-            Vec3 q = times(m.row1(), a, b, c);
-            Vec3 r = times(m.row2(), a, b, c);
-            a = p;
-            b = q;
-            c = r;
-            d = moved(m, d);
+            d = moved(matrix(step), d);
         }
-        row0 = a;
-        row1 = b;
-        row2 = c;
         offset = d;
+        Vec3[] r = rows();
         Check.that(
-                a.isFinite() && b.isFinite() && c.isFinite() && orientation(a, b, c) != 0,
+                r[0].isFinite() && r[1].isFinite() && r[2].isFinite() && orientation(r[0], r[1], r[2]) != 0,
                 "transform",
                 "must have an inverse in double precision");
+    }
+
+    /** The rows of the linear part: made when they are asked for, since there may be a million transforms. */
+    private Vec3[] rows() {
+        Vec3[] r = {Vec3.X, Vec3.Y, Vec3.Z};
+        for (Step step : steps) {
+            Matrix m = matrix(step);
+            r = new Vec3[] {
+                times(m.row0(), r[0], r[1], r[2]), times(m.row1(), r[0], r[1], r[2]), times(m.row2(), r[0], r[1], r[2])
+            };
+        }
+        return r;
     }
 
     /** The determinant of these rows, each times a power of two: its sign does not depend on the unit of length. */
@@ -195,12 +192,13 @@ public final class Transform {
 
     /** A row of the linear part: 0, 1 or 2. */
     public Vec3 row(int k) {
-        return k == 0 ? row0 : k == 1 ? row1 : row2;
+        return rows()[k];
     }
 
     /** Whether it mirrors: a right hand becomes a left one. */
     public boolean isMirror() {
-        return orientation(row0, row1, row2) < 0;
+        Vec3[] r = rows();
+        return orientation(r[0], r[1], r[2]) < 0;
     }
 
     /** Where the origin goes. */
@@ -210,7 +208,8 @@ public final class Transform {
 
     /** The linear part times a vector, rounded. */
     public Vec3 applyLinear(Vec3 v) {
-        return new Vec3(row0.dot(v), row1.dot(v), row2.dot(v));
+        Vec3[] r = rows();
+        return new Vec3(r[0].dot(v), r[1].dot(v), r[2].dot(v));
     }
 
     /** Where a point goes: the linear part is rounded, the offset is added exactly. */
@@ -220,7 +219,8 @@ public final class Transform {
 
     /** Where an exact point goes: exactly where the linear part is the identity, else kept to 60 digits. */
     public ExactPoint apply(ExactPoint p) {
-        return moved(new Matrix(row0, row1, row2, offset), p);
+        Vec3[] r = rows();
+        return moved(new Matrix(r[0], r[1], r[2], offset), p);
     }
 
     @Override

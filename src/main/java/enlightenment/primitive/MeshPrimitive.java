@@ -66,9 +66,9 @@ public final class MeshPrimitive extends Primitive {
     /** The ray in the mesh's coordinates, with the triangles that it starts on. */
     private MeshRay local(Ray ray) {
         MeshRay local = ray.meshRay();
-        double x = ray.ox - placing.offset.x();
-        double y = ray.oy - placing.offset.y();
-        double z = ray.oz - placing.offset.z();
+        double x = ray.ox - placing.offset(0);
+        double y = ray.oy - placing.offset(1);
+        double z = ray.oz - placing.offset(2);
         if (placing.isMove) {
             local.set(tree, x, y, z, ray.dx, ray.dy, ray.dz, ray.tMin);
         } else {
@@ -83,7 +83,7 @@ public final class MeshPrimitive extends Primitive {
                     ray.tMin);
         }
         if (ray.start == this) {
-            double size = ray.maxAbsOrigin() + placing.offset.maxAbs();
+            double size = ray.maxAbsOrigin() + placing.maxOffset();
             local.startOn(ray.startElement, ray.startSide, Scale.gamma(16) * size * placing.largestInverse());
             if (ray.special) {
                 local.leaveOut(ray.otherElementOf(this));

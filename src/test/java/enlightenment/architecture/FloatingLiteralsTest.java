@@ -58,6 +58,10 @@ class FloatingLiteralsTest {
     private static final String ARC = "a coefficient of the polynomial that stands for θ/sin θ as a function of cos θ";
 
     private static final List<Explained> EXPLAINED = List.of(
+            new Explained("geometry/Mesh.java", "1.01", "the middle of the box is rounded to a thousandth of its size"),
+            new Explained("mesh/Departure.java", "4", "how many times its own rounding a corner is away"),
+            new Explained(
+                    "mesh/TriangleTest.java", "4", "how many times its own rounding an edge function is away from 0"),
             new Explained("numeric/Scale.java", "0x1p-53", "unit roundoff of doubles: the format itself"),
             new Explained(
                     "numeric/Angles.java", "0.198912367379658", "tan(π/16): where a reduction of the angle changes"),

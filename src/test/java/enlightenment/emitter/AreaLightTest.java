@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.math.Vec3;
+import enlightenment.primitive.MeshPrimitive;
 import enlightenment.primitive.Primitive;
 import enlightenment.sampling.ChiSquare;
 import enlightenment.sampling.RunningStatistics;
@@ -36,8 +37,11 @@ class AreaLightTest {
 
     @Test
     void everyKindOfPrimitiveAndOfLightIsTried() {
+        // A mesh that glows becomes triangles before it becomes lights.
         assertEquals(
-                kinds(Primitive.class).collect(toSet()),
+                kinds(Primitive.class)
+                        .filter(kind -> kind != MeshPrimitive.class)
+                        .collect(toSet()),
                 lights().map(SeenLight::primitiveKind).collect(toSet()));
         assertEquals(
                 kinds(AreaLight.class).collect(toSet()),

@@ -46,7 +46,7 @@ final class Meshes {
         LoadedMesh loaded = f.has("mesh") ? named(f) : load(f);
         return loaded == null || transform == null
                 ? null
-                : f.make(() -> new Mesh(loaded.mesh(), Optional.of(loaded.origin()), transform));
+                : f.make(() -> new Mesh(loaded.mesh(), loaded.origin(), transform));
     }
 
     private static LoadedMesh named(Fields f) {
@@ -82,7 +82,7 @@ final class Meshes {
             return null;
         }
         try {
-            return new LoadedMesh(mesh(origin, written, f.values().library()), origin);
+            return new LoadedMesh(mesh(origin, written, f.values().library()), Optional.of(origin));
         } catch (IOException e) {
             f.problem("file", FileFailure.described(e));
             return null;

@@ -85,9 +85,9 @@ public final class MeshPrimitive extends Primitive {
         if (ray.start == this) {
             double size = ray.maxAbsOrigin() + placing.maxOffset();
             local.startOn(ray.startElement, ray.startSide, Scale.gamma(16) * size * placing.largestInverse());
-            if (ray.special) {
-                local.leaveOut(ray.otherElementOf(this));
-            }
+        }
+        if (ray.special) {
+            local.leaveOut(ray.otherElementOf(this));
         }
         return local;
     }
@@ -254,6 +254,11 @@ public final class MeshPrimitive extends Primitive {
     @Override
     public boolean isConvex() {
         return false;
+    }
+
+    @Override
+    public boolean hasElements() {
+        return true;
     }
 
     @Override

@@ -176,6 +176,11 @@ public abstract sealed class Primitive
         return false;
     }
 
+    /** Whether it has many elements, such as triangles, of which rays know the one that they start on ({@link Hit#element}). */
+    public boolean hasElements() {
+        return false;
+    }
+
     /** Whether the primitive is a part of a plane: a ray that leaves it never meets it again, on either side. */
     public boolean isFlat() {
         return false;
@@ -236,8 +241,8 @@ public abstract sealed class Primitive
 
     private void startHere(Ray ray) {
         int side = ray.sideOf(this);
-        if (side != 0) {
-            ray.from(this, ray.elementOf(this), side);
+        if (side != 0 && !hasElements()) {
+            ray.from(this, side);
         }
     }
 

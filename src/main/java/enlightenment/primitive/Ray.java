@@ -225,23 +225,10 @@ public final class Ray {
         return end != null && end.concerns(p);
     }
 
-    /** The element of a primitive that the ray starts on. */
-    int elementOf(Primitive primitive) {
-        if (start == primitive) {
-            return startElement;
-        }
-        for (int k = 0; k < alsoCount; k++) {
-            if (alsoStarts[k] == primitive) {
-                return alsoElements[k];
-            }
-        }
-        return 0;
-    }
-
     /** Another element than {@link #startElement} of a primitive that the ray starts or ends on; −1 if there is none. */
     int otherElementOf(Primitive primitive) {
         for (int k = 0; k < alsoCount; k++) {
-            if (alsoStarts[k] == primitive && alsoElements[k] != startElement) {
+            if (alsoStarts[k] == primitive && !(start == primitive && alsoElements[k] == startElement)) {
                 return alsoElements[k];
             }
         }

@@ -109,8 +109,8 @@ public final class PathConnections {
         surfaceCount = 0;
         for (int p = 0; p < size; p++) {
             if (paths[p].takes) {
-                int k = surface(paths[p].firstId);
                 Hit at = paths[p].first;
+                int k = surface(at, paths[p].firstId);
                 segments[k].add(at.px, at.py, at.pz);
                 sizes[k]++;
                 surfaceOf[p] = k;
@@ -126,8 +126,13 @@ public final class PathConnections {
         lobes.begin(count);
     }
 
+    /** The primitive if rays that leave it never meet it again, else −1: they may meet other elements of it. */
+    private static int left(Hit at, int id) {
+        return at.primitive.hasElements() ? -1 : id;
+    }
+
     /** The index of a surface. */
-    private int surface(int id) {
+    private int surface(Hit at, int id) {
         for (int k = 0; k < surfaceCount; k++) {
             if (surfaces[k] == id) {
                 return k;
@@ -139,7 +144,7 @@ public final class PathConnections {
         }
         surfaces[surfaceCount] = id;
         sizes[surfaceCount] = 0;
-        segments[surfaceCount].clear(id);
+        segments[surfaceCount].clear(left(at, id));
         return surfaceCount++;
     }
 
@@ -195,7 +200,7 @@ public final class PathConnections {
         double sum = 0;
         int from = 0;
         for (int k = 0; k < surfaceCount; k++) {
-            boolean mayBeHidden = tracer.prepareSegments(at.px, at.py, at.pz, giver.secondId, segments[k], sizes[k]);
+            boolean mayBeHidden = tracer.prepareSegments(at.px, at.py, at.pz, left(at, giver.secondId), segments[k], sizes[k]);
             for (int n = from; n < ends[k]; n++) {
                 if (!(shares[n] > 0)
                         || mayBeHidden && pathOf[n] != number && isOccluded(n, paths[pathOf[n]].first, at)) {

@@ -76,12 +76,15 @@ public final class PathCut {
     /** A path that is yet to be followed. */
     public PathCut() {}
 
-    /** Whether a ray that leaves the surface there cannot meet it again; in empty space, and where it coincides with no other. */
+    /**
+     * Whether a ray that leaves the surface there cannot meet it again, or knows the element that it does not meet; in empty space, and where it
+     * coincides with no other.
+     */
     private static boolean isOpen(PathFollower path) {
         Primitive p = path.at.hit.primitive;
         return path.glass.isPlain()
                 && path.medium() == null
-                && (p.isFlat() || p.isConvex() && path.at.hit.side == Ray.OUTSIDE);
+                && (p.hasElements() || p.isFlat() || p.isConvex() && path.at.hit.side == Ray.OUTSIDE);
     }
 
     /** Makes this a path that shares nothing. */

@@ -71,9 +71,9 @@ public final class TriangleTree {
         }
     }
 
-    /** Takes boxes, each by its centre and half extents. */
+    /** Takes boxes, each by its least and greatest coordinates. */
     public interface Boxes {
-        void accept(double x, double y, double z, double hx, double hy, double hz);
+        void accept(double x0, double y0, double z0, double x1, double y1, double z1);
     }
 
     /** Gives boxes that enclose all triangles together, in the mesh's coordinates: tighter than one where the mesh is turned. */
@@ -90,12 +90,12 @@ public final class TriangleTree {
                 addBoxes(link, level + 1, receiver);
             } else if (link != Nodes.EMPTY) {
                 receiver.accept(
-                        boxes[at] * back,
-                        boxes[at + 2] * back,
-                        boxes[at + 4] * back,
-                        boxes[at + 6] * back,
-                        boxes[at + 8] * back,
-                        boxes[at + 10] * back);
+                        Math.max(((double) boxes[at] - boxes[at + 6]) * back, low[0]),
+                        Math.max(((double) boxes[at + 2] - boxes[at + 8]) * back, low[1]),
+                        Math.max(((double) boxes[at + 4] - boxes[at + 10]) * back, low[2]),
+                        Math.min(((double) boxes[at] + boxes[at + 6]) * back, high[0]),
+                        Math.min(((double) boxes[at + 2] + boxes[at + 8]) * back, high[1]),
+                        Math.min(((double) boxes[at + 4] + boxes[at + 10]) * back, high[2]));
             }
         }
     }

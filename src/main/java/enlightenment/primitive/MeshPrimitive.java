@@ -39,9 +39,7 @@ public final class MeshPrimitive extends Primitive {
         Vec3 max = tree.mesh().max();
         PlacedBoxes all = new PlacedBoxes(placing);
         if (placing.isMove) {
-            Vec3 middle = min.plus(max).times(0.5);
-            Vec3 half = max.minus(min).times(0.5);
-            all.accept(middle.x(), middle.y(), middle.z(), half.x(), half.y(), half.z());
+            all.accept(min.x(), min.y(), min.z(), max.x(), max.y(), max.z());
         } else {
             tree.forEachBox(all);
         }

@@ -15,12 +15,10 @@ final class PlacedBoxes implements TriangleTree.Boxes {
     }
 
     @Override
-    public void accept(double x, double y, double z, double hx, double hy, double hz) {
+    public void accept(double x0, double y0, double z0, double x1, double y1, double z1) {
         for (int axis = 0; axis < 3; axis++) {
-            double center = placing.coordinate(axis, x, y, z);
-            double half = placing.extent(axis, hx, hy, hz);
-            low[axis] = Math.min(low[axis], center - half);
-            high[axis] = Math.max(high[axis], center + half);
+            low[axis] = Math.min(low[axis], placing.least(axis, x0, y0, z0, x1, y1, z1));
+            high[axis] = Math.max(high[axis], placing.least(axis, x1, y1, z1, x0, y0, z0));
         }
     }
 

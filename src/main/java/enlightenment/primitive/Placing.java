@@ -108,10 +108,11 @@ final class Placing {
         return numbers[axis] + dot(3 + 3 * axis, x, y, z);
     }
 
-    /** The half extent of a placed box. */
-    double extent(int axis, double hx, double hy, double hz) {
+    /** The least coordinate of a placed box, given by its corners; the greatest one if the corners are exchanged. */
+    double least(int axis, double x0, double y0, double z0, double x1, double y1, double z1) {
         int at = 3 + 3 * axis;
-        return Math.abs(numbers[at]) * hx + Math.abs(numbers[at + 1]) * hy + Math.abs(numbers[at + 2]) * hz;
+        return coordinate(
+                axis, numbers[at] < 0 ? x1 : x0, numbers[at + 1] < 0 ? y1 : y0, numbers[at + 2] < 0 ? z1 : z0);
     }
 
     /** A vector of the mesh in the frame. */

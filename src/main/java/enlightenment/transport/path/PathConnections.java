@@ -200,7 +200,8 @@ public final class PathConnections {
         double sum = 0;
         int from = 0;
         for (int k = 0; k < surfaceCount; k++) {
-            boolean mayBeHidden = tracer.prepareSegments(at.px, at.py, at.pz, left(at, giver.secondId), segments[k], sizes[k]);
+            boolean mayBeHidden =
+                    tracer.prepareSegments(at.px, at.py, at.pz, left(at, giver.secondId), segments[k], sizes[k]);
             for (int n = from; n < ends[k]; n++) {
                 if (!(shares[n] > 0)
                         || mayBeHidden && pathOf[n] != number && isOccluded(n, paths[pathOf[n]].first, at)) {

@@ -38,46 +38,39 @@ final class Departure {
     private boolean hasNormal;
     private boolean isReady;
 
-    /** The ray's origin. */
-    private double[] start;
-
     /** The corner of the triangle that does not lie on the edge that {@link #sharedEdge} found, and that of the neighbour. */
     private int opposite;
 
     private int neighbours;
 
-    void set(TriangleMesh of, int from, int travels, double[] origin, double error) {
+    void set(TriangleMesh of, int from, int travels, double largest, double error) {
         mesh = of;
         triangle = from;
         side = travels;
-        start = origin;
-        tolerance = error + ROUNDED * of.maxAbs();
+        tolerance = error + ROUNDED * largest;
         isReady = false;
     }
 
-    /** Looks at the triangle; only a ray that comes near a triangle that touches it needs that. */
-    void prepare() {
+    /**
+     * Looks at the triangle; only a ray that comes near a triangle that touches it needs that.
+     *
+     * @param corners three coordinates of each corner of it, relative to the ray's origin
+     */
+    void prepare(double[] corners) {
         if (isReady) {
             return;
         }
         isReady = true;
         hasNormal = false;
         corner = -1;
+        double near = NEAR * tolerance;
         for (int k = 0; k < 3; k++) {
             vertices[k] = mesh.vertex(triangle, k);
-            if (isNear(vertices[k], start)) {
-                corner = k;
-            }
+            boolean isNear = Math.abs(corners[3 * k]) <= near
+                    && Math.abs(corners[3 * k + 1]) <= near
+                    && Math.abs(corners[3 * k + 2]) <= near;
+            corner = isNear ? k : corner;
         }
-    }
-
-    private boolean isNear(int vertex, double[] origin) {
-        for (int axis = 0; axis < 3; axis++) {
-            if (!(Math.abs(mesh.coordinate(vertex, axis) - origin[axis]) <= NEAR * tolerance)) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** A coordinate of the centroid. */

@@ -45,7 +45,7 @@ public final class MeshRay {
     public MeshRay set(
             TriangleTree hierarchy, double x, double y, double z, double dirX, double dirY, double dirZ, double from) {
         tree = hierarchy;
-        test.set(hierarchy.mesh, x, y, z, dirX, dirY, dirZ, from);
+        test.set(hierarchy, x, y, z, dirX, dirY, dirZ, from);
         return this;
     }
 

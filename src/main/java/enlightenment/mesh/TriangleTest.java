@@ -41,6 +41,10 @@ final class TriangleTest {
     private double inverseZ;
 
     private TriangleMesh mesh;
+
+    /** The largest coordinate of the mesh. */
+    private double largest;
+
     private float[] floats;
     private double[] doubles;
     private int[] indices;
@@ -75,11 +79,12 @@ final class TriangleTest {
     /** The side that the last triangle was met from: 1 outside, −1 inside. */
     int side;
 
-    void set(TriangleMesh of, double x, double y, double z, double dirX, double dirY, double dirZ, double from) {
-        mesh = of;
-        floats = of.floatPositions();
-        doubles = of.doublePositions();
-        indices = of.indices();
+    void set(TriangleTree tree, double x, double y, double z, double dirX, double dirY, double dirZ, double from) {
+        mesh = tree.mesh;
+        largest = tree.largest;
+        floats = mesh.floatPositions();
+        doubles = mesh.doublePositions();
+        indices = mesh.indices();
         o[0] = x;
         o[1] = y;
         o[2] = z;
@@ -118,7 +123,7 @@ final class TriangleTest {
     /** See {@link MeshRay#startOn}. */
     void startOn(int from, int travels, double error) {
         start = from;
-        departure.set(mesh, from, travels, o, error);
+        departure.set(mesh, from, travels, largest, error);
         load(from);
         double[] s = startCorners;
         s[0] = ax;
@@ -253,7 +258,7 @@ final class TriangleTest {
         if (!isAtStart) {
             return false;
         }
-        departure.prepare();
+        departure.prepare(startCorners);
         return departure.isInPlane(candidate);
     }
 
@@ -286,7 +291,7 @@ final class TriangleTest {
 
     /** The t of a triangle that touches the one that the ray starts on. */
     private double leaving(int candidate, boolean covered) {
-        departure.prepare();
+        departure.prepare(startCorners);
         if (departure.corner >= 0) {
             int k = departure.cornerAt(candidate);
             if (k >= 0) {

@@ -222,7 +222,8 @@ public final class Ray {
                 return true;
             }
         }
-        return end != null && end.concerns(p);
+        // Lights lie on no meshes.
+        return end != null && !p.hasElements() && end.concerns(p);
     }
 
     /** Another element than {@link #startElement} of a primitive that the ray starts or ends on; −1 if there is none. */

@@ -25,6 +25,9 @@ final class Library {
     /** How many groups lie in each other in a group that has been read, itself included. */
     final Map<String, Integer> groupDepths = new HashMap<>();
 
+    /** How many objects a group places, those in its groups included. */
+    final Map<String, Long> groupCounts = new HashMap<>();
+
     /** All groups, as they are written. */
     final Map<String, JsonValue> unreadGroups = new LinkedHashMap<>();
 

@@ -17,6 +17,10 @@ final class SceneObjects {
 
     private final Values values;
     private final List<SceneObject> objects = new ArrayList<>();
+
+    /** How many objects groups have placed. */
+    private long ofGroups;
+
     private final Map<String, JsonValue> names = new HashMap<>();
 
     /** How many groups lie in each other, at most, among those that the objects place. */
@@ -53,6 +57,13 @@ final class SceneObjects {
         }
         name(f);
         Transform transform = Transforms.read(f);
+        if (v instanceof JsonValue.Obj o && o.get("group") instanceof JsonValue.Str group) {
+            ofGroups += Groups.count(values.library(), group.text, 0);
+            if (ofGroups > Groups.MOST_PLACED) {
+                f.problem("group", Groups.TOO_MUCH);
+                return;
+            }
+        }
         List<SceneObject> members = members(f, within);
         for (SceneObject member : members == null || transform == null ? List.<SceneObject>of() : members) {
             SceneObject placed = f.make(() -> member.placed(transform, ""));
@@ -112,6 +123,11 @@ final class SceneObjects {
         List<String> chain = new ArrayList<>(within);
         chain.add(name);
         JsonPointer place = JsonPointer.ROOT.child("groups").child(name);
+        if (Groups.count(library, name, 0) > Groups.MOST_PLACED) {
+            values.problems().add(written, place, Groups.TOO_MUCH);
+            library.groups.put(name, null);
+            return;
+        }
         JsonValue.Arr a = values.array(written, place, -1, "an array of objects");
         for (int i = 0; a != null && i < a.size(); i++) {
             inner.add(a.get(i), place.child(i), chain);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.scene.SceneException.Problem;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -15,6 +16,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class SceneErrorsTest {
+    private static final String SPHERE =
+            "{\"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1, \"material\": {\"type\": \"matte\", \"color\": \"red\"}}";
+
     @TempDir
     Path folder;
 
@@ -143,6 +147,24 @@ class SceneErrorsTest {
         assertEquals("/groups/c/0/group", problem.pointer());
         assertEquals("the group \"b\" lies in itself: \"b\" in \"c\" in \"b\"", problem.message());
         assertTrue(problem.line() >= 1 && problem.column() >= 1, problem.toString());
+    }
+
+    @Test
+    void groupsThatMultiplyBeyondMeasureAreRefusedBeforeTheyArePlaced() {
+        StringBuilder groups = new StringBuilder("\"g0\": [" + SPHERE + "]");
+        for (int i = 1; i <= 4; i++) {
+            String one = "{\"type\": \"group\", \"group\": \"g" + (i - 1) + "\"}";
+            groups.append(", \"g" + i + "\": [" + String.join(", ", Collections.nCopies(3000, one)) + "]");
+        }
+        String json = "{\"groups\": {" + groups + "},"
+                + Documents.withObjects("{\"type\": \"group\", \"group\": \"g4\"}")
+                        .substring(1);
+        List<Problem> problems = Documents.problems(json, folder);
+        assertTrue(
+                problems.stream()
+                        .anyMatch(p -> p.pointer().equals("/objects/0/group")
+                                && p.message().contains("places too much")),
+                problems.toString());
     }
 
     /** Sixteen groups may lie in each other, whichever is read first. */

@@ -2,7 +2,6 @@ package enlightenment.geometry;
 
 import enlightenment.check.Check;
 import enlightenment.math.ExactPoint;
-import enlightenment.math.Vec3;
 import java.util.List;
 import java.util.Objects;
 
@@ -49,14 +48,8 @@ public record Box(ExactPoint min, ExactPoint max) implements Shape {
     public Shape placed(Transform transform) {
         ExactPoint p = transform.apply(min);
         ExactPoint q = transform.apply(max);
-        boolean isUpright = true;
-        for (int k = 0; k < 3; k++) {
-            Vec3 row = transform.row(k);
-            int numbers = (row.x() == 0 ? 0 : 1) + (row.y() == 0 ? 0 : 1) + (row.z() == 0 ? 0 : 1);
-            isUpright &= numbers == 1;
-        }
         Check.that(
-                isUpright,
+                transform.keepsAxes(),
                 "transform",
                 "turns a box, which can be moved, scaled, and turned by quarters of a turn; a cube, or a mesh, can be turned");
         return new Box(

@@ -32,21 +32,13 @@ final class Similarity {
                     "stretches a " + type
                             + ", which can be moved, turned, mirrored, and scaled alike in all directions");
         }
-        double exact = isOne(a, b, c) ? Math.max(a.maxAbs(), Math.max(b.maxAbs(), c.maxAbs())) : s;
+        // Where axes go to axes it is exact.
+        double exact = transform.keepsAxes() ? Math.max(a.maxAbs(), Math.max(b.maxAbs(), c.maxAbs())) : s;
         scale = Math.scalb(exact, e);
     }
 
     private static boolean isClose(double length, double s) {
         return Math.abs(length - s) <= ROUNDED * s;
-    }
-
-    /** Whether each axis goes to an axis: then the scale is exact. */
-    private static boolean isOne(Vec3 a, Vec3 b, Vec3 c) {
-        return numbers(a) == 1 && numbers(b) == 1 && numbers(c) == 1;
-    }
-
-    private static int numbers(Vec3 v) {
-        return (v.x() == 0 ? 0 : 1) + (v.y() == 0 ? 0 : 1) + (v.z() == 0 ? 0 : 1);
     }
 
     ExactPoint point(ExactPoint p) {

@@ -201,6 +201,16 @@ public final class Transform {
         return orientation(r[0], r[1], r[2]) < 0;
     }
 
+    /** Whether each axis goes to an axis: moved, scaled, mirrored and turned by quarters of a turn at most. */
+    boolean keepsAxes() {
+        for (Vec3 row : rows()) {
+            if ((row.x() == 0 ? 0 : 1) + (row.y() == 0 ? 0 : 1) + (row.z() == 0 ? 0 : 1) != 1) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Where the origin goes. */
     public ExactPoint offset() {
         return offset;

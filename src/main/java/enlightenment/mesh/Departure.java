@@ -84,18 +84,11 @@ final class Departure {
     /** Which corner of another triangle is the one that the ray starts at; −1 if none is. */
     int cornerAt(int other) {
         for (int k = 0; k < 3; k++) {
-            if (isSame(vertices[corner], mesh.vertex(other, k))) {
+            if (mesh.areInOnePlace(vertices[corner], mesh.vertex(other, k))) {
                 return k;
             }
         }
         return -1;
-    }
-
-    private boolean isSame(int v, int w) {
-        return v == w
-                || mesh.coordinate(v, 0) == mesh.coordinate(w, 0)
-                        && mesh.coordinate(v, 1) == mesh.coordinate(w, 1)
-                        && mesh.coordinate(v, 2) == mesh.coordinate(w, 2);
     }
 
     /** The edge that another triangle shares, k from its corner k to the next one; {@link #NO_EDGE} or {@link #ALL}. */
@@ -105,7 +98,9 @@ final class Departure {
         opposite = 3;
         for (int k = 0; k < 3; k++) {
             int v = mesh.vertex(other, k);
-            int own = isSame(vertices[0], v) ? 0 : isSame(vertices[1], v) ? 1 : isSame(vertices[2], v) ? 2 : -1;
+            int own = mesh.areInOnePlace(vertices[0], v)
+                    ? 0
+                    : mesh.areInOnePlace(vertices[1], v) ? 1 : mesh.areInOnePlace(vertices[2], v) ? 2 : -1;
             if (own < 0) {
                 left = k;
             } else {

@@ -1,6 +1,5 @@
 package enlightenment.mesh;
 
-import enlightenment.check.Check;
 import java.util.Arrays;
 
 /**
@@ -9,18 +8,17 @@ import java.util.Arrays;
  * <p>Either all vertices have a normal, or none; the same holds for texture coordinates.
  */
 public final class MeshBuilder {
-    private static final int LARGEST = Integer.MAX_VALUE - 64;
+    private Floats floats = new Floats(0);
 
-    private double[] positions = new double[0];
-    private float[] floats = new float[3 * 64];
-    private boolean isOfFloats = true;
+    /** The coordinates from when one is no float on; null before. */
+    private double[] doubles;
+
+    /** How many coordinates there are. */
     private int numbers;
-    private int[] indices = new int[3 * 64];
-    private int corners;
-    private float[] normals = {};
-    private int normalNumbers;
-    private float[] uv = {};
-    private int uvNumbers;
+
+    private Ints indices = new Ints(0);
+    private Floats normals = new Floats(0);
+    private Floats uv = new Floats(0);
 
     /** An empty mesh. */
     public MeshBuilder() {}
@@ -31,76 +29,60 @@ public final class MeshBuilder {
      * @return its number, counted from 0
      */
     public int vertex(double x, double y, double z) {
-        if (isOfFloats && !((float) x == x && (float) y == y && (float) z == z)) {
+        if (doubles == null && !((float) x == x && (float) y == y && (float) z == z)) {
             becomeLong();
         }
-        if (isOfFloats) {
-            if (numbers + 3 > floats.length) {
-                floats = Arrays.copyOf(floats, larger(floats.length));
-            }
-            floats[numbers] = (float) x;
-            floats[numbers + 1] = (float) y;
-            floats[numbers + 2] = (float) z;
-        } else {
-            if (numbers + 3 > positions.length) {
-                positions = Arrays.copyOf(positions, larger(positions.length));
-            }
-            positions[numbers] = x;
-            positions[numbers + 1] = y;
-            positions[numbers + 2] = z;
-        }
-        numbers += 3;
+        coordinate(x);
+        coordinate(y);
+        coordinate(z);
         return numbers / 3 - 1;
     }
 
-    private void becomeLong() {
-        isOfFloats = false;
-        positions = new double[floats.length];
-        for (int i = 0; i < numbers; i++) {
-            positions[i] = floats[i];
+    private void coordinate(double v) {
+        if (doubles == null) {
+            floats.add((float) v);
+        } else {
+            if (numbers == doubles.length) {
+                doubles = Arrays.copyOf(doubles, Floats.larger(numbers));
+            }
+            doubles[numbers] = v;
         }
-        floats = new float[0];
+        numbers++;
+    }
+
+    private void becomeLong() {
+        doubles = new double[numbers];
+        for (int i = 0; i < numbers; i++) {
+            doubles[i] = floats.get(i);
+        }
+        floats = new Floats(0);
     }
 
     /** Gives the next vertex without a normal its normal, of any length. */
     public void normal(double x, double y, double z) {
-        if (normalNumbers + 3 > normals.length) {
-            normals = Arrays.copyOf(normals, larger(normals.length));
-        }
-        normals[normalNumbers++] = (float) x;
-        normals[normalNumbers++] = (float) y;
-        normals[normalNumbers++] = (float) z;
+        normals.add((float) x);
+        normals.add((float) y);
+        normals.add((float) z);
     }
 
     /** Gives the next vertex without texture coordinates its own: u to the right, v upwards. */
     public void uv(double u, double v) {
-        if (uvNumbers + 2 > uv.length) {
-            uv = Arrays.copyOf(uv, larger(uv.length));
-        }
-        uv[uvNumbers++] = (float) u;
-        uv[uvNumbers++] = (float) v;
+        uv.add((float) u);
+        uv.add((float) v);
     }
 
-    /** Adds a triangle by the numbers of its vertices, which may be added later; from outside they run against the clock. */
+    /** Adds a triangle by the numbers of its vertices, counterclockwise as seen from outside; vertices may be added later. */
     public void triangle(int a, int b, int c) {
-        if (corners + 3 > indices.length) {
-            indices = Arrays.copyOf(indices, larger(indices.length));
-        }
-        indices[corners++] = a;
-        indices[corners++] = b;
-        indices[corners++] = c;
+        indices.add(a);
+        indices.add(b);
+        indices.add(c);
     }
 
     /** Adds triangles, whose vertices are counted from one of those here. */
     void triangles(int[] some, int first) {
-        for (int i = 0; i < some.length; i += 3) {
-            triangle(first + some[i], first + some[i + 1], first + some[i + 2]);
+        for (int v : some) {
+            indices.add(first + v);
         }
-    }
-
-    private static int larger(int length) {
-        Check.that(length < LARGEST, "indices", "are more than one mesh can hold");
-        return (int) Math.min(LARGEST, Math.max(192, length + (long) length / 2));
     }
 
     /** The number of vertices so far. */
@@ -110,7 +92,7 @@ public final class MeshBuilder {
 
     /** The number of triangles so far. */
     public int triangles() {
-        return corners / 3;
+        return indices.size() / 3;
     }
 
     /**
@@ -120,24 +102,22 @@ public final class MeshBuilder {
      *     {@link TriangleMesh#withUv}
      */
     public TriangleMesh build() {
-        float[] some = isOfFloats ? Arrays.copyOf(floats, numbers) : null;
-        double[] longer = isOfFloats ? null : Arrays.copyOf(positions, numbers);
-        floats = new float[3 * 64];
-        positions = new double[0];
-        int[] triangles = Arrays.copyOf(indices, corners);
-        indices = new int[3 * 64];
-        TriangleMesh mesh = new TriangleMesh(some, longer, triangles, all(normals, normalNumbers), all(uv, uvNumbers));
-        isOfFloats = true;
+        TriangleMesh mesh = new TriangleMesh(
+                doubles == null ? floats.toArray() : null,
+                doubles == null ? null : Arrays.copyOf(doubles, numbers),
+                indices.toArray(),
+                all(normals),
+                all(uv));
+        floats = new Floats(0);
+        doubles = null;
         numbers = 0;
-        corners = 0;
-        normals = new float[0];
-        normalNumbers = 0;
-        uv = new float[0];
-        uvNumbers = 0;
+        indices = new Ints(0);
+        normals = new Floats(0);
+        uv = new Floats(0);
         return mesh;
     }
 
-    private static float[] all(float[] values, int n) {
-        return n == 0 ? null : Arrays.copyOf(values, n);
+    private static float[] all(Floats values) {
+        return values.size() == 0 ? null : values.toArray();
     }
 }

@@ -2,6 +2,7 @@ package enlightenment.mesh;
 
 import enlightenment.bvh.FloatSlabs;
 import enlightenment.bvh.Nodes;
+import enlightenment.numeric.EdgeFunctions;
 
 /**
  * A ray in the coordinates of a mesh, and the closest triangle that it meets. A mutable work object, one per thread.
@@ -149,7 +150,7 @@ public final class MeshRay {
         for (int axis = 0; axis < 3; axis++) {
             double low = tree.low[axis] - o[axis];
             double high = tree.high[axis] - o[axis];
-            double slack = TriangleTest.ERROR * (Math.abs(o[axis]) + tree.largest) + off;
+            double slack = EdgeFunctions.ERROR * (Math.abs(o[axis]) + tree.largest) + off;
             double v = test.d[axis];
             if (v == 0) {
                 if (low > slack || high < -slack) {

@@ -34,10 +34,10 @@ public final class TriangleMesh {
     /** The triangles that were left out. */
     private final int[] withoutArea;
 
-    private final int dropped;
+    private final Bounds bounds;
     private volatile String digest;
     private volatile OpenEdges openEdges;
-    private volatile Bounds bounds;
+    private volatile double volume = Double.NaN;
     private TriangleTree tree;
 
     /** Takes the arrays as they are: positions, or the longer ones; normals and texture coordinates may be null. */
@@ -47,12 +47,11 @@ public final class TriangleMesh {
         this.normals = normals;
         this.uv = uv;
         check(indices);
-        int[] flat = withoutArea(indices);
-        this.indices = flat.length == 0 ? indices : withArea(indices);
-        withoutArea = flat;
-        dropped = flat.length / 3;
+        withoutArea = some(indices, false);
+        this.indices = withoutArea.length == 0 ? indices : some(indices, true);
         Check.that(this.indices.length > 0, "indices", "must hold at least one triangle with an area");
-        double size = bounds().maxAbs();
+        bounds = boundsOf(this);
+        double size = bounds.maxAbs();
         Check.that(
                 size <= LARGEST && size >= 1 / LARGEST,
                 "positions",
@@ -63,8 +62,8 @@ public final class TriangleMesh {
         positions = of.positions;
         longPositions = of.longPositions;
         indices = of.indices;
-        dropped = of.dropped;
         withoutArea = of.withoutArea;
+        bounds = of.bounds;
         this.normals = normals;
         this.uv = uv;
         checkAttributes();
@@ -182,34 +181,18 @@ public final class TriangleMesh {
         }
     }
 
-    /** The triangles whose three corners lie in one line, as far as doubles can tell. */
-    private int[] withoutArea(int[] all) {
+    /** Those triangles that have an area, as far as doubles can tell, or those whose three corners lie in one line. */
+    private int[] some(int[] all, boolean withArea) {
         double[] n = new double[3];
-        int[] flat = new int[0];
-        int size = 0;
+        Ints some = new Ints(withArea ? all.length : 0);
         for (int i = 0; i < all.length; i += 3) {
-            if (!normal(all[i], all[i + 1], all[i + 2], n)) {
-                flat = size < flat.length ? flat : Arrays.copyOf(flat, 2 * size + 3);
-                System.arraycopy(all, i, flat, size, 3);
-                size += 3;
+            if (normal(all[i], all[i + 1], all[i + 2], n) == withArea) {
+                some.add(all[i]);
+                some.add(all[i + 1]);
+                some.add(all[i + 2]);
             }
         }
-        return Arrays.copyOf(flat, size);
-    }
-
-    /** The other ones. */
-    private int[] withArea(int[] all) {
-        double[] n = new double[3];
-        int kept = 0;
-        for (int i = 0; i < all.length; i += 3) {
-            if (normal(all[i], all[i + 1], all[i + 2], n)) {
-                if (kept < i) {
-                    System.arraycopy(all, i, all, kept, 3);
-                }
-                kept += 3;
-            }
-        }
-        return kept == all.length ? all : Arrays.copyOf(all, kept);
+        return some.toArray();
     }
 
     /** Writes the geometric normal of a triangle, as long as twice its area. */
@@ -273,7 +256,7 @@ public final class TriangleMesh {
 
     /** How many triangles had no area and were left out. */
     public int dropped() {
-        return dropped;
+        return withoutArea.length / 3;
     }
 
     /** The vertex at a corner of a triangle; corner 0, 1 or 2. */
@@ -323,6 +306,29 @@ public final class TriangleMesh {
         return new Vec3(n[0], n[1], n[2]);
     }
 
+    /** Whether two vertices are in the same place. */
+    boolean areInOnePlace(int v, int w) {
+        return v == w
+                || coordinate(v, 0) == coordinate(w, 0)
+                        && coordinate(v, 1) == coordinate(w, 1)
+                        && coordinate(v, 2) == coordinate(w, 2);
+    }
+
+    /** The volume that a closed mesh encloses, by the divergence theorem. */
+    public double volume() {
+        double known = volume;
+        if (Double.isNaN(known)) {
+            Vec3 middle = min().plus(max()).times(0.5);
+            double sum = 0;
+            for (int t = 0; t < triangles(); t++) {
+                sum += areaNormal(t).dot(position(vertex(t, 0)).minus(middle));
+            }
+            known = Math.abs(sum) / 6;
+            volume = known;
+        }
+        return known;
+    }
+
     /** The number of edges that keep the mesh from being closed, see {@link #isClosed}. */
     public long openEdges() {
         OpenEdges edges = openEdges;
@@ -358,12 +364,7 @@ public final class TriangleMesh {
 
     /** The box around all triangles. */
     Bounds bounds() {
-        Bounds known = bounds;
-        if (known == null) {
-            known = boundsOf(this);
-            bounds = known;
-        }
-        return known;
+        return bounds;
     }
 
     private static Bounds boundsOf(TriangleMesh mesh) {

@@ -1,16 +1,13 @@
 package enlightenment.mesh;
 
+import enlightenment.numeric.EdgeFunctions;
 import enlightenment.numeric.Products;
-import enlightenment.numeric.Scale;
 
 /**
  * One ray against one triangle of a mesh after the other, by edge functions of sheared vertices, whose signs are exact for the rounded vertices
  * (Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT 2013): triangles that share edges leave no gap. A mutable work object.
  */
 final class TriangleTest {
-    /** Bounds the roundings of a sheared coordinate relative to the vertices' distance, and of edge functions to its square. */
-    static final double ERROR = Scale.gamma(64);
-
     /** How many times its error an edge function may be away from 0 for a neighbour that the ray may meet beyond the shared edge. */
     private static final double NEAR = 4;
 
@@ -166,9 +163,7 @@ final class TriangleTest {
         e0 = Products.difference(px, qy, py, qx);
         e1 = Products.difference(qx, ry, qy, rx);
         e2 = Products.difference(rx, py, ry, px);
-        boolean anyNegative = e0 < 0 || e1 < 0 || e2 < 0;
-        boolean anyPositive = e0 > 0 || e1 > 0 || e2 > 0;
-        return anyNegative != anyPositive;
+        return EdgeFunctions.cover(e0, e1, e2);
     }
 
     private void load(int triangle) {
@@ -242,7 +237,7 @@ final class TriangleTest {
     /** Whether the origin may lie in the loaded triangle's plane, which is so high above it, times the normal's length. */
     private boolean mayBeInPlane(double height) {
         double edges = size(bx - ax, by - ay, bz - az) * size(cx - ax, cy - ay, cz - az);
-        double near = departure.tolerance + ERROR * size(ax, ay, az);
+        double near = departure.tolerance + EdgeFunctions.ERROR * size(ax, ay, az);
         // A component of the normal is at most twice the product of the edges' largest components.
         return Math.abs(height) <= 2 * 3 * 2 * edges * near;
     }
@@ -251,10 +246,10 @@ final class TriangleTest {
     private boolean isInPlane(int candidate) {
         double height = plane();
         double m = reach();
-        double near = departure.tolerance + ERROR * m;
+        double near = departure.tolerance + EdgeFunctions.ERROR * m;
         double edges = size(bx - ax, by - ay, bz - az) + size(cx - ax, cy - ay, cz - az);
         double n = Math.abs(nx) + Math.abs(ny) + Math.abs(nz);
-        boolean isAtStart = Math.abs(height) <= n * near + ERROR * m * edges * size(ax, ay, az);
+        boolean isAtStart = Math.abs(height) <= n * near + EdgeFunctions.ERROR * m * edges * size(ax, ay, az);
         if (!isAtStart) {
             return false;
         }
@@ -306,7 +301,7 @@ final class TriangleTest {
             return covered ? distance(candidate) : MeshRay.MISS;
         }
         double m = reach();
-        double near = departure.tolerance + ERROR * m;
+        double near = departure.tolerance + EdgeFunctions.ERROR * m;
         if (!covered && !(Math.min(Math.abs(e0), Math.min(Math.abs(e1), Math.abs(e2))) <= NEAR * near * m)) {
             return MeshRay.MISS;
         }

@@ -3,7 +3,6 @@ package enlightenment.mesh;
 import enlightenment.bvh.BvhBuilder;
 import enlightenment.bvh.ItemBoxes;
 import enlightenment.bvh.Nodes;
-import enlightenment.frame.Bounds;
 import enlightenment.numeric.Scale;
 
 /**
@@ -40,12 +39,10 @@ public final class TriangleTree {
     final int[] order;
 
     final TriangleMesh mesh;
-    final Bounds bounds;
 
     TriangleTree(TriangleMesh mesh, Runnable poll) {
         this.mesh = mesh;
-        bounds = mesh.bounds();
-        largest = bounds.maxAbs();
+        largest = mesh.maxAbs();
         low = new double[] {mesh.min().x(), mesh.min().y(), mesh.min().z()};
         high = new double[] {mesh.max().x(), mesh.max().y(), mesh.max().z()};
         exponent = Scale.exponent(largest);

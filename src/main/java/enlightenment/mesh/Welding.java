@@ -15,7 +15,7 @@ final class Welding {
         Arrays.fill(table, -1);
         for (int v = 0; v < n; v++) {
             int slot = hash(mesh, v) & capacity - 1;
-            while (table[slot] >= 0 && !areEqual(mesh, table[slot], v)) {
+            while (table[slot] >= 0 && !mesh.areInOnePlace(table[slot], v)) {
                 slot = slot + 1 & capacity - 1;
             }
             if (table[slot] < 0) {
@@ -23,12 +23,6 @@ final class Welding {
             }
             first[v] = table[slot];
         }
-    }
-
-    private static boolean areEqual(TriangleMesh mesh, int v, int w) {
-        return mesh.coordinate(v, 0) == mesh.coordinate(w, 0)
-                && mesh.coordinate(v, 1) == mesh.coordinate(w, 1)
-                && mesh.coordinate(v, 2) == mesh.coordinate(w, 2);
     }
 
     /** Minus zero hashes as zero does. */

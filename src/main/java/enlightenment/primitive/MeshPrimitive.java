@@ -238,15 +238,9 @@ public final class MeshPrimitive extends Primitive {
         return mesh.isClosed();
     }
 
-    /** By the divergence theorem. */
     @Override
     public double volume() {
-        Vec3 middle = mesh.min().plus(mesh.max()).times(0.5);
-        double sum = 0;
-        for (int t = 0; t < mesh.triangles(); t++) {
-            sum += mesh.areaNormal(t).dot(mesh.position(mesh.vertex(t, 0)).minus(middle));
-        }
-        return Math.abs(sum) / 6 * placing.volumeFactor();
+        return mesh.volume() * placing.volumeFactor();
     }
 
     @Override

@@ -2,6 +2,7 @@ package enlightenment.primitive;
 
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.EdgeFunctions;
 import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 
@@ -151,9 +152,9 @@ public final class RectanglePrimitive extends Primitive {
         double da = Products.difference(px, ay, py, ax);
         double ac = Products.difference(ax, cy, ay, cx);
         double t;
-        if (Watertight.covers(ab, bc, -ac)) {
+        if (EdgeFunctions.cover(ab, bc, -ac)) {
             t = Watertight.settle(ray, planeDistance, a, b, c, ab, bc, -ac);
-        } else if (Watertight.covers(ac, cd, da)) {
+        } else if (EdgeFunctions.cover(ac, cd, da)) {
             t = Watertight.settle(ray, planeDistance, a, c, d, ac, cd, da);
         } else {
             return MISS;

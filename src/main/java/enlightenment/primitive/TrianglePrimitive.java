@@ -2,6 +2,7 @@ package enlightenment.primitive;
 
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.EdgeFunctions;
 import enlightenment.numeric.Products;
 
 /**
@@ -48,7 +49,7 @@ public final class TrianglePrimitive extends Primitive {
         double e0 = Products.difference(ax, by, ay, bx);
         double e1 = Products.difference(bx, cy, by, cx);
         double e2 = Products.difference(cx, ay, cy, ax);
-        if (!Watertight.covers(e0, e1, e2)) {
+        if (!EdgeFunctions.cover(e0, e1, e2)) {
             return MISS;
         }
         double t = Watertight.settle(ray, plane.distance(ray), a, b, c, e0, e1, e2);

@@ -1,8 +1,8 @@
 package enlightenment.primitive;
 
 import enlightenment.math.Vec3;
+import enlightenment.numeric.EdgeFunctions;
 import enlightenment.numeric.Products;
-import enlightenment.numeric.Scale;
 
 /**
  * Vertices in the sheared coordinates of a ray (Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT
@@ -11,12 +11,6 @@ import enlightenment.numeric.Scale;
  * share, and closed surfaces of triangles cover it without gaps.
  */
 final class Watertight {
-    /**
-     * Bounds the rounding of a sheared coordinate relative to the distance of the vertices from the origin, and that of an
-     * edge function relative to the square of the distance.
-     */
-    private static final double ERROR = Scale.gamma(64);
-
     private Watertight() {}
 
     /** First sheared coordinate of a vertex; {@link Ray#shear} has been called. */
@@ -32,13 +26,6 @@ final class Watertight {
     /** The ray parameter of a vertex, measured along the main axis of the direction. */
     private static double parameter(Ray ray, Vec3 v) {
         return (v.component(ray.kz) - ray.o(ray.kz)) / ray.d(ray.kz);
-    }
-
-    /** Whether the ray's line meets the closed triangle with these edge functions; false if it is seen edge-on. */
-    static boolean covers(double e0, double e1, double e2) {
-        boolean anyNegative = e0 < 0 || e1 < 0 || e2 < 0;
-        boolean anyPositive = e0 > 0 || e1 > 0 || e2 > 0;
-        return anyNegative != anyPositive;
     }
 
     /**
@@ -67,13 +54,13 @@ final class Watertight {
         // Away from the edges the ray meets the triangle however it is rounded, and only the plane's distance is
         // accurate.
         double edge = Math.min(Math.abs(e0), Math.min(Math.abs(e1), Math.abs(e2)));
-        boolean central = edge > ERROR * m * m;
+        boolean central = edge > EdgeFunctions.ERROR * m * m;
         if (central && (t >= lo && t <= hi || t < ray.tMin && lo < ray.tMin)) {
             return t >= ray.tMin ? t : Primitive.MISS;
         }
         double between = (e1 * ta + e2 * tb + e0 * tc) / (e0 + e1 + e2);
         between = between < lo ? lo : between > hi ? hi : between;
-        boolean agree = Math.abs(t - between) * Math.abs(ray.d(ray.kz)) <= ERROR * m;
+        boolean agree = Math.abs(t - between) * Math.abs(ray.d(ray.kz)) <= EdgeFunctions.ERROR * m;
         double settled = agree ? t : between;
         return settled >= ray.tMin ? settled : Primitive.MISS;
     }

@@ -1,9 +1,7 @@
 package enlightenment.render;
 
-import enlightenment.geometry.Mesh;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.mesh.TriangleMesh;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
@@ -13,7 +11,6 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.SceneObject;
 import enlightenment.work.Cancellation;
 import enlightenment.work.Phases;
 import enlightenment.work.PictureMemory;
@@ -24,8 +21,6 @@ import enlightenment.world.check.SceneHints;
 import enlightenment.world.check.SceneProblems;
 import enlightenment.world.light.SceneImages;
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -197,13 +192,7 @@ public final class Renderer {
 
     /** What meshes take, each once. */
     private static long meshBytes(Scene scene) {
-        Set<TriangleMesh> meshes = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (SceneObject object : scene.objects()) {
-            if (object.shape() instanceof Mesh mesh) {
-                meshes.add(mesh.triangles());
-            }
-        }
-        return meshes.stream()
+        return scene.meshes().stream()
                 .mapToLong(m -> m.bytes() + m.tree(() -> {}).bytes())
                 .sum();
     }

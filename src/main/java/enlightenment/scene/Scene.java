@@ -2,12 +2,16 @@ package enlightenment.scene;
 
 import enlightenment.camera.Camera;
 import enlightenment.check.Check;
+import enlightenment.geometry.Mesh;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
+import enlightenment.mesh.TriangleMesh;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -146,6 +150,18 @@ public record Scene(
                 render,
                 Optional.empty(),
                 instants);
+    }
+
+    /** The meshes that objects place, each once, in the order of the objects. */
+    public List<TriangleMesh> meshes() {
+        Set<TriangleMesh> known = Collections.newSetFromMap(new IdentityHashMap<>());
+        List<TriangleMesh> meshes = new ArrayList<>();
+        for (SceneObject object : objects) {
+            if (object.shape() instanceof Mesh mesh && known.add(mesh.triangles())) {
+                meshes.add(mesh.triangles());
+            }
+        }
+        return meshes;
     }
 
     /** The same scene, pictures of which are the mean over these moments. */

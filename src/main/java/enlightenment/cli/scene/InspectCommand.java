@@ -28,14 +28,11 @@ import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import enlightenment.text.Plain;
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -170,17 +167,12 @@ public final class InspectCommand extends Subcommand {
 
     /** What meshes hold; each counts once, however often it is placed. */
     private void meshes(Scene scene) {
-        Set<TriangleMesh> meshes = Collections.newSetFromMap(new IdentityHashMap<>());
-        int instances = 0;
-        for (SceneObject object : scene.objects()) {
-            if (object.shape() instanceof Mesh mesh) {
-                meshes.add(mesh.triangles());
-                instances++;
-            }
-        }
+        List<TriangleMesh> meshes = scene.meshes();
         if (meshes.isEmpty()) {
             return;
         }
+        long instances =
+                scene.objects().stream().filter(o -> o.shape() instanceof Mesh).count();
         long triangles = 0;
         long dropped = 0;
         long bytes = 0;

@@ -67,9 +67,6 @@ public final class PathFollower {
     /** How far the last ray went to the last of the holes that it passed. */
     private double passed;
 
-    /** How far the ray goes, in lengths of its direction. */
-    private double limit = Double.MAX_VALUE;
-
     /** Whether the surface that the path is at coincides with the one before. */
     private boolean tookNext;
 
@@ -164,8 +161,7 @@ public final class PathFollower {
             // Nothing is there: neither an event nor a bounce, but the path has left a surface behind.
             passed += distanceOfHit(ray);
             // The ray behind it starts at 0, wherever this one does.
-            limit -= at.hit.t;
-            tracer.limit = limit;
+            tracer.limit -= at.hit.t;
             surfaces++;
             Optics.pass(ray, at.hit);
             glass.startBehindHole(ray);
@@ -302,11 +298,9 @@ public final class PathFollower {
      * The same for a ray that goes no further than this, in lengths of the frame: {@link Event#NOTHING} if it meets nothing on that way.
      */
     public Event next(Ray ray, double length) {
-        limit = Math.min(ray.tMin + length / Math.sqrt(ray.dd), Double.MAX_VALUE);
-        tracer.limit = limit;
+        tracer.limit = Math.min(ray.tMin + length / Math.sqrt(ray.dd), Double.MAX_VALUE);
         Event event = next(ray);
-        limit = Double.MAX_VALUE;
-        tracer.limit = limit;
+        tracer.limit = Double.MAX_VALUE;
         return event;
     }
 

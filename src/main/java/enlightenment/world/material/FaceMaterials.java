@@ -34,7 +34,7 @@ public final class FaceMaterials {
     public List<SurfaceMaterial> distinct() {
         Set<SurfaceMaterial> all = new LinkedHashSet<>();
         for (SurfaceMaterial m : materials) {
-            m.any(part -> !all.add(part) && false);
+            m.addTo(all);
         }
         return List.copyOf(all);
     }

@@ -10,6 +10,8 @@ import enlightenment.color.Rgb;
 import enlightenment.material.Material;
 import enlightenment.primitive.Ray;
 import enlightenment.texture.ImageTexture;
+import java.util.Arrays;
+import java.util.Collection;
 import java.util.function.Predicate;
 
 /** A material as shading reads it: plain fields, textures loaded. */
@@ -151,39 +153,34 @@ public final class SurfaceMaterial {
 
     /** Whether it, or what it may be made of at some place, is such. */
     public boolean any(Predicate<SurfaceMaterial> such) {
+        return detail == null ? such.test(this) : Arrays.stream(detail.parts()).anyMatch(part -> part.any(such));
+    }
+
+    /** Whether some detail of it is such. */
+    private boolean anyDetail(Predicate<SurfaceDetail> such) {
+        return detail != null
+                && (such.test(detail) || Arrays.stream(detail.parts()).anyMatch(part -> part.anyDetail(such)));
+    }
+
+    /** Adds what it may be made of at some place: itself, or its parts. */
+    void addTo(Collection<SurfaceMaterial> all) {
         if (detail == null) {
-            return such.test(this);
-        }
-        for (SurfaceMaterial part : detail.parts()) {
-            if (part.any(such)) {
-                return true;
+            all.add(this);
+        } else {
+            for (SurfaceMaterial part : detail.parts()) {
+                part.addTo(all);
             }
         }
-        return false;
     }
 
     /** Whether there may be holes in it. */
     boolean hasMask() {
-        if (detail == null) {
-            return false;
-        }
-        boolean has = detail.isMask();
-        for (SurfaceMaterial part : detail.parts()) {
-            has |= part.hasMask();
-        }
-        return has;
+        return anyDetail(SurfaceDetail::isMask);
     }
 
     /** Whether it turns normals by a texture. */
     public boolean turnsNormals() {
-        if (detail == null) {
-            return false;
-        }
-        boolean turns = detail.turnsNormal();
-        for (SurfaceMaterial part : detail.parts()) {
-            turns |= part.turnsNormals();
-        }
-        return turns;
+        return anyDetail(SurfaceDetail::turnsNormal);
     }
 
     /** Whether it emits to a side ({@link enlightenment.primitive.Hit#side}). */

@@ -146,7 +146,7 @@ class SmoothShadingTest {
         });
     }
 
-    /** The same of mirror images, whose direction has the same solid angle both ways. */
+    /** Mirror images are adjoint, too: their directions have equal solid angles both ways. */
     @Test
     void aMirrorImageIsTheSameWhicheverWayItIsCarried() {
         SmoothShading smooth = new SmoothShading(SpecularReflection.INSTANCE);

@@ -2,7 +2,6 @@ package enlightenment.physical;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
@@ -16,7 +15,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.render.Welch;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.PhysicalShading;
@@ -74,17 +72,7 @@ class MediaMethodsTest {
         List<Image> traced =
                 Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE).withAntialias(5), 100, 12);
         List<Image> others = Rendered.seeds(scene, settings(scene, method).withAntialias(5), 1, 12);
-        for (int part = 0; part < 4; part++) {
-            int x = part % 2 * 8;
-            int y = part / 2 * 8;
-            for (int band = 0; band < 3; band++) {
-                double[] a = Rendered.means(traced, x, y, x + 8, y + 8, band);
-                double[] b = Rendered.means(others, x, y, x + 8, y + 8, band);
-                String told =
-                        "part " + part + ", band " + band + ": " + Statistics.of(b) + " instead of " + Statistics.of(a);
-                assertTrue(Welch.of(a, b).probability() >= Welch.sidak(0.01, 48), told);
-            }
-        }
+        Rendered.assertPartsAgree(traced, others, 48);
     }
 
     @ParameterizedTest

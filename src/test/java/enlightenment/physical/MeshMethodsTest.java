@@ -1,9 +1,6 @@
 package enlightenment.physical;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
 import enlightenment.image.Image;
-import enlightenment.render.Welch;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -39,16 +36,6 @@ class MeshMethodsTest {
         List<Image> traced =
                 Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE).withAntialias(3), 100, 12);
         List<Image> others = Rendered.seeds(scene, settings(scene, method).withAntialias(3), 1, 12);
-        for (int part = 0; part < 4; part++) {
-            int x = part % 2 * 8;
-            int y = part / 2 * 8;
-            for (int band = 0; band < 3; band++) {
-                double[] a = Rendered.means(traced, x, y, x + 8, y + 8, band);
-                double[] b = Rendered.means(others, x, y, x + 8, y + 8, band);
-                String told =
-                        "part " + part + ", band " + band + ": " + Statistics.of(b) + " instead of " + Statistics.of(a);
-                assertTrue(Welch.of(a, b).probability() >= Welch.sidak(0.01, 96), told);
-            }
-        }
+        Rendered.assertPartsAgree(traced, others, 96);
     }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.render.Renderer;
+import enlightenment.render.Welch;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
@@ -55,6 +56,25 @@ final class Rendered {
                     return sum / ((right - left) * (bottom - top));
                 })
                 .toArray();
+    }
+
+    /**
+     * Compares four parts of 8 × 8 pixels of pictures, band by band.
+     *
+     * @param tests how many such comparisons the whole test makes, of which one in a hundred may fail by chance
+     */
+    static void assertPartsAgree(List<Image> expected, List<Image> actual, int tests) {
+        for (int part = 0; part < 4; part++) {
+            int x = part % 2 * 8;
+            int y = part / 2 * 8;
+            for (int band = 0; band < 3; band++) {
+                double[] a = means(expected, x, y, x + 8, y + 8, band);
+                double[] b = means(actual, x, y, x + 8, y + 8, band);
+                String told =
+                        "part " + part + ", band " + band + ": " + Statistics.of(b) + " instead of " + Statistics.of(a);
+                assertTrue(Welch.of(a, b).probability() >= Welch.sidak(0.01, tests), told);
+            }
+        }
     }
 
     /** The mean of the red band over one picture. */

@@ -31,6 +31,7 @@ module enlightenment {
     exports enlightenment.camera;
     exports enlightenment.scene;
     exports enlightenment.nff;
+    exports enlightenment.importer;
     exports enlightenment.scene.json;
     exports enlightenment.image;
     exports enlightenment.report;

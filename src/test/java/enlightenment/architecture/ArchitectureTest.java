@@ -81,6 +81,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.scene.json")
             .layer("nff")
             .definedBy("enlightenment.nff")
+            .layer("importer")
+            .definedBy("enlightenment.importer..")
             .layer("accel")
             .definedBy("enlightenment.accel")
             .layer("world")
@@ -131,7 +133,18 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("net", "cli")
             .whereLayer("file")
             .mayOnlyBeAccessedByLayers(
-                    "codec", "image", "video", "mesh", "json", "nff", "job", "checkpoint", "net", "measure", "cli")
+                    "codec",
+                    "image",
+                    "video",
+                    "mesh",
+                    "json",
+                    "nff",
+                    "importer",
+                    "job",
+                    "checkpoint",
+                    "net",
+                    "measure",
+                    "cli")
             .whereLayer("job")
             .mayOnlyBeAccessedByLayers("checkpoint", "net", "cli")
             .whereLayer("checkpoint")
@@ -163,6 +176,8 @@ class ArchitectureTest {
             .whereLayer("work")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine", "net", "cli")
             .whereLayer("nff")
+            .mayOnlyBeAccessedByLayers("importer", "cli")
+            .whereLayer("importer")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("json")
             .mayOnlyBeAccessedByLayers("job", "net", "cli")
@@ -226,6 +241,7 @@ class ArchitectureTest {
                     "classic cluster",
                     "json",
                     "nff",
+                    "importer",
                     "world",
                     "transport",
                     "method",
@@ -239,7 +255,7 @@ class ArchitectureTest {
                     "measure",
                     "cli")
             .whereLayer("descriptions")
-            .mayOnlyBeAccessedByLayers("scene", "json", "nff", "world", "cli")
+            .mayOnlyBeAccessedByLayers("scene", "json", "nff", "importer", "world", "cli")
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers(
                     "classic shading",
@@ -258,7 +274,18 @@ class ArchitectureTest {
                     "cli")
             .whereLayer("text")
             .mayOnlyBeAccessedByLayers(
-                    "codec", "image", "mesh", "scene", "json", "engine", "render", "listen", "net", "cli", "store")
+                    "codec",
+                    "image",
+                    "mesh",
+                    "scene",
+                    "json",
+                    "importer",
+                    "engine",
+                    "render",
+                    "listen",
+                    "net",
+                    "cli",
+                    "store")
             .whereLayer("codec")
             .mayOnlyBeAccessedByLayers("image", "picture", "texture", "surroundings", "video")
             .whereLayer("surroundings")
@@ -269,8 +296,21 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("world")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers(
-                    "picture", "texture", "film", "plan", "render", "engine", "job", "status", "window", "net",
-                    "measure", "store", "cli", "json");
+                    "picture",
+                    "texture",
+                    "film",
+                    "plan",
+                    "render",
+                    "engine",
+                    "job",
+                    "status",
+                    "window",
+                    "net",
+                    "measure",
+                    "store",
+                    "cli",
+                    "json",
+                    "importer");
 
     /** Passes that compile a scene, from what all of them stand on down to the compiled scene. */
     @ArchTest

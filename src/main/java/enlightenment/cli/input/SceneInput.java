@@ -2,6 +2,9 @@ package enlightenment.cli.input;
 
 import enlightenment.cli.terminal.StandardStreams;
 import enlightenment.cli.terminal.Terminal;
+import enlightenment.importer.ImportOptions;
+import enlightenment.importer.ImportedScene;
+import enlightenment.importer.SceneImporter;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
@@ -18,6 +21,9 @@ public final class SceneInput {
 
     /** What standard input held, once it has been read. */
     private byte[] bytes;
+
+    /** What a file of another program became, once it has been read. */
+    private Scene imported;
 
     public SceneInput(Path file, Terminal terminal) {
         this.file = file;
@@ -39,11 +45,27 @@ public final class SceneInput {
             OptionalInt at = frame.map(OptionalInt::of).orElse(OptionalInt.empty());
             return SceneReader.readBytes(bytes(), Path.of(""), StandardStreams.INPUT, at);
         }
+        if (SceneImporter.reads(file)) {
+            return imported();
+        }
         return frame.isPresent() ? SceneReader.read(file, frame.get()) : SceneReader.read(file);
+    }
+
+    /** The scene of another program's file, whose notes are shown once. */
+    private Scene imported() {
+        if (imported == null) {
+            ImportedScene result = ForeignScene.read(file, ImportOptions.DEFAULT);
+            result.notes().forEach(note -> terminal.note(file + ": " + note));
+            imported = result.scene();
+        }
+        return imported;
     }
 
     /** The same problems with their lines and columns, where they had none. */
     SceneException located(SceneException e) {
+        if (SceneImporter.reads(file)) {
+            return e;
+        }
         return StandardStreams.isNamed(file) ? SceneReader.located(e, bytes()) : SceneReader.located(e, file);
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.cli.scene;
 
+import enlightenment.cli.input.ForeignScene;
 import enlightenment.cli.option.CommandFiles;
 import enlightenment.cli.option.FileNames;
 import enlightenment.cli.option.Subcommand;
@@ -7,12 +8,11 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.StandardStreams;
 import enlightenment.cli.terminal.Terminal;
-import enlightenment.file.FileFailure;
+import enlightenment.importer.ImportedScene;
 import enlightenment.nff.NffReader;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
@@ -22,10 +22,17 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code enlightenment convert}: converts an NFF file to a scene file. */
-@Command(name = "convert", description = "Converts a file in the Neutral File Format to a scene file.")
+/** {@code enlightenment convert}: converts a file of another program to a scene file. */
+@Command(
+        name = "convert",
+        description =
+                "Converts a scene or a model of another program to a scene file. What it says and the scene does not is told, a line each.")
 public final class ConvertCommand extends Subcommand {
-    @Parameters(index = "0", paramLabel = "IN.nff", description = "the file to read; - for standard input")
+    @Parameters(
+            index = "0",
+            paramLabel = "IN",
+            description = "the file to read: "
+                    + "PLY, OBJ, STL, Mitsuba's serialized, NFF; - for an NFF file from standard input")
     private Path input;
 
     @Parameters(
@@ -40,6 +47,9 @@ public final class ConvertCommand extends Subcommand {
             paramLabel = "FILE",
             description = "the same, as other commands have it; in place of OUT.json")
     private Path option;
+
+    @Option(names = "--strict", description = "fail if anything is left out or approximated")
+    private boolean isStrict;
 
     @Spec
     private CommandSpec spec;
@@ -58,17 +68,23 @@ public final class ConvertCommand extends Subcommand {
             throw CliException.wrongUsage(input + ": there is no such file");
         }
         new CommandFiles()
-                .reads("IN.nff", input)
+                .reads("IN", input)
                 .writes(option == null ? "OUT.json" : "-o", output)
                 .check();
-        NffReader.Result result = read();
+        ConvertedFiles files = new ConvertedFiles(output);
+        ImportedScene result = read(files);
         for (String note : result.notes()) {
             terminal.note((StandardStreams.isNamed(input) ? StandardStreams.INPUT : input) + ": " + note);
         }
+        if (isStrict && !result.notes().isEmpty()) {
+            throw CliException.wrongUsage("with --strict nothing is written: the file says "
+                    + (result.notes().size() == 1 ? "something" : "things") + " that the scene would not");
+        }
         if (StandardStreams.isNamed(output)) {
+            files.refuseMeshes(result.scene());
             terminal.out().write(SceneWriter.toJson(result.scene(), Path.of("")).getBytes(StandardCharsets.UTF_8));
         } else {
-            SceneWriter.write(result.scene(), output);
+            files.write(result.scene());
         }
         return ExitCode.DONE;
     }
@@ -84,22 +100,15 @@ public final class ConvertCommand extends Subcommand {
         return option == null ? second : option;
     }
 
-    private NffReader.Result read() throws IOException {
-        return StandardStreams.isNamed(input)
-                // The format is ASCII; comments may hold anything.
-                ? NffReader.parse(
-                        new String(StandardStreams.readInput(terminal), StandardCharsets.ISO_8859_1),
-                        StandardStreams.INPUT,
-                        "")
-                : readFile();
-    }
-
-    /** What is no file to be converted is the user's mistake, as one that is missing is. */
-    private NffReader.Result readFile() throws IOException {
-        try {
-            return NffReader.read(input);
-        } catch (FileSystemException e) {
-            throw CliException.wrongUsage(FileFailure.described(e));
+    private ImportedScene read(ConvertedFiles files) {
+        if (StandardStreams.isNamed(input)) {
+            // The format is ASCII; comments may hold anything.
+            NffReader.Result nff = NffReader.parse(
+                    new String(StandardStreams.readInput(terminal), StandardCharsets.ISO_8859_1),
+                    StandardStreams.INPUT,
+                    "");
+            return new ImportedScene(nff.scene(), nff.notes());
         }
+        return ForeignScene.read(input, files.options());
     }
 }

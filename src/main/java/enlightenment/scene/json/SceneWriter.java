@@ -46,6 +46,11 @@ public final class SceneWriter {
         return toJson(scene, SceneToJson.relativeTo(baseFolder));
     }
 
+    /** Calls files by their paths relative to a folder. */
+    public static FileNames relativeTo(Path baseFolder) {
+        return SceneToJson.relativeTo(baseFolder);
+    }
+
     /**
      * The text of a scene whose files are called by other names than their paths; see {@link
      * SceneReader#readNamed}.

@@ -1,0 +1,85 @@
+package enlightenment.cli.scene;
+
+import enlightenment.cli.terminal.CliException;
+import enlightenment.cli.terminal.StandardStreams;
+import enlightenment.file.WholeFile;
+import enlightenment.geometry.Mesh;
+import enlightenment.importer.ImportOptions;
+import enlightenment.mesh.MeshFiles;
+import enlightenment.mesh.TriangleMesh;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.FileNames;
+import enlightenment.scene.json.SceneWriter;
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A scene file that is converted, and a folder beside it, {@code OUT-files}, with what it needs and no file holds: pictures from inside the input, and
+ * meshes that were not files of their own. The folder must not be there before.
+ */
+final class ConvertedFiles {
+    private final Path output;
+    private final Path folder;
+
+    /** @param output the scene file, or standard output */
+    ConvertedFiles(Path output) {
+        this.output = output;
+        String name = output.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        folder = output.toAbsolutePath().resolveSibling((dot > 0 ? name.substring(0, dot) : name) + "-files");
+    }
+
+    /** How the input is to be read. */
+    ImportOptions options() {
+        return StandardStreams.isNamed(output)
+                ? ImportOptions.DEFAULT
+                : new ImportOptions(Optional.of(folder), Optional.empty(), 0);
+    }
+
+    /** @throws CliException if the scene has a mesh that is in no file: standard output has no place for it */
+    void refuseMeshes(Scene scene) {
+        if (scene.objects().stream()
+                .anyMatch(o -> o.shape() instanceof Mesh mesh && mesh.origin().isEmpty())) {
+            throw CliException.wrongUsage("the scene has meshes that need files of their own: name a file to write");
+        }
+    }
+
+    /** Writes the scene, and before it the meshes that are in no file. */
+    void write(Scene scene) throws IOException {
+        Map<TriangleMesh, String> names = new HashMap<>();
+        for (var object : scene.objects()) {
+            if (object.shape() instanceof Mesh mesh
+                    && mesh.origin().isEmpty()
+                    && !names.containsKey(mesh.triangles())) {
+                names.put(mesh.triangles(), write(mesh.triangles(), names.size() + 1));
+            }
+        }
+        FileNames relative = SceneWriter.relativeTo(output.toAbsolutePath().getParent());
+        WholeFile.write(output, SceneWriter.toJson(scene, new FileNames() {
+            @Override
+            public String of(Path file) {
+                return relative.of(file);
+            }
+
+            @Override
+            public Optional<String> of(TriangleMesh mesh) {
+                return Optional.ofNullable(names.get(mesh));
+            }
+        }));
+    }
+
+    private String write(TriangleMesh mesh, int number) throws IOException {
+        Files.createDirectories(folder);
+        Path file = folder.resolve("mesh-" + number + ".ply");
+        if (Files.exists(file)) {
+            throw new FileAlreadyExistsException(file.toString());
+        }
+        WholeFile.write(file, out -> MeshFiles.writePly(mesh, out));
+        return folder.getFileName() + "/" + file.getFileName();
+    }
+}

@@ -1,0 +1,108 @@
+package enlightenment.importer;
+
+import enlightenment.camera.Camera;
+import enlightenment.importer.model.ModelReader;
+import enlightenment.importer.support.ImportDraft;
+import enlightenment.importer.support.ImportFailure;
+import enlightenment.math.InvalidValueException;
+import enlightenment.nff.NffReader;
+import enlightenment.scene.Display;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.SceneException;
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Set;
+
+/**
+ * Reads scenes and models of other programs: by the end of the name models ({@code .ply}, {@code .obj}, {@code .stl}, {@code .serialized}) and Eric
+ * Haines' NFF ({@code .nff}).
+ *
+ * <p>A file without a camera is seen from three quarters, a file without light stands in a studio: on a ground that catches its shadow, under a
+ * soft light.
+ *
+ * <p>Files are not trusted: files that they name must lie in their folder or below it, and what is broken is refused with its place.
+ */
+public final class SceneImporter {
+    private static final Set<String> MODELS = Set.of("ply", "obj", "stl", "serialized");
+
+    private SceneImporter() {}
+
+    /** Whether the end of the file's name is one of a format that is read here. */
+    public static boolean reads(Path file) {
+        String ending = ending(file);
+        return MODELS.contains(ending) || ending.equals("nff");
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws SceneException if it cannot be used: lists the problems with file and place
+     * @throws IOException if it cannot be read
+     */
+    public static ImportedScene read(Path file, ImportOptions options) throws IOException {
+        String ending = ending(file);
+        if (ending.equals("nff")) {
+            NffReader.Result nff = NffReader.read(file);
+            return new ImportedScene(nff.scene(), nff.notes());
+        }
+        try {
+            ImportDraft draft = draft(file, ending);
+            return new ImportedScene(
+                    finished(draft, name(file), options), draft.notes().list());
+        } catch (InvalidValueException e) {
+            throw ImportFailure.at(file, 0, e.getMessage());
+        } catch (FileSystemException e) {
+            throw e;
+        } catch (IOException e) {
+            throw new SceneException(java.util.List.of(new SceneException.Problem("", 0, 0, "", e.getMessage())));
+        }
+    }
+
+    private static ImportDraft draft(Path file, String ending) throws IOException {
+        if (MODELS.contains(ending)) {
+            return ModelReader.read(file);
+        }
+        throw ImportFailure.at(file, 0, "is of no format that can be imported: " + String.join(", ", MODELS) + ", nff");
+    }
+
+    private static Scene finished(ImportDraft draft, String name, ImportOptions options) {
+        if (draft.objects().isEmpty()) {
+            throw new InvalidValueException("objects", "there is nothing to be seen in the file");
+        }
+        int width = draft.width() == 0 ? Studio.WIDTH : draft.width();
+        int height = draft.height() == 0 ? Studio.HEIGHT : draft.height();
+        boolean isUpZ = options.up().map(u -> u == ImportOptions.Up.Z).orElse(draft.isUpZ());
+        boolean isModel = draft.camera().isEmpty() && !draft.isLit();
+        Studio studio = new Studio(draft.objects(), isUpZ, (double) width / height);
+        Camera camera = draft.camera().orElseGet(studio::camera);
+        if (!draft.isLit()) {
+            studio.light(draft, isModel);
+        }
+        SceneBuilder scene = Scene.builder()
+                .name(name)
+                .size(width, height)
+                .camera(camera)
+                .shading(new PhysicalShading(draft.maxBounces(), draft.background(), java.util.Optional.empty()))
+                .display(new Display(draft.exposure(), Display.DEFAULT.tone()));
+        draft.materials().forEach(scene::material);
+        draft.lights().forEach(scene::light);
+        draft.objects().forEach(scene::object);
+        draft.animation().ifPresent(scene::animation);
+        return scene.build();
+    }
+
+    private static String name(Path file) {
+        String name = file.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        return dot > 0 ? name.substring(0, dot) : name;
+    }
+
+    private static String ending(Path file) {
+        String name = file.toString();
+        return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+    }
+}

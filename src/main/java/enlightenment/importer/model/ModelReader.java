@@ -1,0 +1,74 @@
+package enlightenment.importer.model;
+
+import enlightenment.color.Rgb;
+import enlightenment.geometry.Mesh;
+import enlightenment.geometry.Transform;
+import enlightenment.importer.support.ImportDraft;
+import enlightenment.importer.support.InputFolder;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.mesh.MeshFile;
+import enlightenment.mesh.MeshFiles;
+import enlightenment.mesh.MeshOrigin;
+import enlightenment.mesh.MeshPart;
+import enlightenment.mesh.MtlFile;
+import enlightenment.text.Plain;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** Reads PLY, OBJ, STL and Mitsuba's serialized meshes: one object for each material or shape of the file. */
+public final class ModelReader {
+    /** Of models that do not say: a light grey, as clay. */
+    private static final Material CLAY = Material.Matte.of(Texture.of(new Rgb(0.6, 0.58, 0.55)));
+
+    private ModelReader() {}
+
+    /**
+     * Reads a model.
+     *
+     * @throws IOException naming the file and the place for what is no such file
+     */
+    public static ImportDraft read(Path file) throws IOException {
+        ImportDraft draft = new ImportDraft();
+        MeshFile meshes = MeshFiles.readFile(file, MeshFiles.MAX_TRIANGLES);
+        if (file.toString().toLowerCase(Locale.ROOT).endsWith(".stl")) {
+            draft.upIsZ();
+        }
+        Map<String, Material> materials = materials(file, meshes.materialLibraries(), draft);
+        List<MeshPart> parts = meshes.parts();
+        for (int i = 0; i < parts.size(); i++) {
+            MeshPart part = parts.get(i);
+            String name = part.material();
+            Material material = materials.get(name);
+            if (material == null && !name.isEmpty()) {
+                draft.notes().add("", "the material " + Plain.quoted(name) + " is not defined; it becomes grey");
+            }
+            Optional<MeshOrigin> origin = Optional.of(
+                    new MeshOrigin(file, parts.size() == 1 ? "" : Integer.toString(i), MeshOrigin.Normals.FILE, 180));
+            draft.object(name, new Mesh(part.mesh(), origin, Transform.IDENTITY), material == null ? CLAY : material);
+        }
+        return draft;
+    }
+
+    private static Map<String, Material> materials(Path file, List<String> libraries, ImportDraft draft) {
+        InputFolder folder = new InputFolder(file);
+        Map<String, Material> materials = new HashMap<>();
+        for (String library : libraries) {
+            try {
+                for (MtlFile.Material m : MtlFile.read(folder.file(library))) {
+                    Material material = new MtlMaterial(m, folder, draft.notes()).material();
+                    materials.put(m.name(), material);
+                    draft.material(m.name(), material);
+                }
+            } catch (IOException e) {
+                draft.notes().add("", "a material library is left out: " + e.getMessage());
+            }
+        }
+        return materials;
+    }
+}

@@ -1,0 +1,2 @@
+/** Scenes and models in the formats of other programs. */
+package enlightenment.importer;

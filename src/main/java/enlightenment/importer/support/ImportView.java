@@ -1,0 +1,65 @@
+package enlightenment.importer.support;
+
+import enlightenment.camera.Camera;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
+import java.math.BigDecimal;
+
+/**
+ * Where a foreign camera stands and looks. Which way the picture's right points says whether its coordinates are right- or left-handed; mirrored
+ * cameras come out right, too. A value.
+ *
+ * @param eye where the viewer is
+ * @param forward along the view, of any length but 0
+ * @param up upwards in the picture; what of it lies along the view does not matter
+ * @param right to the right in the picture; only its side counts
+ */
+public record ImportView(Vec3 eye, Vec3 forward, Vec3 up, Vec3 right) {
+    /** A pinhole's window is so near, relative to the eye's distance from the target, that nothing has room before it. */
+    private static final int NEAR = -40;
+
+    /**
+     * The view of a camera whose coordinates are mapped to those of the scene.
+     *
+     * @param toScene the map
+     * @param forward along the view, in the camera's coordinates
+     * @param up upwards in the picture, there
+     * @param right to the right in the picture, there
+     */
+    public static ImportView of(Affine toScene, Vec3 forward, Vec3 up, Vec3 right) {
+        return new ImportView(toScene.offset(), toScene.vector(forward), toScene.vector(up), toScene.vector(right));
+    }
+
+    /**
+     * A pinhole camera.
+     *
+     * @param verticalDegrees the vertical angle of view
+     * @param aspect width of the picture divided by its height
+     */
+    public Camera pinhole(double verticalDegrees, double aspect) {
+        Vec3 f = forward.normalized();
+        Vec3 across = f.cross(up).normalized();
+        Vec3 r = across.dot(right) < 0 ? across.times(-1) : across;
+        Vec3 top = across.cross(f);
+        double distance = forward.scaledBy(NEAR).length();
+        double half = distance * StrictMath.tan(StrictMath.toRadians(verticalDegrees / 2));
+        Vec3 middle = f.times(distance);
+        Vec3 a = r.times(half * aspect);
+        Vec3 u = top.times(half);
+        return new Camera.Window(
+                Affine.exact(eye),
+                corner(middle.minus(a).minus(u)),
+                corner(middle.minus(a).plus(u)),
+                corner(middle.plus(a).plus(u)),
+                corner(middle.plus(a).minus(u)),
+                0);
+    }
+
+    private ExactPoint corner(Vec3 offset) {
+        ExactPoint e = Affine.exact(eye);
+        return new ExactPoint(
+                e.x().add(BigDecimal.valueOf(offset.x())),
+                e.y().add(BigDecimal.valueOf(offset.y())),
+                e.z().add(BigDecimal.valueOf(offset.z())));
+    }
+}

@@ -6,9 +6,12 @@ import enlightenment.bvh.Nodes;
 import enlightenment.frame.BallCone;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
+import enlightenment.primitive.MeshUnion;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
+import java.util.BitSet;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 
 /**
  * A bounding volume hierarchy: finds the closest or any intersection of a ray without testing every primitive.
@@ -43,30 +46,33 @@ public abstract class Bvh implements Accelerator {
      * @param poll called now and then; ends the building by what it throws
      */
     public static Bvh build(Primitive[] primitives, Runnable poll) {
-        BvhBuilder builder = new BvhBuilder(boxes(primitives), poll);
-        return of(builder, new PrimitiveLeaves(primitives, builder.order(), builder.order()));
+        MeshUnion union = MeshUnion.of(primitives, poll);
+        int[] ids = union == null ? count(primitives.length) : without(primitives.length, union);
+        return build(primitives, ids, union, poll);
     }
 
     /** Builds the hierarchy of some of a scene's primitives. */
     static Bvh build(Primitive[] all, int[] ids) {
-        Primitive[] some = new Primitive[ids.length];
-        for (int i = 0; i < some.length; i++) {
-            some[i] = all[ids[i]];
-        }
-        BvhBuilder builder = new BvhBuilder(boxes(some), () -> {});
-        int[] order = builder.order().clone();
-        for (int i = 0; i < order.length; i++) {
-            order[i] = ids[order[i]];
-        }
-        return of(builder, new PrimitiveLeaves(some, builder.order(), order));
+        return build(all, ids, null, () -> {});
     }
 
-    private static ItemBoxes boxes(Primitive[] primitives) {
-        IntFunction<Bounds> boxes = i -> primitives[i].bounds();
-        return new ItemBoxes(primitives.length, boxes);
+    private static int[] count(int n) {
+        return IntStream.range(0, n).toArray();
     }
 
-    private static Bvh of(BvhBuilder builder, Leaves leaves) {
+    private static int[] without(int n, MeshUnion union) {
+        BitSet joined = new BitSet();
+        for (int k = 0; k < union.size(); k++) {
+            joined.set(union.id(k));
+        }
+        return IntStream.range(0, n).filter(i -> !joined.get(i)).toArray();
+    }
+
+    /** @param union what is not among the ids, as one item behind them; or null */
+    private static Bvh build(Primitive[] all, int[] ids, MeshUnion union, Runnable poll) {
+        IntFunction<Bounds> boxes = i -> i < ids.length ? all[ids[i]].bounds() : union.bounds();
+        BvhBuilder builder = new BvhBuilder(new ItemBoxes(ids.length + (union == null ? 0 : 1), boxes), poll);
+        Leaves leaves = new PrimitiveLeaves(all, ids, union, builder.order());
         return builder.fitsFloats()
                 ? new FloatBvh(builder, leaves)
                 : new DoubleBvh(builder.child(), leaves, builder.reach());

@@ -3,6 +3,7 @@ package enlightenment.accel;
 import enlightenment.bvh.FloatSlabs;
 import enlightenment.bvh.ItemBoxes;
 import enlightenment.bvh.Nodes;
+import enlightenment.primitive.MeshUnion;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import java.util.Arrays;
@@ -90,6 +91,20 @@ public final class BvhQuery {
     public boolean blocks(Primitive p, int id, Ray ray, double tMax) {
         tests[kinds[id]]++;
         return p.blocks(ray, tMax);
+    }
+
+    /** Whether a mesh of several has a crossing with tMin ≤ t ≤ tMax. */
+    boolean blocks(MeshUnion union, Ray ray, double tMax) {
+        if (ray.isSpecial()) {
+            for (int k = 0; k < union.size(); k++) {
+                if (blocks(union.member(k), union.id(k), ray, tMax)) {
+                    return true;
+                }
+            }
+            return false;
+        }
+        tests[kinds[union.id(0)]]++;
+        return union.blocks(ray, tMax);
     }
 
     /** Empties the list. */

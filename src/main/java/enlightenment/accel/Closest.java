@@ -3,6 +3,7 @@ package enlightenment.accel;
 import enlightenment.bvh.FloatSlabs;
 import enlightenment.bvh.Nodes;
 import enlightenment.primitive.Hit;
+import enlightenment.primitive.MeshUnion;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 
@@ -60,6 +61,21 @@ public final class Closest {
     public void offer(Ray ray, Primitive p, int candidate) {
         tests[kinds[candidate]]++;
         offerCounted(ray, p, candidate);
+    }
+
+    /** Tests meshes together and keeps their crossing if it is the closest. */
+    void offer(Ray ray, MeshUnion union) {
+        if (ray.isSpecial()) {
+            for (int k = 0; k < union.size(); k++) {
+                offer(ray, union.member(k), union.id(k));
+            }
+            return;
+        }
+        tests[kinds[union.id(0)]]++;
+        double s = union.nearest(ray, t);
+        if (s <= t) {
+            take(ray, union.member(ray.member), union.id(ray.member), s);
+        }
     }
 
     /** Counts tests of primitives of a kind. */

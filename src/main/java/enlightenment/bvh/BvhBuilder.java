@@ -22,9 +22,6 @@ public final class BvhBuilder {
     /** A leaf smaller than this share of the reach is blurred by floats, whose widening is 2^-20 of it. */
     private static final double COARSE = 0x1p-14;
 
-    /** A leaf's link has room for places below this. */
-    private static final int MAX_ITEMS = 1 << 28;
-
     private static final int NO_PARENT = -1;
 
     /** Who waits for the end of the building is asked before ranges of so many items: smaller ones take far less than a millisecond. */
@@ -43,9 +40,9 @@ public final class BvhBuilder {
     /** @param poll called now and then; ends the building by what it throws */
     public BvhBuilder(ItemBoxes items, Runnable poll) {
         int n = items.size();
-        if (n >= MAX_ITEMS) {
+        if (n >= Nodes.MOST_ITEMS) {
             throw new IllegalArgumentException(
-                    n + " primitives are more than a hierarchy can hold: " + (MAX_ITEMS - 1));
+                    n + " primitives are more than a hierarchy can hold: " + (Nodes.MOST_ITEMS - 1));
         }
         this.items = items;
         split = new BinnedSplit(items);

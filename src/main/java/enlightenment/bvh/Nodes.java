@@ -15,6 +15,9 @@ public final class Nodes {
     /** A leaf without places: the link of a child that does not exist. */
     public static final int EMPTY = ~0;
 
+    /** A leaf's link has room for places below this. */
+    public static final int MOST_ITEMS = 1 << 28;
+
     private static final int COUNT_BITS = 3;
     private static final int COUNT_MASK = (1 << COUNT_BITS) - 1;
 

@@ -7,6 +7,37 @@ import java.util.List;
 final class JoinedMesh {
     private JoinedMesh() {}
 
+    /** All triangles in one, in their order, without normals and texture coordinates. */
+    static TriangleMesh positionsOf(List<TriangleMesh> meshes) {
+        int vertices = Math.toIntExact(
+                meshes.stream().mapToLong(TriangleMesh::vertices).sum());
+        int triangles = Math.toIntExact(
+                meshes.stream().mapToLong(TriangleMesh::triangles).sum());
+        int[] indices = new int[Math.multiplyExact(3, triangles)];
+        boolean isOfFloats = meshes.stream().allMatch(TriangleMesh::isOfFloats);
+        float[] floats = new float[isOfFloats ? Math.multiplyExact(3, vertices) : 0];
+        double[] doubles = new double[isOfFloats ? 0 : Math.multiplyExact(3, vertices)];
+        int first = 0;
+        int next = 0;
+        for (TriangleMesh m : meshes) {
+            for (int i : m.indices()) {
+                indices[next++] = first + i;
+            }
+            for (int v = 0; v < m.vertices(); v++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    int at = 3 * (first + v) + axis;
+                    if (isOfFloats) {
+                        floats[at] = (float) m.coordinate(v, axis);
+                    } else {
+                        doubles[at] = m.coordinate(v, axis);
+                    }
+                }
+            }
+            first += m.vertices();
+        }
+        return isOfFloats ? TriangleMesh.of(floats, indices) : TriangleMesh.of(doubles, indices);
+    }
+
     /** All triangles in one; normals and texture coordinates are kept where all have some. */
     static TriangleMesh of(List<MeshPart> parts) {
         if (parts.size() == 1) {

@@ -23,6 +23,7 @@ public final class MeshRay {
 
     private final TriangleTest test = new TriangleTest();
     private final double[] weights = new double[2];
+    private TriangleMesh mesh;
     private TriangleTree tree;
 
     /** The t of the closest crossing, {@link #MISS} if there is none. */
@@ -44,9 +45,9 @@ public final class MeshRay {
 
     /** Sets the ray, which starts on no triangle; the direction may have any length. */
     public MeshRay set(
-            TriangleTree hierarchy, double x, double y, double z, double dirX, double dirY, double dirZ, double from) {
-        tree = hierarchy;
-        test.set(hierarchy, x, y, z, dirX, dirY, dirZ, from);
+            TriangleMesh of, double x, double y, double z, double dirX, double dirY, double dirZ, double from) {
+        mesh = of;
+        test.set(of, x, y, z, dirX, dirY, dirZ, from);
         return this;
     }
 
@@ -78,6 +79,7 @@ public final class MeshRay {
 
     private boolean search(double tMax, boolean any) {
         t = MISS;
+        tree = mesh.tree();
         double entry = entry(tMax);
         if (!(entry <= tMax)) {
             return false;

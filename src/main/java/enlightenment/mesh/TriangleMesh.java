@@ -7,7 +7,9 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Products;
 import java.nio.ByteBuffer;
 import java.security.MessageDigest;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -38,7 +40,12 @@ public final class TriangleMesh {
     private volatile String digest;
     private volatile OpenEdges openEdges;
     private volatile double volume = Double.NaN;
-    private TriangleTree tree;
+    private volatile TriangleTree tree;
+
+    /** Other meshes, and the mesh of this one's triangles and then theirs. */
+    private record Union(List<TriangleMesh> others, TriangleMesh all) {}
+
+    private Union union;
 
     /** Takes the arrays as they are: positions, or the longer ones; normals and texture coordinates may be null. */
     TriangleMesh(float[] positions, double[] longPositions, int[] indices, float[] normals, float[] uv) {
@@ -392,6 +399,39 @@ public final class TriangleMesh {
             tree = new TriangleTree(this, poll);
         }
         return tree;
+    }
+
+    /** The hierarchy; who traces rays has made it before. */
+    TriangleTree tree() {
+        TriangleTree made = tree;
+        return made == null ? tree(() -> {}) : made;
+    }
+
+    /** What {@link #tree} takes of memory, without making it where it is not there: about as much as it would. */
+    public long treeBytes() {
+        TriangleTree made = tree;
+        return made == null ? TriangleTree.USUAL_BYTES * triangles() : made.bytes();
+    }
+
+    /**
+     * The mesh of this one's triangles, then those of others in their order, without normals and texture coordinates. Kept until others are asked
+     * for, since the frames of a film ask for the same.
+     */
+    public synchronized TriangleMesh unionWith(List<TriangleMesh> others) {
+        if (union == null || !areSame(union.others, others)) {
+            List<TriangleMesh> all = new ArrayList<>(others);
+            all.add(0, this);
+            union = new Union(List.copyOf(others), JoinedMesh.positionsOf(all));
+        }
+        return union.all;
+    }
+
+    private static boolean areSame(List<TriangleMesh> a, List<TriangleMesh> b) {
+        boolean same = a.size() == b.size();
+        for (int i = 0; same && i < a.size(); i++) {
+            same = a.get(i) == b.get(i);
+        }
+        return same;
     }
 
     /** The bytes that its arrays take. */

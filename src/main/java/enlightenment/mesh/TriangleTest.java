@@ -76,9 +76,9 @@ final class TriangleTest {
     /** The side that the last triangle was met from: 1 outside, −1 inside. */
     int side;
 
-    void set(TriangleTree tree, double x, double y, double z, double dirX, double dirY, double dirZ, double from) {
-        mesh = tree.mesh;
-        largest = tree.largest;
+    void set(TriangleMesh of, double x, double y, double z, double dirX, double dirY, double dirZ, double from) {
+        mesh = of;
+        largest = of.maxAbs();
         floats = mesh.floatPositions();
         doubles = mesh.doublePositions();
         indices = mesh.indices();

@@ -12,6 +12,9 @@ import enlightenment.numeric.Scale;
  * <p>Boxes only cull; what a ray meets is decided by {@link MeshRay}, in doubles.
  */
 public final class TriangleTree {
+    /** Bytes a triangle takes usually. */
+    static final long USUAL_BYTES = 32;
+
     /** Levels of the tree whose boxes, turned and joined, are the bounds of a mesh that is turned. */
     private static final int BOUND_LEVELS = 5;
 

@@ -4,10 +4,10 @@ import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshRay;
 import enlightenment.mesh.TriangleMesh;
-import enlightenment.mesh.TriangleTree;
 import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * An instance of a mesh: rays are mapped to its coordinates and follow its tree. It is one surface, curved as far as others need to know, of
@@ -17,33 +17,31 @@ public final class MeshPrimitive extends Primitive {
     /** Directions that {@link #contains} looks along: one that no edge of a modelled mesh is likely to be parallel to. */
     private static final double[] ASIDE = {0.5773, 0.2911, 0.7631};
 
-    private final TriangleTree tree;
     private final TriangleMesh mesh;
     private final Placing placing;
     private final Bounds bounds;
 
-    MeshPrimitive(TriangleTree tree, Placing placing) {
-        this(tree, placing, bounds(tree, placing));
+    MeshPrimitive(TriangleMesh mesh, Placing placing) {
+        this(mesh, placing, bounds(mesh, placing));
     }
 
-    private MeshPrimitive(TriangleTree tree, Placing placing, Bounds bounds) {
+    private MeshPrimitive(TriangleMesh mesh, Placing placing, Bounds bounds) {
         super(bounds.maxAbs(), bounds.extent().maxAbs());
-        this.tree = tree;
+        this.mesh = mesh;
         this.placing = placing;
         this.bounds = bounds;
-        mesh = tree.mesh();
     }
 
-    private static Bounds bounds(TriangleTree tree, Placing placing) {
-        Vec3 min = tree.mesh().min();
-        Vec3 max = tree.mesh().max();
+    private static Bounds bounds(TriangleMesh mesh, Placing placing) {
+        Vec3 min = mesh.min();
+        Vec3 max = mesh.max();
         PlacedBoxes all = new PlacedBoxes(placing);
         if (placing.isMove) {
             all.accept(min.x(), min.y(), min.z(), max.x(), max.y(), max.z());
         } else {
-            tree.forEachBox(all);
+            mesh.tree(() -> {}).forEachBox(all);
         }
-        return all.bounds(placing.slack(tree.mesh().maxAbs()));
+        return all.bounds(placing.slack(mesh.maxAbs()));
     }
 
     @Override
@@ -64,14 +62,26 @@ public final class MeshPrimitive extends Primitive {
     /** The ray in the mesh's coordinates, with the triangles that it starts on. */
     private MeshRay local(Ray ray) {
         MeshRay local = ray.meshRay();
+        place(local, mesh, ray);
+        if (ray.start == this) {
+            startOn(local, ray.startElement, ray);
+        }
+        if (ray.special) {
+            local.leaveOut(ray.otherElementOf(this));
+        }
+        return local;
+    }
+
+    /** Sets a ray of a mesh that is placed as this one is. */
+    void place(MeshRay local, TriangleMesh of, Ray ray) {
         double x = ray.ox - placing.offset(0);
         double y = ray.oy - placing.offset(1);
         double z = ray.oz - placing.offset(2);
         if (placing.isMove) {
-            local.set(tree, x, y, z, ray.dx, ray.dy, ray.dz, ray.tMin);
+            local.set(of, x, y, z, ray.dx, ray.dy, ray.dz, ray.tMin);
         } else {
             local.set(
-                    tree,
+                    of,
                     placing.local(0, x, y, z),
                     placing.local(1, x, y, z),
                     placing.local(2, x, y, z),
@@ -80,14 +90,22 @@ public final class MeshPrimitive extends Primitive {
                     placing.local(2, ray.dx, ray.dy, ray.dz),
                     ray.tMin);
         }
-        if (ray.start == this) {
-            double size = ray.maxAbsOrigin() + placing.maxOffset();
-            local.startOn(ray.startElement, ray.startSide, Scale.gamma(16) * size * placing.largestInverse());
-        }
-        if (ray.special) {
-            local.leaveOut(ray.otherElementOf(this));
-        }
-        return local;
+    }
+
+    /** Lets a placed ray start on a triangle. */
+    void startOn(MeshRay local, int triangle, Ray ray) {
+        double size = ray.maxAbsOrigin() + placing.maxOffset();
+        local.startOn(triangle, ray.startSide, Scale.gamma(16) * size * placing.largestInverse());
+    }
+
+    /** Whether it was moved only: not turned, mirrored or scaled. */
+    boolean isMoved() {
+        return placing.isMove;
+    }
+
+    /** Where the mesh's origin is. */
+    List<Double> offset() {
+        return List.of(placing.offset(0), placing.offset(1), placing.offset(2));
     }
 
     @Override
@@ -271,12 +289,12 @@ public final class MeshPrimitive extends Primitive {
 
     @Override
     public SupportSurface support(int face) {
-        return new SupportSurface.Facets(tree, bounds, placing.numbers());
+        return new SupportSurface.Facets(mesh, bounds, placing.numbers());
     }
 
     @Override
     Primitive scaledBy(int k) {
-        return new MeshPrimitive(tree, placing.scaledBy(k));
+        return new MeshPrimitive(mesh, placing.scaledBy(k));
     }
 
     /** Where it is, and which mesh: by the digest. */

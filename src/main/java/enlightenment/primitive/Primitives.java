@@ -51,7 +51,7 @@ public final class Primitives {
             return torus(t, frame);
         }
         if (shape instanceof Mesh m) {
-            return new MeshPrimitive(m.triangles().tree(() -> {}), Placing.of(m.transform(), frame));
+            return new MeshPrimitive(m.triangles(), Placing.of(m.transform(), frame));
         }
         throw new AssertionError("no primitive for the shape " + shape.type());
     }

@@ -63,6 +63,9 @@ public final class Ray {
     /** The element that the last test found, if the primitive has many. */
     public int element;
 
+    /** The member that the last test of a {@link MeshUnion} found. */
+    public int member;
+
     /** The side of {@link #start} that the ray travels on: {@link #OUTSIDE} or {@link #INSIDE}. */
     public int startSide;
 

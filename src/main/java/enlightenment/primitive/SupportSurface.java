@@ -2,7 +2,7 @@ package enlightenment.primitive;
 
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
-import enlightenment.mesh.TriangleTree;
+import enlightenment.mesh.TriangleMesh;
 import java.util.Arrays;
 
 /**
@@ -260,11 +260,11 @@ public sealed interface SupportSurface
      *
      * @param numbers of its placing
      */
-    record Facets(TriangleTree tree, Bounds bounds, double[] numbers) implements SupportSurface {
+    record Facets(TriangleMesh mesh, Bounds bounds, double[] numbers) implements SupportSurface {
         @Override
         public boolean coincides(SupportSurface other, double tolerance) {
             return other instanceof Facets o
-                    && o.tree == tree
+                    && o.mesh == mesh
                     && o.bounds.min().minus(bounds.min()).maxAbs() <= tolerance
                     && o.bounds.max().minus(bounds.max()).maxAbs() <= tolerance
                     && Arrays.equals(o.numbers, 3, numbers.length, numbers, 3, numbers.length);

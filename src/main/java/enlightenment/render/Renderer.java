@@ -192,9 +192,7 @@ public final class Renderer {
 
     /** What meshes take, each once. */
     private static long meshBytes(Scene scene) {
-        return scene.meshes().stream()
-                .mapToLong(m -> m.bytes() + m.tree(() -> {}).bytes())
-                .sum();
+        return scene.meshes().stream().mapToLong(m -> m.bytes() + m.treeBytes()).sum();
     }
 
     /**

@@ -7,7 +7,6 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshRay;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
-import enlightenment.mesh.TriangleTree;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -63,8 +62,7 @@ class MeshRayTest {
     }
 
     private static void compare(String name, TriangleMesh mesh, double size, int rays) {
-        TriangleTree tree = mesh.tree(() -> {});
-        List<TriangleTree> single = single(mesh);
+        List<TriangleMesh> single = single(mesh);
         RandomRays random = new RandomRays(11);
         MeshRay ray = new MeshRay();
         int met = 0;
@@ -86,7 +84,7 @@ class MeshRayTest {
                     side = ray.side;
                 }
             }
-            ray.set(tree, from.x(), from.y(), from.z(), d.x(), d.y(), d.z(), 0);
+            ray.set(mesh, from.x(), from.y(), from.z(), d.x(), d.y(), d.z(), 0);
             assertEquals(best >= 0, ray.isBlocked(tMax), what);
             assertEquals(best >= 0, ray.closest(tMax), what);
             if (best >= 0) {
@@ -100,18 +98,17 @@ class MeshRayTest {
     }
 
     /** Each triangle as a mesh of its own. */
-    private static List<TriangleTree> single(TriangleMesh mesh) {
+    private static List<TriangleMesh> single(TriangleMesh mesh) {
         return IntStream.range(0, mesh.triangles())
                 .mapToObj(t -> TestMeshes.of(
-                                new Vec3[] {
-                                    mesh.position(mesh.vertex(t, 0)),
-                                    mesh.position(mesh.vertex(t, 1)),
-                                    mesh.position(mesh.vertex(t, 2))
-                                },
-                                0,
-                                1,
-                                2)
-                        .tree(() -> {}))
+                        new Vec3[] {
+                            mesh.position(mesh.vertex(t, 0)),
+                            mesh.position(mesh.vertex(t, 1)),
+                            mesh.position(mesh.vertex(t, 2))
+                        },
+                        0,
+                        1,
+                        2))
                 .toList();
     }
 
@@ -151,7 +148,6 @@ class MeshRayTest {
     @Test
     void itFindsTheTriangleThatIsAPrimitiveOfItsOwn() {
         meshes().forEach((name, mesh) -> {
-            TriangleTree tree = mesh.tree(() -> {});
             TrianglePrimitive[] triangles = new TrianglePrimitive[mesh.triangles()];
             for (int i = 0; i < triangles.length; i++) {
                 triangles[i] = new TrianglePrimitive(
@@ -173,7 +169,7 @@ class MeshRayTest {
                         best = i;
                     }
                 }
-                MeshRay ray = new MeshRay().set(tree, from.x(), from.y(), from.z(), d.x(), d.y(), d.z(), 0);
+                MeshRay ray = new MeshRay().set(mesh, from.x(), from.y(), from.z(), d.x(), d.y(), d.z(), 0);
                 String what = name + ", ray " + k;
                 assertEquals(best >= 0, ray.closest(Double.MAX_VALUE), what);
                 if (best >= 0) {
@@ -212,13 +208,12 @@ class MeshRayTest {
     }
 
     private static void checkClosed(TriangleMesh mesh, Vec3 center, int rays, boolean isConvex) {
-        TriangleTree tree = mesh.tree(() -> {});
         RandomRays random = new RandomRays(18);
         MeshRay ray = new MeshRay();
         for (int k = 0; k < rays; k++) {
             Vec3 from = center.plus(random.inCube().times(0.4));
             Vec3 d = aim(mesh, random, k % 2).minus(from);
-            ray.set(tree, from.x(), from.y(), from.z(), d.x(), d.y(), d.z(), 0);
+            ray.set(mesh, from.x(), from.y(), from.z(), d.x(), d.y(), d.z(), 0);
             String what = "ray " + k + " from " + from;
             assertTrue(ray.closest(Double.MAX_VALUE) && ray.isBlocked(Double.MAX_VALUE), what);
             if (isConvex) {
@@ -232,11 +227,11 @@ class MeshRayTest {
     /** A ray in the plane of a grid is seen edge-on by all its triangles. */
     @Test
     void aRayInThePlaneOfTrianglesMeetsNone() {
-        TriangleTree tree = TestMeshes.grid(4).tree(() -> {});
+        TriangleMesh mesh = TestMeshes.grid(4);
         MeshRay ray = new MeshRay();
         RandomRays random = new RandomRays(3);
         for (int k = 0; k < 1_000; k++) {
-            ray.set(tree, 3 * random.signed(), 3 * random.signed(), 0, random.signed(), random.signed(), 0, 0);
+            ray.set(mesh, 3 * random.signed(), 3 * random.signed(), 0, random.signed(), random.signed(), 0, 0);
             assertTrue(!ray.closest(Double.MAX_VALUE) && !ray.isBlocked(Double.MAX_VALUE));
         }
     }
@@ -244,7 +239,6 @@ class MeshRayTest {
     @Test
     void weightsAreThoseOfThePointThatIsMet() {
         TriangleMesh mesh = TestMeshes.soup(100, 0.5, 5);
-        TriangleTree tree = mesh.tree(() -> {});
         RandomRays random = new RandomRays(6);
         MeshRay ray = new MeshRay();
         for (int k = 0; k < 2_000; k++) {
@@ -261,7 +255,7 @@ class MeshRayTest {
             if (Math.abs(n.normalized().dot(d.normalized())) < 0.01 || n.length() < 1e-3) {
                 continue;
             }
-            ray.set(tree, from.x(), from.y(), from.z(), d.x(), d.y(), d.z(), 1 - 1e-9);
+            ray.set(mesh, from.x(), from.y(), from.z(), d.x(), d.y(), d.z(), 1 - 1e-9);
             assertTrue(ray.closest(1 + 1e-9));
             if (ray.triangle == t) {
                 ray.complete(t);

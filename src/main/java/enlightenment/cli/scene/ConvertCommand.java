@@ -26,7 +26,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "convert",
         description =
-                "Converts a scene or a model of another program to a scene file. What it says and the scene does not is told, a line each.")
+                "Converts a scene or a model of another program to a scene file. Notes on standard error say what is left out.")
 public final class ConvertCommand extends Subcommand {
     @Parameters(
             index = "0",

@@ -180,7 +180,7 @@ public final class InspectCommand extends Subcommand {
         for (TriangleMesh mesh : meshes) {
             triangles += mesh.triangles();
             dropped += mesh.dropped();
-            bytes += mesh.bytes() + mesh.tree(() -> {}).bytes();
+            bytes += mesh.bytes() + mesh.treeBytes();
             open += mesh.isClosed() ? 0 : 1;
         }
         line(

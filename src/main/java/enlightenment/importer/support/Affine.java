@@ -121,7 +121,7 @@ public record Affine(Vec3 x, Vec3 y, Vec3 z, Vec3 offset) {
     }
 
     /**
-     * The same map for a scene.
+     * This map as a transform of scenes.
      *
      * @throws enlightenment.math.InvalidValueException (key {@code matrix} or {@code transform}) if it has no inverse
      */

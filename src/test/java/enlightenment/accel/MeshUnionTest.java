@@ -1,0 +1,110 @@
+package enlightenment.accel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.frame.SceneFrame;
+import enlightenment.geometry.Mesh;
+import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Transform;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
+import enlightenment.mesh.TestMeshes;
+import enlightenment.mesh.TriangleMesh;
+import enlightenment.primitive.Hit;
+import enlightenment.primitive.MeshUnion;
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Primitives;
+import enlightenment.primitive.Ray;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** Meshes that are searched together are met where each of them is met by itself. */
+final class MeshUnionTest {
+    private static final int RAYS = 20_000;
+
+    /** Three that overlap, one that is scaled, one that lies elsewhere, and a ball. */
+    private static Primitive[] primitives() {
+        SceneFrame frame = SceneFrame.WORLD;
+        TriangleMesh ball = TestMeshes.icosphere(2);
+        TriangleMesh soup = TestMeshes.soup(60, 0.7, 5);
+        return new Primitive[] {
+            Primitives.place(Mesh.of(ball), frame),
+            Primitives.place(new Sphere(ExactPoint.of(0.5, 0, 0), 0.9), frame),
+            Primitives.place(Mesh.of(soup), frame),
+            Primitives.place(Mesh.of(TestMeshes.cube()), frame),
+            Primitives.place(Mesh.of(ball, Transform.of(new Transform.Scale(new Vec3(2, 0.5, 1)))), frame),
+            Primitives.place(
+                    Mesh.of(soup, Transform.of(new Transform.Translate(ExactPoint.of("0.3", "0", "0")))), frame)
+        };
+    }
+
+    private static double signed(SplittableRandom random) {
+        return 2 * random.nextDouble() - 1;
+    }
+
+    @Test
+    void thoseThatWerePlacedAlikeAreTheUnion() {
+        MeshUnion union = MeshUnion.of(primitives(), () -> {});
+        assertNotNull(union);
+        assertEquals(3, union.size());
+        assertEquals(0, union.id(0));
+        assertEquals(2, union.id(1));
+        assertEquals(3, union.id(2));
+        Primitive[] alone = {primitives()[0], primitives()[4], primitives()[1]};
+        assertNull(MeshUnion.of(alone, () -> {}));
+    }
+
+    /** Rays from anywhere, and rays that leave what the ray before has met. */
+    @Test
+    void aHierarchyAnswersAsALoopDoes() {
+        Primitive[] primitives = primitives();
+        Bvh bvh = Bvh.build(primitives);
+        int[] kinds = new int[primitives.length];
+        PrimitiveList loop = PrimitiveList.of(primitives, kinds);
+        Closest a = new Closest(kinds, new long[1]);
+        Closest b = new Closest(kinds, new long[1]);
+        BvhQuery query = new BvhQuery(kinds, new long[1]);
+        SplittableRandom random = new SplittableRandom(17);
+        Ray ray = new Ray();
+        Hit hit = new Hit();
+        Hit other = new Hit();
+        int met = 0;
+        boolean leaves = false;
+        for (int k = 0; k < RAYS; k++) {
+            if (leaves) {
+                double x = hit.x;
+                double y = hit.y;
+                double z = hit.z;
+                ray.set(x, y, z, signed(random), signed(random), signed(random), 0);
+                double cosine = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz;
+                ray.from(hit, cosine > 0 ? Ray.OUTSIDE : Ray.INSIDE);
+            } else {
+                ray.set(
+                        3 * signed(random),
+                        3 * signed(random),
+                        3 * signed(random),
+                        signed(random),
+                        signed(random),
+                        signed(random),
+                        0);
+            }
+            int found = bvh.closest(ray, a);
+            assertEquals(loop.closest(ray, b), found, "ray " + k);
+            double tMax = 3 * random.nextDouble();
+            assertEquals(loop.occluded(ray, tMax, query), bvh.occluded(ray, tMax, query), "shadow ray " + k);
+            leaves = found >= 0;
+            if (leaves) {
+                met++;
+                assertEquals(b.t(), a.t(), "ray " + k);
+                a.complete(ray, hit);
+                b.complete(ray, other);
+                assertEquals(other.element, hit.element, "ray " + k);
+                assertEquals(other.primitive, hit.primitive, "ray " + k);
+            }
+        }
+        assertTrue(met > RAYS / 4, met + " rays met something");
+    }
+}

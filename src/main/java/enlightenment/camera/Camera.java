@@ -7,6 +7,7 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * Where the picture is seen from: an immutable description in scene coordinates and scene units, exact, validated when it is
@@ -15,7 +16,8 @@ import java.util.Objects;
  * <p>The constructors throw {@link InvalidValueException}, with the key of the scene format, for a value out of range or a
  * degenerate view, and {@link NullPointerException} for a missing value. Angles are degrees.
  */
-public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera.Orthographic, Camera.Isometric {
+public sealed interface Camera
+        permits Camera.Window, Camera.Perspective, Camera.Orthographic, Camera.Isometric, Camera.Panorama {
 
     /** The name of this kind of camera in the scene format, such as {@code "window"}. */
     String type();
@@ -41,8 +43,9 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * @param upperRight the window's corner at the picture's upper right: {@code upperLeft + (lowerRight − lowerLeft)}, up to
      *     rounding of the decimals
      * @param lowerRight the window's corner at the picture's lower right
-     * @param pupilRadius the radius of the eye's pupil, at least 0. Above 0 it stands for the original's, which was to catch rays
-     *     from the lamp that pass near the eye: classic shading has no such rays, and physical shading refuses it
+     * @param pupilRadius the radius of the eye's pupil in scene units, at least 0. In physical shading it is a round thin lens in the
+     *     eye, parallel to the window, with the window's plane in focus; its radius is at most {@link Lens#MOST_DISTANCES} times the distance
+     *     of that plane. Classic shading ignores it
      */
     record Window(
             ExactPoint eye,
@@ -56,10 +59,20 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         public Window {
             checkCorners(lowerLeft, upperLeft, upperRight, lowerRight);
             Check.notNegative("pupilRadius", pupilRadius);
-            Vec3 normal = ExactPoint.normal(lowerLeft, upperLeft, lowerRight).normalized();
             Vec3 toEye = lowerLeft.directionTo(eye);
-            double height = Math.abs(normal.dot(toEye));
+            double height = height(toEye, lowerLeft, upperLeft, lowerRight);
             Check.that(height > toEye.length() * 4 * Math.ulp(1.0), "eye", "must not lie in the window's plane");
+        }
+
+        private static double height(Vec3 v, ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint lowerRight) {
+            return Math.abs(ExactPoint.normal(lowerLeft, upperLeft, lowerRight)
+                    .normalized()
+                    .dot(v));
+        }
+
+        /** The distance of the window's plane from the eye, in scene units. */
+        public double distance() {
+            return height(eye.minus(lowerLeft), lowerLeft, upperLeft, lowerRight);
         }
 
         @Override
@@ -79,14 +92,25 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
     }
 
     /**
-     * A pinhole camera.
+     * A camera whose rays meet in the eye, or pass a lens there.
      *
      * @param eye where the viewer is
      * @param lookAt the point in the middle of the picture; differs from the eye
      * @param up a direction that points upwards in the picture, of any length but 0; not along the line of sight
-     * @param fieldOfView the vertical angle of view in degrees, greater than 0 and less than 180
+     * @param fieldOfView the angle of view in degrees, greater than 0 and less than 180
+     * @param axis the side of the picture that {@code fieldOfView} spans
+     * @param handedness which way the picture's right side points
+     * @param lens depth of field, which physical shading alone renders; empty for a pinhole
      */
-    record Perspective(ExactPoint eye, ExactPoint lookAt, Vec3 up, double fieldOfView) implements Camera {
+    record Perspective(
+            ExactPoint eye,
+            ExactPoint lookAt,
+            Vec3 up,
+            double fieldOfView,
+            FieldOfViewAxis axis,
+            Handedness handedness,
+            Optional<Lens> lens)
+            implements Camera {
         /** Validates the components, as {@link Camera} states. */
         public Perspective {
             checkView(eye, lookAt, up);
@@ -94,6 +118,29 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
                     fieldOfView > 0 && fieldOfView < 180,
                     "fieldOfView",
                     "must be an angle between 0 and 180 degrees, not " + fieldOfView);
+            Objects.requireNonNull(axis, "axis");
+            Objects.requireNonNull(handedness, "handedness");
+            Objects.requireNonNull(lens, "lens");
+        }
+
+        /** A pinhole camera with a vertical angle of view, in left-handed coordinates. */
+        public Perspective(ExactPoint eye, ExactPoint lookAt, Vec3 up, double fieldOfView) {
+            this(eye, lookAt, up, fieldOfView, FieldOfViewAxis.VERTICAL, Handedness.LEFT, Optional.empty());
+        }
+
+        /** This camera with a lens. */
+        public Perspective withLens(Lens newLens) {
+            return new Perspective(eye, lookAt, up, fieldOfView, axis, handedness, Optional.of(newLens));
+        }
+
+        /** This camera with its angle of view along another axis. */
+        public Perspective withAxis(FieldOfViewAxis newAxis) {
+            return new Perspective(eye, lookAt, up, fieldOfView, newAxis, handedness, lens);
+        }
+
+        /** This camera in coordinates of a handedness. */
+        public Perspective withHandedness(Handedness newHandedness) {
+            return new Perspective(eye, lookAt, up, fieldOfView, axis, newHandedness, lens);
         }
 
         @Override
@@ -108,7 +155,7 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
 
         @Override
         public List<ExactPoint> anchors() {
-            return List.of(eye);
+            return around(eye, lens.map(Lens::radius).orElse(0.0));
         }
     }
 
@@ -119,12 +166,20 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
      * @param lookAt the point in the middle of the picture; differs from the eye
      * @param up a direction that points upwards in the picture, of any length but 0; not along the line of sight
      * @param height the height of the picture in scene units, greater than 0
+     * @param handedness which way the picture's right side points
      */
-    record Orthographic(ExactPoint eye, ExactPoint lookAt, Vec3 up, double height) implements Camera {
+    record Orthographic(ExactPoint eye, ExactPoint lookAt, Vec3 up, double height, Handedness handedness)
+            implements Camera {
         /** Validates the components, as {@link Camera} states. */
         public Orthographic {
             checkView(eye, lookAt, up);
             Check.positive("height", height);
+            Objects.requireNonNull(handedness, "handedness");
+        }
+
+        /** A view in left-handed coordinates. */
+        public Orthographic(ExactPoint eye, ExactPoint lookAt, Vec3 up, double height) {
+            this(eye, lookAt, up, height, Handedness.LEFT);
         }
 
         @Override
@@ -181,6 +236,60 @@ public sealed interface Camera permits Camera.Window, Camera.Perspective, Camera
         public List<ExactPoint> anchors() {
             return List.of(lookAt);
         }
+    }
+
+    /**
+     * All directions, by longitude from left to right and latitude from top to bottom: 360° by 180° (equirectangular). A picture twice as
+     * wide as it is high has square pixels in its middle.
+     *
+     * <p>With an {@code eyeSeparation} the picture is a stereo pair (S. Peleg, M. Ben-Ezra and Y. Pritch, "Omnistereo: panoramic stereo
+     * imaging", 2001): the left eye's panorama is its upper half, the right eye's its lower half. Rays of an eye are tangents of a circle
+     * around {@code eye}, in the plane perpendicular to the picture's upward axis, so that the eyes stand beside each other for each
+     * longitude.
+     *
+     * @param eye where the viewer is; of a stereo pair the middle between the eyes
+     * @param lookAt the point in the middle of the panorama; differs from the eye
+     * @param up a direction that points upwards in the picture, of any length but 0; not along the line of sight
+     * @param eyeSeparation the distance between the two eyes in scene units, at least 0; 0 is one panorama
+     * @param handedness which way the picture's right side points
+     */
+    record Panorama(ExactPoint eye, ExactPoint lookAt, Vec3 up, double eyeSeparation, Handedness handedness)
+            implements Camera {
+        /** Validates the components, as {@link Camera} states. */
+        public Panorama {
+            checkView(eye, lookAt, up);
+            Check.notNegative("eyeSeparation", eyeSeparation);
+            Objects.requireNonNull(handedness, "handedness");
+        }
+
+        /** A panorama of one eye, in left-handed coordinates. */
+        public Panorama(ExactPoint eye, ExactPoint lookAt, Vec3 up) {
+            this(eye, lookAt, up, 0, Handedness.LEFT);
+        }
+
+        @Override
+        public String type() {
+            return "panorama";
+        }
+
+        @Override
+        public ExactPoint origin() {
+            return eye;
+        }
+
+        @Override
+        public List<ExactPoint> anchors() {
+            return around(eye, eyeSeparation / 2);
+        }
+    }
+
+    /** The corners of a box around the points within a distance of an eye; the eye alone where that is 0. */
+    private static List<ExactPoint> around(ExactPoint eye, double distance) {
+        if (distance == 0) {
+            return List.of(eye);
+        }
+        Vec3 reach = new Vec3(distance, distance, distance);
+        return List.of(eye.plus(reach.times(-1)), eye.plus(reach));
     }
 
     /** Checks the window's corners, with keys of their own: the shared check numbers them. */

@@ -49,7 +49,7 @@ final class Exposure {
     /** As {@link Shader#shade}, of a sample at a place of the picture, 0..1. */
     void shade(int sample, double u, double v, Ray ray, Sampler sampler, double[] out) {
         int moment = moment(sample);
-        moments[moment].camera.ray(u, v, ray);
+        moments[moment].camera.ray(u, v, sampler, ray);
         shaders[moment].shade(ray, sampler, out);
     }
 }

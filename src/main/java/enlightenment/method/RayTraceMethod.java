@@ -249,7 +249,7 @@ public final class RayTraceMethod implements TileIntegrator {
         dx = sampler.filmX();
         dy = sampler.filmY();
         if (exposure == null) {
-            scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), ray);
+            scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), sampler, ray);
             shader.shade(ray, sampler, color);
         } else {
             exposure.shade(index, (x + dx) / settings.width(), (y + dy) / settings.height(), ray, sampler, color);

@@ -39,7 +39,11 @@ public interface Sampler {
         /** Which lamp a flight in a medium gathers light of, and at which of its points; counted as {@link #FLIGHT}. */
         FLIGHT_LAMP,
         /** {@link #LIGHT} of that lamp. */
-        FLIGHT_LIGHT
+        FLIGHT_LIGHT,
+        /** Where on the lens a path from the eye begins; at bounce 0. */
+        LENS,
+        /** Where on the lens, or at which of two eyes, a vertex of a path from a light is connected to the eye. */
+        LIGHT_LENS
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */

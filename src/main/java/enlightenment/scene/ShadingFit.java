@@ -1,6 +1,7 @@
 package enlightenment.scene;
 
 import enlightenment.camera.Camera;
+import enlightenment.camera.Lens;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
@@ -50,11 +51,19 @@ final class ShadingFit {
      * @throws InvalidValueException with the place
      */
     void require(Camera camera) {
-        if (model == Shading.Model.PHYSICAL && camera instanceof Camera.Window w && w.pupilRadius() > 0) {
+        boolean hasLens = camera instanceof Camera.Perspective p && p.lens().isPresent();
+        if (model == Shading.Model.CLASSIC && hasLens) {
+            throw new InvalidValueException(
+                    "camera/lens",
+                    "needs \"shading\": {\"model\": \"physical\"}; in classic shading all rays come from one point");
+        }
+        if (model == Shading.Model.PHYSICAL
+                && camera instanceof Camera.Window w
+                && w.pupilRadius() / Lens.MOST_DISTANCES > w.distance()) {
             throw new InvalidValueException(
                     "camera/pupilRadius",
-                    "must be 0 in physical shading: a lens is not modelled, and all light comes to the eye in one point;"
-                            + " leave it out");
+                    "must be at most " + Lens.MOST_DISTANCES + " times the distance between \"eye\" and window in"
+                            + " physical shading, where it is a lens; not " + w.pupilRadius());
         }
         if (hasMedium && camera instanceof Camera.Isometric) {
             throw new InvalidValueException(

@@ -13,8 +13,17 @@ final class Synonyms {
                     """
                     ior indexOfRefraction
                     eta indexOfRefraction
-                    aperture pupilRadius
-                    lensradius pupilRadius
+                    aperture lens pupilRadius
+                    lensradius lens radius pupilRadius
+                    aperturesize lens radius
+                    apertureradius lens radius
+                    focaldistance lens focusDistance
+                    focusdistance lens focusDistance
+                    fovaxis fieldOfViewAxis
+                    equirectangular panorama
+                    spherical panorama
+                    environmentcamera panorama
+                    thinlens perspective
                     fov fieldOfView
                     angle fieldOfView
                     metal glossy

@@ -2,6 +2,7 @@ package enlightenment.world;
 
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.camera.Camera;
+import enlightenment.camera.Lens;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.LightFeature;
 import enlightenment.scene.Scene;
@@ -20,11 +21,20 @@ final class SceneFeatures {
             addClassic(scene, shading, surfaces);
         } else {
             addMatter(LightFeature.of(scene).keySet());
+            if (hasLens(scene.camera())) {
+                present.add("depth of field");
+            }
         }
         add(
                 withBvh,
                 "bounding volume hierarchy over " + scene.objects().size() + " primitives",
                 "bounding volume hierarchy (a loop over " + scene.objects().size() + " primitives is faster)");
+    }
+
+    private static boolean hasLens(Camera camera) {
+        return camera instanceof Camera.Window w && w.pupilRadius() > 0
+                || camera instanceof Camera.Perspective p
+                        && p.lens().map(Lens::radius).orElse(0.0) > 0;
     }
 
     private void addMatter(Set<LightFeature> asked) {

@@ -89,7 +89,8 @@ final class ScenePasses {
     CompiledScene run(
             RenderSettings settings, int loopLimit, CompiledPrimitives.Placement placement, CompiledScene... instants) {
         frame = SceneCompiler.frameOf(scene);
-        camera = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
+        CompiledCamera described = CompiledCamera.of(scene.camera(), frame, settings.width(), settings.height());
+        camera = isPhysical ? described : described.withoutLens();
         CompiledMaterials materials = placePrimitives(placement);
         buildAccelerator(loopLimit);
         makeLights();

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
+import enlightenment.camera.Lens;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
@@ -61,13 +62,23 @@ class ShadingFitTest {
     }
 
     @Test
-    void anEyeWithASizeIsRefusedInPhysicalShadingWhichHasNoLens() {
-        Camera eye = eye(0.5);
+    void aPupilBeyondAllMeasureIsRefusedInPhysicalShadingWhereItIsALens() {
+        Camera eye = eye(1001);
         scene(ClassicShading.DEFAULT).camera(eye).build();
-        scene(PhysicalShading.DEFAULT).camera(eye(0)).build();
+        scene(PhysicalShading.DEFAULT).camera(eye(1000)).build();
         InvalidValueException e = refused(scene(PhysicalShading.DEFAULT).camera(eye));
         assertEquals("camera/pupilRadius", e.key());
-        assertTrue(e.problem().contains("a lens is not modelled"), e.problem());
+        assertTrue(e.problem().startsWith("must be at most 1000 times the distance"), e.problem());
+    }
+
+    @Test
+    void classicShadingRefusesALens() {
+        Camera lens = new Camera.Perspective(ExactPoint.of(0, 0, -5), ExactPoint.ORIGIN, Vec3.Y, 40)
+                .withLens(Lens.round(0.1, 5));
+        scene(PhysicalShading.DEFAULT).camera(lens).build();
+        InvalidValueException e = refused(scene(ClassicShading.DEFAULT).camera(lens));
+        assertEquals("camera/lens", e.key());
+        assertTrue(e.problem().startsWith("needs \"shading\": {\"model\": \"physical\"}"), e.problem());
     }
 
     @Test

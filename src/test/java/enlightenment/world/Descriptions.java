@@ -94,7 +94,8 @@ public final class Descriptions {
                             0.5),
                     new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 4), Vec3.Y, 60),
                     new Camera.Orthographic(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 4), Vec3.Y, 3),
-                    new Camera.Isometric(ExactPoint.of(0, 0, 4), 3)));
+                    new Camera.Isometric(ExactPoint.of(0, 0, 4), 3),
+                    new Camera.Panorama(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 4), Vec3.Y)));
 
     /** Materials of one colour. */
     public static final List<Material> MATERIALS = all(

@@ -106,7 +106,10 @@ final class GroupPaths {
         placeX[k] = sampler.filmX();
         placeY[k] = sampler.filmY();
         scene.camera.ray(
-                (group.x(m) + placeX[k]) / settings.width(), (group.y(m) + placeY[k]) / settings.height(), ray);
+                (group.x(m) + placeX[k]) / settings.width(),
+                (group.y(m) + placeY[k]) / settings.height(),
+                sampler,
+                ray);
         if (shares) {
             tracer.shade(ray, sampler, paths[k]);
             paths[k].own(colors[k]);
@@ -114,6 +117,10 @@ final class GroupPaths {
             tracer.shade(ray, sampler, colors[k]);
         }
         keys[k] = tracer.certain(certain[k]);
+        if (scene.camera.hasLens()) {
+            // The film position alone does not say where the path leads.
+            Arrays.fill(certain[k], 0);
+        }
         events[k] = tracer.events();
     }
 

@@ -50,7 +50,7 @@ final class Paths {
         double x = numbers.filmX() * block.width();
         double y = numbers.filmY() * block.height();
         pixel = (int) y * block.width() + (int) x;
-        scene.camera.ray((block.x() + x) / pictureWidth, (block.y() + y) / pictureHeight, ray);
+        scene.camera.ray((block.x() + x) / pictureWidth, (block.y() + y) / pictureHeight, numbers, ray);
         shader.shade(ray, numbers, color);
         double brightness = 0;
         for (int c = 0; c < 3; c++) {

@@ -1,17 +1,25 @@
 package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
+import enlightenment.camera.FieldOfViewAxis;
+import enlightenment.camera.Handedness;
+import enlightenment.camera.Lens;
 import enlightenment.math.Vec3;
 import java.util.Map;
+import java.util.Optional;
 
 /** The camera. */
 final class Cameras {
     static final Family<Camera> FAMILY = new Family<Camera>(
                     "camera", "a camera", null, Map.of(), Cameras::read, Cameras::write)
             .with("window", Camera.Window.class, "eye lowerLeft upperLeft upperRight lowerRight | pupilRadius")
-            .with("perspective", Camera.Perspective.class, "eye lookAt fieldOfView | up")
-            .with("orthographic", Camera.Orthographic.class, "eye lookAt height | up")
-            .with("isometric", Camera.Isometric.class, "lookAt height |");
+            .with(
+                    "perspective",
+                    Camera.Perspective.class,
+                    "eye lookAt fieldOfView | up fieldOfViewAxis handedness lens")
+            .with("orthographic", Camera.Orthographic.class, "eye lookAt height | up handedness")
+            .with("isometric", Camera.Isometric.class, "lookAt height |")
+            .with("panorama", Camera.Panorama.class, "eye lookAt | up handedness eyeSeparation");
 
     private Cameras() {}
 
@@ -21,6 +29,7 @@ final class Cameras {
             case "perspective" -> perspective(f);
             case "orthographic" -> orthographic(f);
             case "isometric" -> isometric(f);
+            case "panorama" -> panorama(f);
             default -> throw Family.unknown(type);
         };
     }
@@ -37,14 +46,26 @@ final class Cameras {
             p.point("eye", c.eye())
                     .point("lookAt", c.lookAt())
                     .vector("up", c.up())
-                    .number("fieldOfView", c.fieldOfView());
+                    .number("fieldOfView", c.fieldOfView())
+                    .wordUnless(FieldOfViewAxis.VERTICAL, "fieldOfViewAxis", c.axis())
+                    .wordUnless(Handedness.LEFT, "handedness", c.handedness());
+            c.lens()
+                    .ifPresent(
+                            lens -> p.put("lens", write(lens, p.child("lens")).json()));
         } else if (value instanceof Camera.Orthographic c) {
             p.point("eye", c.eye())
                     .point("lookAt", c.lookAt())
                     .vector("up", c.up())
-                    .number("height", c.height());
+                    .number("height", c.height())
+                    .wordUnless(Handedness.LEFT, "handedness", c.handedness());
         } else if (value instanceof Camera.Isometric c) {
             p.point("lookAt", c.lookAt()).number("height", c.height());
+        } else if (value instanceof Camera.Panorama c) {
+            p.point("eye", c.eye())
+                    .point("lookAt", c.lookAt())
+                    .vector("up", c.up())
+                    .numberUnless(0, "eyeSeparation", c.eyeSeparation())
+                    .wordUnless(Handedness.LEFT, "handedness", c.handedness());
         } else {
             throw Family.unknown(value);
         }
@@ -71,7 +92,10 @@ final class Cameras {
         var lookAt = f.point("lookAt");
         Vec3 up = f.direction("up", Vec3.Y);
         double fieldOfView = f.number("fieldOfView");
-        return f.make(() -> new Camera.Perspective(eye, lookAt, up, fieldOfView));
+        FieldOfViewAxis axis = f.word("fieldOfViewAxis", FieldOfViewAxis.VERTICAL);
+        Handedness handedness = f.word("handedness", Handedness.LEFT);
+        Optional<Lens> lens = f.has("lens") ? Optional.ofNullable(lens(f)) : Optional.empty();
+        return f.make(() -> new Camera.Perspective(eye, lookAt, up, fieldOfView, axis, handedness, lens));
     }
 
     private static Camera orthographic(Fields f) {
@@ -79,7 +103,37 @@ final class Cameras {
         var lookAt = f.point("lookAt");
         Vec3 up = f.direction("up", Vec3.Y);
         double height = f.number("height");
-        return f.make(() -> new Camera.Orthographic(eye, lookAt, up, height));
+        Handedness handedness = f.word("handedness", Handedness.LEFT);
+        return f.make(() -> new Camera.Orthographic(eye, lookAt, up, height, handedness));
+    }
+
+    /** The lens of a perspective camera; null after a problem. */
+    private static Lens lens(Fields camera) {
+        Fields f = Fields.of(camera.get("lens"), camera.at("lens"), PartKeys.LENS, camera.values());
+        if (f == null) {
+            return null;
+        }
+        double radius = f.number("radius");
+        double focusDistance = f.number("focusDistance");
+        int blades = f.integer("blades", 0, Lens.MOST_BLADES, 0);
+        double rotation = f.number("rotation", 0);
+        return f.make(() -> new Lens(radius, focusDistance, blades, rotation));
+    }
+
+    private static JsonObjectBuilder write(Lens lens, JsonObjectBuilder p) {
+        return p.number("radius", lens.radius())
+                .number("focusDistance", lens.focusDistance())
+                .wholeUnless(0, "blades", lens.blades())
+                .numberUnless(0, "rotation", lens.rotation());
+    }
+
+    private static Camera panorama(Fields f) {
+        var eye = f.point("eye");
+        var lookAt = f.point("lookAt");
+        Vec3 up = f.direction("up", Vec3.Y);
+        double eyeSeparation = f.number("eyeSeparation", 0);
+        Handedness handedness = f.word("handedness", Handedness.LEFT);
+        return f.make(() -> new Camera.Panorama(eye, lookAt, up, eyeSeparation, handedness));
     }
 
     private static Camera isometric(Fields f) {

@@ -14,6 +14,7 @@ final class PartKeys {
             Keys.of("physicalShading", "physical shading", "model", "background medium maxBounces");
     static final Keys MEDIUM = Keys.of(
             "medium", "a medium", "", "color meanFreePath scatteringCoefficient absorptionCoefficient anisotropy");
+    static final Keys LENS = Keys.of("lens", "a lens", "radius focusDistance", "blades rotation");
     static final Keys DISPLAY = Keys.of("display", "the display part", "", "exposure tone");
     static final Keys LINEAR_COLOR = Keys.of("linearColor", "a linear colour", "linear", "");
     static final Keys ANIMATION =

@@ -26,6 +26,7 @@ final class Vocabulary {
                 PartKeys.CLASSIC_SHADING,
                 PartKeys.PHYSICAL_SHADING,
                 PartKeys.MEDIUM,
+                PartKeys.LENS,
                 PartKeys.DISPLAY,
                 PartKeys.LINEAR_COLOR,
                 render,

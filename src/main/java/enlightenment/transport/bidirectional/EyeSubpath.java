@@ -39,7 +39,7 @@ final class EyeSubpath extends Subpath {
                 Sampler.Purpose.DIRECTION,
                 Sampler.Purpose.ROULETTE,
                 Sampler.Purpose.FLIGHT);
-        eye = new EyeProjection(scene.camera);
+        eye = EyeProjection.of(scene.camera);
         this.lightPaths = lightPaths;
         mixing = BandMixing.of(scene.physical);
         path.tracer.leaveVisibilityOpen();
@@ -50,6 +50,7 @@ final class EyeSubpath extends Subpath {
         begin(1, 1, 1, 1);
         mixes = false;
         dye = null;
+        eye.startWith(camera);
         ray.set(camera.ox, camera.oy, camera.oz, camera.dx, camera.dy, camera.dz, camera.tMin);
         path.begin(ray, sampler);
         firstIndex = path.glass.indexOfRefraction();

@@ -64,6 +64,11 @@ public final class LightSubpath extends Subpath {
         return source.power(physical.visibleOfUltraviolet) / 3;
     }
 
+    /** The address of the random numbers of the vertex that the path is at. */
+    public int address() {
+        return address;
+    }
+
     @Override
     void reradiate(Reradiation by) {
         bands[0] = red;

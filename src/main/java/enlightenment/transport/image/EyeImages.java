@@ -73,7 +73,7 @@ public final class EyeImages implements PathStrategy {
     public EyeImages(CompiledScene scene, RayCounters counters, PathFollower path, boolean isWanted) {
         this.scene = scene;
         this.path = path;
-        eye = new EyeProjection(scene.camera);
+        eye = EyeProjection.of(scene.camera);
         starts = scene.cameraSolids.length == 0 ? null : new PathFollower(scene, counters, 0);
         all = isWanted ? scene.lightImages : new LightImage[0];
         near = new LightImage[all.length];

@@ -1,6 +1,7 @@
 package enlightenment.transport.light;
 
 import enlightenment.bsdf.Scattering;
+import enlightenment.sampling.Sampler;
 import enlightenment.transport.bidirectional.BidirectionalTracer;
 import enlightenment.transport.bidirectional.LightSubpath;
 import enlightenment.transport.bidirectional.PathSampler;
@@ -19,6 +20,7 @@ public final class BidirectionalLightTracer extends LightPathTracer {
     private final LightSubpath light;
     private final ReverseDensity reverse = new ReverseDensity();
     private final PathSampler sampler;
+    private final double[] pair = new double[2];
 
     /** See {@link SubpathDensities}. */
     private final double areaUnit;
@@ -86,6 +88,10 @@ public final class BidirectionalLightTracer extends LightPathTracer {
     /** Adds what the eye sees of the path's light at the surface that it is at. */
     private void connect() {
         Scattering s = light.s;
+        if (eye.hasSeveralStarts()) {
+            sampler.pair(light.address(), Sampler.Purpose.LIGHT_LENS, pair);
+            eye.sampleStart(pair[0], pair[1]);
+        }
         if (!isSeen(light.bsdf, s, light.isBorder ? light.color : null)) {
             return;
         }

@@ -30,7 +30,7 @@ final class EyeConnection {
 
     EyeConnection(CompiledScene scene, RayCounters counters, PathFollower path) {
         this.path = path;
-        eye = new EyeProjection(scene.camera);
+        eye = EyeProjection.of(scene.camera);
         absorbs = scene.physical.hasAbsorption;
         walk = scene.physical.hasStraightGlass ? new ShadowWalk(scene, counters) : null;
     }
@@ -53,6 +53,16 @@ final class EyeConnection {
     /** The share of the picture per unit of what scatters light there ({@link EyeProjection#importance}). */
     double importance() {
         return eye.importance;
+    }
+
+    /** Whether {@link #sampleStart} must choose where each connection ends: on a lens, or at one of two eyes. */
+    boolean hasSeveralStarts() {
+        return eye.hasSeveralStarts();
+    }
+
+    /** Chooses where connections end, by two random numbers in 0..1. */
+    void sampleStart(double u, double v) {
+        eye.sampleStart(u, v);
     }
 
     /** Finds the place where the surface's point is seen, if nothing hides it; returns whether it is in the picture. */

@@ -283,6 +283,9 @@ abstract class LightWalker extends LightPathTracer {
 
     /** The same of other light than the path carries. */
     private void connect(Bsdf bsdf, Scattering s, double[] tint, double r, double g, double b) {
+        if (eye.hasSeveralStarts()) {
+            eye.sampleStart(unit(9), unit(10));
+        }
         if (isSeen(bsdf, s, tint)) {
             if (tint != null && wavelength != null) {
                 wavelength.color(s);

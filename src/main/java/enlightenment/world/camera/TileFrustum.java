@@ -3,12 +3,13 @@ package enlightenment.world.camera;
 import enlightenment.frame.Bounds;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Ray;
+import java.util.Arrays;
 
 /**
  * The frustum of the camera rays of one tile: four planes through the rays at its corners.
  *
  * <p>No ray of the tile meets a primitive whose box lies completely outside one of the planes. The test is conservative: its
- * margin covers all roundings.
+ * margin covers all roundings. Of cameras with a lens and of panoramas, whose rays no such planes bound, it reaches everything.
  *
  * <p>A reusable work object, written with arrays and loops: it is set for every tile, and small code is compiled quickly
  * (docs/benchmarks.md, "start-up").
@@ -41,6 +42,12 @@ public final class TileFrustum {
             directions[3 * i] = ray.dx;
             directions[3 * i + 1] = ray.dy;
             directions[3 * i + 2] = ray.dz;
+        }
+        if (!camera.isPinholeOrParallel()) {
+            // No planes: nothing lies beyond normals of no length.
+            Arrays.fill(normals, 0);
+            Arrays.fill(errors, 0);
+            return;
         }
         for (int i = 0; i < PLANES; i++) {
             setPlane(i, (i + 1) % PLANES);

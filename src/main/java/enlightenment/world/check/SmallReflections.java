@@ -21,7 +21,7 @@ public final class SmallReflections {
 
     /** Whether a scene of physical shading may show such a lamp. */
     public static boolean mayBeThere(CompiledScene scene) {
-        EyeProjection eye = new EyeProjection(scene.camera);
+        EyeProjection eye = EyeProjection.of(scene.camera);
         int pairs = 0;
         for (int id = 0; id < scene.primitives.length && pairs < MOST_PAIRS; id++) {
             if (!isCurvedAndSharp(scene, id)) {

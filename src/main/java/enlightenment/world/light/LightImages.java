@@ -49,7 +49,7 @@ public final class LightImages {
     }
 
     /**
-     * The images in a picture.
+     * The images in a picture; none with a lens, which blurs them, nor in panoramas, which bend their outlines.
      *
      * @param surroundings null if there is none but a constant background
      * @param background the radiance of that, in the band in which it is brightest
@@ -62,6 +62,9 @@ public final class LightImages {
             Surroundings surroundings,
             double background,
             Runnable poll) {
+        if (!camera.isPinholeOrParallel()) {
+            return new LightImage[0];
+        }
         LightImages images =
                 new LightImages(camera, lights, surroundings == null ? background : Double.POSITIVE_INFINITY);
         for (int light = 0; light < lights.length; light++) {

@@ -43,7 +43,7 @@ final class LightOutline {
 
     LightOutline(CompiledCamera camera) {
         this.camera = camera;
-        eye = new EyeProjection(camera);
+        eye = EyeProjection.of(camera);
         Ray middle = new Ray();
         camera.ray(0.5, 0.5, middle);
         eyePoint = new Vec3(middle.ox, middle.oy, middle.oz);

@@ -1,6 +1,9 @@
 package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
+import enlightenment.camera.FieldOfViewAxis;
+import enlightenment.camera.Handedness;
+import enlightenment.camera.Lens;
 import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
@@ -297,22 +300,47 @@ final class RandomScenes {
         ExactPoint o = point();
         Vec3 up = vector();
         Vec3 right = vector();
-        switch (random.nextInt(4)) {
+        switch (random.nextInt(5)) {
             case 0:
-                return new Camera.Window(
+                Camera.Window window = new Camera.Window(
                         point(),
                         o,
                         o.plus(up),
                         o.plus(up).plus(right),
                         o.plus(right),
                         isPhysical ? 0 : Math.abs(number()));
+                return isPhysical && random.nextBoolean() ? withPupil(window) : window;
             case 1:
-                return new Camera.Perspective(o, point(), up, 180 * unit());
+                return new Camera.Perspective(
+                        o,
+                        point(),
+                        up,
+                        180 * unit(),
+                        FieldOfViewAxis.values()[random.nextInt(4)],
+                        handedness(),
+                        isPhysical && random.nextBoolean() ? Optional.of(lens()) : Optional.empty());
             case 2:
-                return new Camera.Orthographic(o, point(), up, positive());
+                return new Camera.Orthographic(o, point(), up, positive(), handedness());
+            case 3:
+                return new Camera.Panorama(o, point(), up, random.nextBoolean() ? 0 : Math.abs(number()), handedness());
             default:
                 return new Camera.Isometric(o, positive());
         }
+    }
+
+    private static Camera withPupil(Camera.Window w) {
+        return new Camera.Window(
+                w.eye(), w.lowerLeft(), w.upperLeft(), w.upperRight(), w.lowerRight(), w.distance() / 8);
+    }
+
+    private Handedness handedness() {
+        return random.nextBoolean() ? Handedness.LEFT : Handedness.RIGHT;
+    }
+
+    private Lens lens() {
+        double focus = positive();
+        return new Lens(
+                focus * random.nextInt(3) / 4, focus, random.nextBoolean() ? 0 : 3 + random.nextInt(5), number());
     }
 
     private Light light() {

@@ -144,6 +144,7 @@ class SceneFormatDocumentTest {
                 new Part("#### Classic", List.of(PartKeys.CLASSIC_SHADING)),
                 new Part("#### Physical", List.of(PartKeys.PHYSICAL_SHADING)),
                 new Part("#### Media", List.of(PartKeys.MEDIUM)),
+                new Part("#### Lenses", List.of(PartKeys.LENS)),
                 new Part("### Meshes", List.of(Meshes.NAMED)),
                 new Part("### Transforms", Transforms.ALL),
                 new Part("### Groups", List.of(Groups.OBJECT)),

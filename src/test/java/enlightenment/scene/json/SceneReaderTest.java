@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 import enlightenment.camera.Camera;
+import enlightenment.camera.FieldOfViewAxis;
+import enlightenment.camera.Handedness;
+import enlightenment.camera.Lens;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.color.Tone;
@@ -59,9 +62,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class SceneReaderTest {
     @TempDir
@@ -248,12 +254,76 @@ class SceneReaderTest {
                                 folder)
                         .camera());
         assertEquals(
+                new Camera.Panorama(p(0, 1, 2), p(3, 4, 5), Vec3.Y, 0.25, Handedness.RIGHT),
+                Documents.read(
+                                Documents.edited(
+                                        window,
+                                        "{\"type\": \"panorama\", \"eye\": [0,1,2], \"lookAt\": [3,4,5],"
+                                                + " \"eyeSeparation\": 0.25, \"handedness\": \"right\"}"),
+                                folder)
+                        .camera());
+        assertEquals(
                 new Camera.Isometric(p(3, 4, 5), 40),
                 Documents.read(
                                 Documents.edited(
                                         window, "{\"type\": \"isometric\", \"lookAt\": [3,4,5], \"height\": 40}"),
                                 folder)
                         .camera());
+    }
+
+    private static Scene withLens(String lens, OptionalInt frame) {
+        String scene =
+                """
+                {
+                  "image": { "width": 4, "height": 2 },
+                  "camera": {
+                    "type": "perspective", "eye": [0, 1, 2], "lookAt": [3, 4, 5], "fieldOfView": 40,
+                    "fieldOfViewAxis": "larger", "lens": LENS
+                  },
+                  "shading": { "model": "physical" },
+                  "objects": [],
+                  "animation": {
+                    "frames": 11, "framesPerSecond": 10,
+                    "tracks": [{ "target": "/camera/lens/focusDistance", "keys": { "0": 4, "10": 8 } }]
+                  }
+                }
+                """
+                        .replace("LENS", lens);
+        return SceneReader.readBytes(scene.getBytes(StandardCharsets.UTF_8), Path.of(""), "lens.json", frame);
+    }
+
+    @Test
+    void aLensIsReadAndItsFocusCanBeMovedByATrack() {
+        String lens = "{ \"radius\": 0.5, \"focusDistance\": 4, \"blades\": 6, \"rotation\": 15 }";
+        Camera.Perspective expected = new Camera.Perspective(p(0, 1, 2), p(3, 4, 5), Vec3.Y, 40)
+                .withAxis(FieldOfViewAxis.LARGER)
+                .withLens(new Lens(0.5, 4, 6, 15));
+        assertEquals(expected, withLens(lens, OptionalInt.empty()).camera());
+        assertEquals(
+                expected.withLens(new Lens(0.5, 6, 6, 15)),
+                withLens(lens, OptionalInt.of(5)).camera());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "{ 'radius': -1, 'focusDistance': 4 }; /camera/lens/radius; at least 0",
+                "{ 'radius': 1, 'focusDistance': 0 }; /camera/lens/focusDistance; greater than 0",
+                "{ 'radius': 4001, 'focusDistance': 4 }; /camera/lens/radius; at most 1000 times",
+                "{ 'radius': 1, 'focusDistance': 4, 'blades': 2 }; /camera/lens/blades; from 3 to 100",
+                "{ 'radius': 1, 'focusDistance': 4, 'blades': 101 }; /camera/lens/blades; not 101",
+                "{ 'radius': 1, 'focusDistance': 4, 'aperture': 2 }; /camera/lens/aperture; radius",
+                "{ 'radius': 1 }; /camera/lens/focusDistance; missing",
+                "7; /camera/lens; object"
+            },
+            quoteCharacter = '"')
+    void aLensThatIsNoneIsRefusedAtItsPlace(String lens, String place, String problem) {
+        String message = assertThrows(
+                        SceneException.class, () -> withLens(lens.replace('\'', '"'), OptionalInt.empty()))
+                .getMessage();
+        assertTrue(message.contains(place), message);
+        assertTrue(message.contains(problem), message);
     }
 
     @Test

@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.networknt.schema.Schema;
 import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
+import enlightenment.camera.FieldOfViewAxis;
+import enlightenment.camera.Handedness;
 import enlightenment.color.Tone;
 import enlightenment.material.Texture;
 import enlightenment.mesh.MeshOrigin;
@@ -170,6 +172,16 @@ class SceneSchemaTest {
     }
 
     @Test
+    void bothKnowTheSameWordsOfCameras() {
+        assertEquals(
+                words(Fields.words(FieldOfViewAxis.class)),
+                strings(property("perspectiveCamera", "fieldOfViewAxis").get("enum")));
+        assertEquals(
+                words(Fields.words(Handedness.class)),
+                strings(TEXT.get("$defs").get("handedness").get("enum")));
+    }
+
+    @Test
     void thereAreNoWordsThatNothingHolds() {
         assertTrue(BadDocuments.FOR_THE_SCHEMA_TOO.size() > 80);
         assertEquals(Vocabulary.all().size(), parts().size());
@@ -182,7 +194,8 @@ class SceneSchemaTest {
         for (String document : List.of(
                 Documents.EVERYTHING,
                 withCamera("perspective", "\"eye\": [0, 1, -3], \"lookAt\": [0, 1, 0], \"fieldOfView\": 30"),
-                withCamera("orthographic", "\"eye\": [0, 1, -3], \"lookAt\": [0, 1, 0], \"height\": 5"))) {
+                withCamera("orthographic", "\"eye\": [0, 1, -3], \"lookAt\": [0, 1, 0], \"height\": 5"),
+                withCamera("panorama", "\"eye\": [0, 1, -3], \"lookAt\": [0, 1, 0]"))) {
             ObjectNode root = (ObjectNode) JSON.readTree(document);
             // Its tracks need the numbers that go.
             root.remove("animation");

@@ -83,6 +83,9 @@ class BidirectionalWeightsTest {
     private static final String PARALLEL =
             "{ \"type\": \"orthographic\", \"eye\": [0.5, 1.5, -4], \"lookAt\": [0, 0.8, 0], \"height\": 3 }";
 
+    private static final String PANORAMA =
+            "{ \"type\": \"panorama\", \"eye\": [0.5, 1.2, -1.5], \"lookAt\": [0, 0.8, 0] }";
+
     private CompiledScene scene;
     private LightStarts starts;
     private EyeProjection eye;
@@ -115,7 +118,7 @@ class BidirectionalWeightsTest {
                 "");
         scene = SceneCompiler.compile(read, RenderSettings.of(read));
         starts = scene.lightStarts(false);
-        eye = new EyeProjection(scene.camera);
+        eye = EyeProjection.of(scene.camera);
     }
 
     /** A vertex that may be connected, with what lies between it and the next one towards the eye. */
@@ -420,7 +423,7 @@ class BidirectionalWeightsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {PERSPECTIVE, PARALLEL})
+    @ValueSource(strings = {PERSPECTIVE, PARALLEL, PANORAMA})
     void theWeightsOfPathsFromBothEndsFollowFromAllDensities(String camera) {
         read(camera, false);
         checkPathsFromBothEnds(100_000);
@@ -450,7 +453,7 @@ class BidirectionalWeightsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {PERSPECTIVE, PARALLEL})
+    @ValueSource(strings = {PERSPECTIVE, PARALLEL, PANORAMA})
     void theWeightsOfPathsToTheEyeItselfFollowFromAllDensities(String camera) {
         read(camera, false);
         checkPathsToTheEye();

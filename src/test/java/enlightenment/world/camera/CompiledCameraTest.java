@@ -4,13 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
+import enlightenment.camera.FieldOfViewAxis;
+import enlightenment.camera.Handedness;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The rays of each camera against the geometry of its description. */
 class CompiledCameraTest {
@@ -113,6 +118,87 @@ class CompiledCameraTest {
         }
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "VERTICAL, 300, 100, 1", "VERTICAL, 100, 300, 1", "HORIZONTAL, 300, 100, 0", "HORIZONTAL, 100, 300, 0",
+        "SMALLER, 300, 100, 1", "SMALLER, 100, 300, 0", "LARGER, 300, 100, 0", "LARGER, 100, 300, 1"
+    })
+    void theFieldOfViewSpansItsAxis(FieldOfViewAxis axis, int width, int height, int spanned) {
+        Camera.Perspective p =
+                new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 1), Vec3.Y, 90).withAxis(axis);
+        CompiledCamera camera = CompiledCamera.of(p, new SceneFrame(p.origin(), 0), width, height);
+        Vec3 d = direction(ray(camera, 1, 0));
+        double across = d.x() / d.z();
+        double up = d.y() / d.z();
+        assertEquals(1, spanned == 0 ? across : up, TOLERANCE);
+        assertEquals((double) width / height, across / up, 4 * TOLERANCE);
+    }
+
+    @Test
+    void aRightHandedViewIsTheMirrorImageOfALeftHandedOne() {
+        ExactPoint eye = ExactPoint.of(1, 2, 3);
+        ExactPoint aim = ExactPoint.of(2, 1, -4);
+        List<List<Camera>> pairs = List.of(
+                List.of(
+                        new Camera.Perspective(eye, aim, Vec3.Y, 50),
+                        new Camera.Perspective(eye, aim, Vec3.Y, 50).withHandedness(Handedness.RIGHT)),
+                List.of(
+                        new Camera.Orthographic(eye, aim, Vec3.Y, 5),
+                        new Camera.Orthographic(eye, aim, Vec3.Y, 5, Handedness.RIGHT)),
+                List.of(
+                        new Camera.Panorama(eye, aim, Vec3.Y),
+                        new Camera.Panorama(eye, aim, Vec3.Y, 0, Handedness.RIGHT)));
+        for (List<Camera> pair : pairs) {
+            for (double x : new double[] {0, 0.125, 0.5, 1}) {
+                Ray left = ray(compile(pair.get(0)), x, 0.25);
+                Ray right = ray(compile(pair.get(1)), 1 - x, 0.25);
+                assertClose(direction(left), direction(right), pair.get(0).type());
+                assertClose(origin(left), origin(right), pair.get(0).type());
+            }
+        }
+        // The picture's right is forward × up.
+        Camera towardsZ = new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, -1), Vec3.Y, 50)
+                .withHandedness(Handedness.RIGHT);
+        assertTrue(direction(ray(compile(towardsZ), 1, 0.5)).x() > 0);
+    }
+
+    @Test
+    void aPanoramaHasLongitudesFromLeftToRightAndLatitudesDownwards() {
+        CompiledCamera camera =
+                compile(new Camera.Panorama(ExactPoint.of(1, 2, 3), ExactPoint.of(1, 2, 5), new Vec3(0, 3, 0.5)));
+        for (double x : new double[] {0, 0.25, 0.4, 0.5, 0.75, 1}) {
+            for (double y : new double[] {0, 0.2, 0.5, 1}) {
+                double longitude = 2 * Math.PI * (x - 0.5);
+                double latitude = Math.PI * (0.5 - y);
+                double level = StrictMath.cos(latitude);
+                Vec3 expected = new Vec3(
+                        level * StrictMath.sin(longitude), StrictMath.sin(latitude), level * StrictMath.cos(longitude));
+                Ray ray = ray(camera, x, y);
+                assertClose(expected, direction(ray), "at " + x + ", " + y);
+                assertEquals(0, origin(ray).maxAbs());
+                assertEquals(0, ray.tMin);
+            }
+        }
+    }
+
+    /** Right eye minus left eye is the separation, towards the right of the longitude. */
+    @Test
+    void theEyesOfAStereoPairStandBesideEachOtherForEachLongitude() {
+        CompiledCamera camera = compile(
+                new Camera.Panorama(ExactPoint.of(1, 2, 3), ExactPoint.of(1, 2, 5), Vec3.Y, 0.5, Handedness.LEFT));
+        for (double x : new double[] {0, 0.25, 0.4, 0.5, 0.75}) {
+            for (double y : new double[] {0.125, 0.5, 0.75}) {
+                Ray left = ray(camera, x, y / 2);
+                Ray right = ray(camera, x, 0.5 + y / 2);
+                assertClose(direction(left), direction(right), "parallel");
+                double longitude = 2 * Math.PI * (x - 0.5);
+                Vec3 beside = new Vec3(StrictMath.cos(longitude), 0, -StrictMath.sin(longitude));
+                assertClose(beside.times(0.5 * UNIT), origin(right).minus(origin(left)), "apart");
+                assertClose(Vec3.ZERO, origin(right).plus(origin(left)), "around the middle");
+            }
+        }
+    }
+
     private static Vec3 vector(SplittableRandom random) {
         return new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
     }
@@ -166,7 +252,8 @@ class CompiledCameraTest {
                     0),
             new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(1, 2, 3), Vec3.Y, 40),
             new Camera.Orthographic(ExactPoint.ORIGIN, ExactPoint.of(1, 2, 3), Vec3.Y, 3),
-            new Camera.Isometric(ExactPoint.ORIGIN, 3)
+            new Camera.Isometric(ExactPoint.ORIGIN, 3),
+            new Camera.Panorama(ExactPoint.ORIGIN, ExactPoint.of(1, 2, 3), Vec3.Y, 0.5, Handedness.LEFT)
         };
         for (Camera c : cameras) {
             CompiledCamera camera = compile(c);

@@ -44,7 +44,7 @@ class EyeProjectionTest {
     void whatARayMeetsIsSeenAtItsPlaceAndLooksBackAtItsStart() {
         SplittableRandom random = new SplittableRandom(1);
         for (CompiledCamera camera : cameras()) {
-            EyeProjection eye = new EyeProjection(camera);
+            EyeProjection eye = EyeProjection.of(camera);
             Ray ray = new Ray();
             for (int i = 0; i < 1_000; i++) {
                 double x = random.nextDouble();
@@ -65,7 +65,7 @@ class EyeProjectionTest {
     @Test
     void whatLiesBeforeTheStartOrBesideThePictureIsNotSeen() {
         for (CompiledCamera camera : cameras()) {
-            EyeProjection eye = new EyeProjection(camera);
+            EyeProjection eye = EyeProjection.of(camera);
             Ray ray = new Ray();
             camera.ray(0.5, 0.5, ray);
             assertFalse(project(eye, at(ray, ray.tMin - 0.01)));
@@ -83,8 +83,8 @@ class EyeProjectionTest {
         SplittableRandom random = new SplittableRandom(2);
         double size = 1e-5;
         for (CompiledCamera camera : cameras()) {
-            EyeProjection eye = new EyeProjection(camera);
-            EyeProjection corner = new EyeProjection(camera);
+            EyeProjection eye = EyeProjection.of(camera);
+            EyeProjection corner = EyeProjection.of(camera);
             Ray ray = new Ray();
             for (int i = 0; i < 100; i++) {
                 camera.ray(0.1 + 0.8 * random.nextDouble(), 0.1 + 0.8 * random.nextDouble(), ray);

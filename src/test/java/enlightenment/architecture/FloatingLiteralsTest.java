@@ -86,7 +86,7 @@ class FloatingLiteralsTest {
             new Explained("world/light/PhysicalLight.java", "0.7152", "luminance of green"),
             new Explained("world/light/PhysicalLight.java", "0.0722", "luminance of blue"),
             new Explained("world/material/AlbedoInversion.java", "0.125", "an angle"),
-            new Explained("world/camera/EyeProjection.java", "0x1p-300", "range of doubles: another unit below it"),
+            new Explained("world/camera/AffineProjection.java", "0x1p-300", "range of doubles: another unit below it"),
             new Explained(
                     "world/material/AlbedoInversion.java", "0x1p-10", "a ratio of albedos: where a series begins"),
             new Explained("world/material/AlbedoInversion.java", "0.25", "a term of the series of the logarithm"),
@@ -167,7 +167,7 @@ class FloatingLiteralsTest {
                     "0x1p-26",
                     "validation limit, relative to the rectangle's own longer edge"),
             new Explained(
-                    "world/camera/CompiledCamera.java",
+                    "world/camera/AffineCamera.java",
                     "-16",
                     "units of the frame, in which every coordinate is below 2"),
             new Explained(

@@ -21,7 +21,7 @@ final class Aperture {
         x = new double[n];
         y = new double[n];
         for (int k = 0; k < blades; k++) {
-            double angle = rotation + 360.0 * k / blades;
+            double angle = rotation + 360 * (double) k / blades;
             x[k] = Rotation.cos(angle);
             y[k] = Rotation.sin(angle);
         }

@@ -15,7 +15,7 @@ final class ThinLens {
 
     private final Vec3 up;
 
-    /** The same over the distance of the plane in focus, in lengths of directions. */
+    /** Both radii over the distance of the plane in focus, in lengths of directions. */
     private final Vec3 turnRight;
 
     private final Vec3 turnUp;

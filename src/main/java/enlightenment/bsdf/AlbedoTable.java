@@ -118,6 +118,15 @@ final class AlbedoTable {
         return root * root * root * root;
     }
 
+    /**
+     * The share of the lost light that comes back from metal, 0..1: each further reflection takes F̄, and 1 − Ē of the rest goes on.
+     *
+     * @param mean the metal's mean reflectance F̄
+     */
+    double multiple(double mean) {
+        return mean * mean * (1 - meanLoss) / (1 - mean * meanLoss);
+    }
+
     /** The density per solid angle, at a cosine, of directions that {@link #sample} chooses; nearly (1 − E(μ))μ/(π(1 − Ē)). */
     double density(double cosine) {
         return density[Math.min((int) (CELLS * Math.sqrt(cosine)), CELLS - 1)] * cosine;

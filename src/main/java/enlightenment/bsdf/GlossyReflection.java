@@ -113,20 +113,15 @@ public final class GlossyReflection implements Bsdf {
         double r = fresnel.meanR(s);
         double g = fresnel.meanG(s);
         double b = fresnel.meanB(s);
-        double moreR = multiple(r);
-        double moreG = multiple(g);
-        double moreB = multiple(b);
+        double moreR = table.multiple(r);
+        double moreG = table.multiple(g);
+        double moreB = table.multiple(b);
         s.pdf = mixed(s.pdf, share(r + g + b, moreR + moreG + moreB, lost), in);
         double more = lost * table.loss(in) * in / (Math.PI * table.meanLoss);
         s.value(
                 Math.fma(s.valueR, single, moreR * more),
                 Math.fma(s.valueG, single, moreG * more),
                 Math.fma(s.valueB, single, moreB * more));
-    }
-
-    /** The share of the lost light that comes back: each further reflection takes F̄, and 1 − Ē of the rest goes on. */
-    private double multiple(double mean) {
-        return mean * mean * (1 - table.meanLoss) / (1 - mean * table.meanLoss);
     }
 
     /** The share of samples of visible normals, by what both lobes reflect of light from o. */
@@ -155,7 +150,7 @@ public final class GlossyReflection implements Bsdf {
         double r = fresnel.meanR(s);
         double g = fresnel.meanG(s);
         double b = fresnel.meanB(s);
-        return share(r + g + b, multiple(r) + multiple(g) + multiple(b), table.loss(out));
+        return share(r + g + b, table.multiple(r) + table.multiple(g) + table.multiple(b), table.loss(out));
     }
 
     @Override

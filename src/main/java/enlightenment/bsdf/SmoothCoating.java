@@ -35,7 +35,8 @@ public final class SmoothCoating implements Bsdf {
         return Math.min(total, 1);
     }
 
-    private static double transmittance(double cosine, double eta) {
+    /** The share of light that enters a coat at a cosine, 0..1. */
+    static double transmittance(double cosine, double eta) {
         double refracted = Math.sqrt(DielectricFresnel.refracted2(cosine, eta));
         return Math.min(DielectricFresnel.transmittance(cosine, refracted, eta), 1);
     }

@@ -24,6 +24,18 @@ final class Detail {
                 "must be a material that does not glow");
     }
 
+    /** The amount of a number at a key, which messages name. */
+    static Amount amount(String key, double value) {
+        Check.range(key, value, 0, 1);
+        return Amount.of(value);
+    }
+
+    /** The amount of a texture at a key, which messages name. */
+    static Amount amount(String key, Texture texture) {
+        checkShare(key, Objects.requireNonNull(texture, key));
+        return Amount.of(texture);
+    }
+
     /** A number in 0..1, or numbers of a texture. */
     static void checkShare(String key, Texture share) {
         if (share instanceof Texture.Solid solid) {

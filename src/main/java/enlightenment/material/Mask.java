@@ -7,14 +7,18 @@ import java.util.Objects;
  * An opaque material with holes, such as leaves on a rectangle: where there is one, light passes as if nothing were there.
  *
  * @param of the opaque material
- * @param map the mean of its linear components, 0..1, is the probability that something is there: 0 is a hole
+ * @param map the probability that something is there: 0 is a hole
  */
-public record Mask(Material of, Texture map) implements Material {
+public record Mask(Material of, Amount map) implements Material {
     /** Validates the components, as {@link Material} states. */
     public Mask {
         Detail.check("of", of);
         Objects.requireNonNull(map, "map");
-        Detail.checkShare("map", map);
+    }
+
+    /** A mask by the mean of a texture's linear components. */
+    public Mask(Material of, Texture map) {
+        this(of, Detail.amount("map", map));
     }
 
     @Override
@@ -24,7 +28,7 @@ public record Mask(Material of, Texture map) implements Material {
 
     @Override
     public List<Texture> textures() {
-        return List.of(map);
+        return map.textures();
     }
 
     @Override

@@ -26,6 +26,7 @@ public sealed interface Material
                 Material.Glass,
                 Material.Scattering,
                 Material.Fluorescent,
+                Principled,
                 Mix,
                 Mask,
                 NormalMap,
@@ -183,7 +184,7 @@ public sealed interface Material
      */
     record Glossy(
             Texture color,
-            double roughness,
+            Amount roughness,
             Optional<Conductor> conductor,
             boolean multipleScattering,
             Rgb radiance,
@@ -192,10 +193,21 @@ public sealed interface Material
         /** Validates the components, as {@link Material} states. */
         public Glossy {
             Reflectance.check(color);
-            Check.range("roughness", roughness, 0, 1);
+            Objects.requireNonNull(roughness, "roughness");
             Objects.requireNonNull(conductor, "conductor");
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
+        }
+
+        /** A surface of the same roughness everywhere. */
+        public Glossy(
+                Texture color,
+                double roughness,
+                Optional<Conductor> conductor,
+                boolean multipleScattering,
+                Rgb radiance,
+                double ultraviolet) {
+            this(color, Detail.amount("roughness", roughness), conductor, multipleScattering, radiance, ultraviolet);
         }
 
         /** A surface that glows, if at all, in visible light alone. */
@@ -206,6 +218,16 @@ public sealed interface Material
                 boolean multipleScattering,
                 Rgb radiance) {
             this(color, roughness, conductor, multipleScattering, radiance, 0);
+        }
+
+        /** The same surface with another roughness. */
+        public Glossy withRoughness(Amount value) {
+            return new Glossy(color, value, conductor, multipleScattering, radiance, ultraviolet);
+        }
+
+        @Override
+        public List<Texture> textures() {
+            return roughness.textures();
         }
 
         /** A surface with Schlick's Fresnel term and multiple scattering that does not glow. */
@@ -242,7 +264,7 @@ public sealed interface Material
      */
     record Coated(
             Texture color,
-            double roughness,
+            Amount roughness,
             double indexOfRefraction,
             boolean nonlinear,
             Rgb radiance,
@@ -257,10 +279,31 @@ public sealed interface Material
         /** Validates the components, as {@link Material} states. */
         public Coated {
             Reflectance.check(color);
-            Check.range("roughness", roughness, 0, 1);
+            Objects.requireNonNull(roughness, "roughness");
             Check.range("indexOfRefraction", indexOfRefraction, 1, LARGEST_INDEX);
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
+        }
+
+        /** A surface whose coat has the same roughness everywhere. */
+        public Coated(
+                Texture color,
+                double roughness,
+                double indexOfRefraction,
+                boolean nonlinear,
+                Rgb radiance,
+                double ultraviolet) {
+            this(color, Detail.amount("roughness", roughness), indexOfRefraction, nonlinear, radiance, ultraviolet);
+        }
+
+        /** The same surface whose coat has another roughness. */
+        public Coated withRoughness(Amount value) {
+            return new Coated(color, value, indexOfRefraction, nonlinear, radiance, ultraviolet);
+        }
+
+        @Override
+        public List<Texture> textures() {
+            return roughness.textures();
         }
 
         /** A surface of this colour with a coat of index 1.5 that does not glow. */

@@ -9,15 +9,19 @@ import java.util.Objects;
  *
  * @param first what it is where the weight is 0
  * @param second what it is where the weight is 1
- * @param weight the mean of a texture's linear components, 0..1: the probability of the second
+ * @param weight the probability of the second
  */
-public record Mix(Material first, Material second, Texture weight) implements Material {
+public record Mix(Material first, Material second, Amount weight) implements Material {
     /** Validates the components, as {@link Material} states. */
     public Mix {
         Detail.check("materials/0", first);
         Detail.check("materials/1", second);
         Objects.requireNonNull(weight, "weight");
-        Detail.checkShare("weight", weight);
+    }
+
+    /** A mix by the mean of a texture's linear components. */
+    public Mix(Material first, Material second, Texture weight) {
+        this(first, second, Detail.amount("weight", weight));
     }
 
     @Override
@@ -27,7 +31,7 @@ public record Mix(Material first, Material second, Texture weight) implements Ma
 
     @Override
     public List<Texture> textures() {
-        return List.of(weight);
+        return weight.textures();
     }
 
     @Override

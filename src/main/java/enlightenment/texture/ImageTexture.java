@@ -7,6 +7,7 @@ import enlightenment.image.ImageFormat;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import java.util.zip.CRC32C;
 
 /**
@@ -131,6 +132,15 @@ public final class ImageTexture {
         return height;
     }
 
+    /** Gives the red, green and blue of each texel, in an array that is used for the next one again. */
+    public void forEachTexel(Consumer<double[]> consumer) {
+        double[] rgb = new double[3];
+        for (int texel = 0; texel < width * height; texel++) {
+            texel(texel, rgb);
+            consumer.accept(rgb);
+        }
+    }
+
     /**
      * The texel that a place lies in.
      *
@@ -139,7 +149,10 @@ public final class ImageTexture {
     public void nearest(double u, double v, double[] rgb) {
         int x = Math.min((int) (repeat(u) * width), width - 1);
         int y = Math.min((int) (repeat(v) * height), height - 1);
-        int texel = y * width + x;
+        texel(y * width + x, rgb);
+    }
+
+    private void texel(int texel, double[] rgb) {
         if (packed != null) {
             int p = packed[texel];
             rgb[0] = values[p >>> 16];

@@ -1,23 +1,31 @@
 package enlightenment.world;
 
 import enlightenment.frame.SceneFrame;
+import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
+import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import enlightenment.texture.ImageTexture;
 import enlightenment.world.light.SceneImages;
+import enlightenment.world.material.AmountLookup;
 import enlightenment.world.material.Dyes;
+import enlightenment.world.material.MaterialBsdfs;
 import enlightenment.world.material.PhysicalSurface;
+import enlightenment.world.material.RoughnessLevels;
 import enlightenment.world.material.SurfaceDetail;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.material.TextureLookup;
+import java.util.ArrayList;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 
 /** The materials of a scene's objects as rendering reads them, with their images. */
 final class CompiledMaterials {
@@ -29,6 +37,7 @@ final class CompiledMaterials {
     private final SceneImages images;
     private final Runnable poll;
     private final Dyes dyes;
+    private final MaterialBsdfs bsdfs = new MaterialBsdfs();
 
     /** @param physical the frame if the shading is physical, else null */
     CompiledMaterials(Scene scene, SceneFrame physical, SceneImages images, Runnable poll) {
@@ -50,7 +59,7 @@ final class CompiledMaterials {
         if (known != null) {
             return known;
         }
-        PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes);
+        PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes, bsdfs);
         SurfaceMaterial made = new SurfaceMaterial(m, image(m.color()), surface, detail(m));
         bySource.put(m, made);
         return made;
@@ -71,6 +80,35 @@ final class CompiledMaterials {
         return new TextureLookup(texture, image(texture), true);
     }
 
+    private AmountLookup lookup(Amount amount) {
+        return amount instanceof Amount.Textured t
+                ? new AmountLookup(lookup(t.texture()), t.channel(), t.factor())
+                : AmountLookup.of((Amount.Constant) amount);
+    }
+
+    /** A material whose roughness differs from place to place, as one for each of some roughnesses; null if it does not. */
+    private SurfaceDetail ofRoughness(Amount roughness, Function<Amount, Material> with) {
+        if (roughness instanceof Amount.Constant) {
+            return null;
+        }
+        AmountLookup amount = lookup(roughness);
+        RoughnessLevels levels = RoughnessLevels.of(amount);
+        List<SurfaceMaterial> parts = new ArrayList<>();
+        for (double level : levels.all()) {
+            poll.run();
+            parts.add(add(with.apply(Amount.of(level))));
+        }
+        return SurfaceDetail.ofRoughness(levels, parts, amount);
+    }
+
+    /** A share of metal that differs from place to place: each point is of metal or of none, by that chance. */
+    private SurfaceDetail ofPrincipled(Principled m) {
+        return m.metallic() instanceof Amount.Textured
+                ? SurfaceDetail.mix(
+                        add(m.withMetallic(Amount.of(0))), add(m.withMetallic(Amount.of(1))), lookup(m.metallic()))
+                : ofRoughness(m.roughness(), m::withRoughness);
+    }
+
     /** What is to be known of a place before what a material is there; null for most. */
     private SurfaceDetail detail(Material m) {
         if (m instanceof Mix mix) {
@@ -81,6 +119,14 @@ final class CompiledMaterials {
             return SurfaceDetail.normalMap(add(normals.of()), lookup(normals.map()));
         } else if (m instanceof Bump bump) {
             return SurfaceDetail.bump(add(bump.of()), lookup(bump.map()), physical.toFrame(bump.height()));
+        } else if (physical == null) {
+            return null;
+        } else if (m instanceof Material.Glossy glossy) {
+            return ofRoughness(glossy.roughness(), glossy::withRoughness);
+        } else if (m instanceof Material.Coated coated) {
+            return ofRoughness(coated.roughness(), coated::withRoughness);
+        } else if (m instanceof Principled principled) {
+            return ofPrincipled(principled);
         }
         return null;
     }

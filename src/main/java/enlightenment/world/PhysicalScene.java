@@ -24,6 +24,7 @@ import enlightenment.world.light.LightMedia;
 import enlightenment.world.light.LightPyramid;
 import enlightenment.world.light.OccluderSet;
 import enlightenment.world.light.PhysicalLight;
+import enlightenment.world.material.MaterialBsdfs;
 import enlightenment.world.material.PhysicalSurface;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.CancellationCheck;
@@ -200,7 +201,7 @@ public final class PhysicalScene {
 
     private static SurfaceMaterial around(Medium medium, SceneFrame frame) {
         Material material = Material.Scattering.of(medium);
-        return new SurfaceMaterial(material, null, PhysicalSurface.of(material, frame, null));
+        return new SurfaceMaterial(material, null, PhysicalSurface.of(material, frame, null, new MaterialBsdfs()));
     }
 
     /** By how much of a light is seen, straight or from fluorescent surfaces, it is chosen among others. */

@@ -1,6 +1,6 @@
 package enlightenment.scene.json;
 
-import enlightenment.color.Rgb;
+import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
@@ -12,8 +12,6 @@ import java.util.List;
 
 /** Materials that are made of others. */
 final class DetailedMaterials {
-    private static final String SHARE = "a number in 0..1, or {\"texture\": NAME}";
-
     private DetailedMaterials() {}
 
     static Material read(String type, Fields f) {
@@ -21,13 +19,16 @@ final class DetailedMaterials {
             return mix(f);
         }
         Material of = f.has("of") ? Materials.use(f.get("of"), f.at("of"), f.values()) : null;
-        Texture map = type.equals("mask") ? share(f, "map") : texture(f, "map");
+        if (type.equals("mask")) {
+            Amount map = Amounts.read(f, "map");
+            return of == null || map == null ? null : f.make(() -> new Mask(of, map));
+        }
+        Texture map = texture(f, "map");
         double height = f.number("height", 0);
         if (of == null || map == null) {
             return null;
         }
         return f.make(() -> switch (type) {
-            case "mask" -> new Mask(of, map);
             case "normalMap" -> new NormalMap(of, map);
             case "bump" -> new Bump(of, map, height);
             default -> throw Family.unknown(type);
@@ -41,23 +42,10 @@ final class DetailedMaterials {
         for (int i = 0; a != null && i < 2; i++) {
             parts.add(Materials.use(a.get(i), f.at("materials").child(i), f.values()));
         }
-        Texture weight = share(f, "weight");
+        Amount weight = Amounts.read(f, "weight");
         return a == null || parts.contains(null) || weight == null
                 ? null
                 : f.make(() -> new Mix(parts.get(0), parts.get(1), weight));
-    }
-
-    /** A number as a texture of one grey, or a texture; null after a problem. */
-    private static Texture share(Fields f, String key) {
-        if (f.get(key) instanceof JsonValue.Num) {
-            double share = f.number(key);
-            if (!(share >= 0 && share <= 1)) {
-                f.problem(key, "must lie in 0..1, not " + share);
-                return null;
-            }
-            return Texture.of(Rgb.gray(share));
-        }
-        return texture(f, key);
     }
 
     private static Texture texture(Fields f, String key) {
@@ -65,10 +53,7 @@ final class DetailedMaterials {
             return null;
         }
         if (!(f.get(key) instanceof JsonValue.Obj)) {
-            f.problem(
-                    key,
-                    "must be " + (key.equals("weight") ? SHARE : "{\"texture\": NAME}") + ", not "
-                            + f.get(key).describe());
+            f.problem(key, "must be {\"texture\": NAME}, not " + f.get(key).describe());
             return null;
         }
         Fields reference = Fields.of(f.get(key), f.at(key), PartKeys.TEXTURE_REFERENCE, f.values());
@@ -89,9 +74,9 @@ final class DetailedMaterials {
         if (value instanceof Mix mix) {
             List<JsonValue> parts = new ArrayList<>();
             mix.parts().forEach(m -> parts.add(json(m, p.child("materials", parts.size()))));
-            p.put("materials", JsonValue.Arr.of(parts)).share("weight", mix.weight());
+            p.put("materials", JsonValue.Arr.of(parts)).amount("weight", mix.weight());
         } else if (value instanceof Mask mask) {
-            p.put("of", json(mask.of(), p.child("of"))).share("map", mask.map());
+            p.put("of", json(mask.of(), p.child("of"))).amount("map", mask.map());
         } else if (value instanceof NormalMap normals) {
             p.put("of", json(normals.of(), p.child("of"))).texture("map", normals.map());
         } else if (value instanceof Bump bump) {

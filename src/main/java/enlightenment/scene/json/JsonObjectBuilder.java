@@ -5,6 +5,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Transform;
+import enlightenment.material.Amount;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
@@ -121,11 +122,15 @@ final class JsonObjectBuilder {
         return names.isAnimated(place) ? null : names.of(m);
     }
 
-    /** A texture, or the number of its grey. */
-    JsonObjectBuilder share(String key, Texture texture) {
-        return Names.isGrey(texture) && (names.of(texture) == null || animated(key))
-                ? number(key, ((Texture.Solid) texture).color().linear().r())
-                : put(key, child(key).text("texture", names.of(texture)).json());
+    /** A number, or the texture that it comes from. */
+    JsonObjectBuilder amount(String key, Amount amount) {
+        Amounts.write(amount, key, this);
+        return this;
+    }
+
+    JsonObjectBuilder amountUnless(double usual, String key, Amount amount) {
+        Amounts.writeUnless(usual, amount, key, this);
+        return this;
     }
 
     JsonObjectBuilder imageFile(String key, Path file) {

@@ -2,6 +2,7 @@ package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
+import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Conductor;
 import enlightenment.material.Mask;
@@ -10,6 +11,7 @@ import enlightenment.material.Medium;
 import enlightenment.material.Metal;
 import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
+import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.text.Plain;
@@ -37,6 +39,11 @@ final class Materials {
                     Material.Coated.class,
                     "color | roughness indexOfRefraction nonlinear radiance ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no coated surfaces"))
+            .with(
+                    "principled",
+                    Principled.class,
+                    PrincipledMaterials.KEYS,
+                    Map.of("receivesShadows", "belongs to classic shading, which has no principled surfaces"))
             .with(
                     "glass",
                     Material.Glass.class,
@@ -79,6 +86,7 @@ final class Materials {
             case "mirror" -> mirror(f);
             case "glossy" -> glossy(f);
             case "coated" -> coated(f);
+            case "principled" -> PrincipledMaterials.read(f);
             case "glass" -> glass(f);
             case "scattering" -> scattering(f);
             case "fluorescent" -> fluorescent(f);
@@ -100,14 +108,14 @@ final class Materials {
                     .numberUnless(0, "ultraviolet", m.ultraviolet())
                     .flagUnless(true, "receivesShadows", m.receivesShadows());
         } else if (value instanceof Material.Glossy g) {
-            p.texture("color", g.color()).number("roughness", g.roughness());
+            p.texture("color", g.color()).amount("roughness", g.roughness());
             g.conductor().ifPresent(c -> conductor(c, p));
             p.flagUnless(true, "multipleScattering", g.multipleScattering())
                     .bandsUnless(Rgb.BLACK, "radiance", g.radiance())
                     .numberUnless(0, "ultraviolet", g.ultraviolet());
         } else if (value instanceof Material.Coated c) {
             p.texture("color", c.color())
-                    .numberUnless(0, "roughness", c.roughness())
+                    .amountUnless(0, "roughness", c.roughness())
                     .numberUnless(Material.Coated.USUAL_INDEX, "indexOfRefraction", c.indexOfRefraction())
                     .flagUnless(false, "nonlinear", c.nonlinear())
                     .bandsUnless(Rgb.BLACK, "radiance", c.radiance())
@@ -134,6 +142,8 @@ final class Materials {
                     .number("yield", d.yield())
                     .bandsUnless(Rgb.BLACK, "radiance", d.radiance())
                     .numberUnless(0, "ultraviolet", d.ultraviolet());
+        } else if (value instanceof Principled m) {
+            PrincipledMaterials.write(m, p);
         } else {
             DetailedMaterials.write(value, p);
         }
@@ -203,14 +213,14 @@ final class Materials {
             f.problem("color", "missing; a glossy material needs it, or a \"metal\"");
         }
         Texture color = f.has("color") ? Textures.color(f, "color") : Texture.of(DisplayRgb.WHITE);
-        double roughness = f.number("roughness");
+        Amount roughness = Amounts.read(f, "roughness");
         boolean several = f.flag("multipleScattering", true);
         Rgb radiance = radiance(f);
         double ultraviolet = f.number("ultraviolet", 0);
         Rgb eta = constant(f, "eta", hasConstants);
         Rgb k = constant(f, "k", hasConstants);
         Optional<Conductor> metal = metal(f, hasConstants);
-        if (color == null) {
+        if (color == null || roughness == null) {
             return null;
         }
         return f.make(() -> new Material.Glossy(
@@ -254,12 +264,12 @@ final class Materials {
 
     private static Material coated(Fields f) {
         Texture color = Textures.color(f, "color");
-        double roughness = f.number("roughness", 0);
+        Amount roughness = Amounts.read(f, "roughness", 0);
         double index = f.number("indexOfRefraction", Material.Coated.USUAL_INDEX);
         boolean nonlinear = f.flag("nonlinear", false);
         Rgb radiance = radiance(f);
         double ultraviolet = f.number("ultraviolet", 0);
-        return color == null
+        return color == null || roughness == null
                 ? null
                 : f.make(() -> new Material.Coated(color, roughness, index, nonlinear, radiance, ultraviolet));
     }
@@ -306,7 +316,7 @@ final class Materials {
         return f.flag("receivesShadows", true);
     }
 
-    private static Rgb radiance(Fields f) {
+    static Rgb radiance(Fields f) {
         return f.bands("radiance", Rgb.BLACK);
     }
 }

@@ -1,9 +1,6 @@
 package enlightenment.scene.json;
 
-import enlightenment.color.Rgb;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
-import enlightenment.material.Mix;
 import enlightenment.material.Texture;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Background;
@@ -50,9 +47,7 @@ final class Names {
     private void nameTexture(Material material) {
         nameTexture(material.color());
         for (Texture texture : material.textures()) {
-            if (!isNumber(material, texture)) {
-                addName(texture);
-            }
+            addName(texture);
         }
         material.parts().forEach(this::nameTexture);
     }
@@ -61,19 +56,6 @@ final class Names {
         if (!(texture instanceof Texture.Solid)) {
             addName(texture);
         }
-    }
-
-    /** Whether a texture of a material can stand there as a number. */
-    private static boolean isNumber(Material material, Texture texture) {
-        return (material instanceof Mix || material instanceof Mask) && isGrey(texture);
-    }
-
-    /** Whether a texture is one grey, which a number says. */
-    static boolean isGrey(Texture texture) {
-        return texture instanceof Texture.Solid s
-                && s.color() instanceof Rgb c
-                && Double.compare(c.r(), c.g()) == 0
-                && Double.compare(c.g(), c.b()) == 0;
     }
 
     private void addName(Texture texture) {

@@ -21,6 +21,8 @@ final class PartKeys {
             Keys.of("animation", "an animation", "frames framesPerSecond tracks", "shutter instants");
     static final Keys TRACK = Keys.of("track", "a track", "target keys", "easing");
     static final Keys TEXTURE_REFERENCE = Keys.of("textureReference", "a reference to a texture", "texture", "");
+    static final Keys AMOUNT_REFERENCE =
+            Keys.of("amountReference", "a reference to the numbers of a texture", "texture", "channel factor");
 
     private PartKeys() {}
 }

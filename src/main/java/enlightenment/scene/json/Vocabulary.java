@@ -33,6 +33,7 @@ final class Vocabulary {
                 PartKeys.ANIMATION,
                 PartKeys.TRACK,
                 PartKeys.TEXTURE_REFERENCE,
+                PartKeys.AMOUNT_REFERENCE,
                 Meshes.NAMED,
                 Groups.OBJECT));
         all.addAll(Transforms.ALL);

@@ -4,7 +4,6 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Reradiation;
-import enlightenment.bsdf.RoughCoating;
 import enlightenment.bsdf.Scattering;
 import enlightenment.bsdf.SmoothShading;
 import enlightenment.primitive.Hit;
@@ -178,7 +177,7 @@ abstract class Subpath extends CarriedLight {
         isBorder = false;
         survival = survival(most);
         Bsdf made = bsdf instanceof SmoothShading smooth ? smooth.inner() : bsdf;
-        if (made.hasDelta() || made instanceof RoughCoating) {
+        if (!(made instanceof GlossyReflection) && (made.hasDelta() || made.reflectsIfBlack())) {
             // A coat reflects what its base does not.
             survival = survival(0.5 + 0.5 * most);
         } else if (made instanceof GlossyReflection metal) {

@@ -1,22 +1,13 @@
 package enlightenment.world.material;
 
 import enlightenment.bsdf.Bsdf;
-import enlightenment.bsdf.Fresnel;
-import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
-import enlightenment.bsdf.Microfacets;
 import enlightenment.bsdf.Reradiation;
-import enlightenment.bsdf.RoughCoating;
-import enlightenment.bsdf.RoughDielectric;
-import enlightenment.bsdf.RoughDiffuse;
-import enlightenment.bsdf.SmoothCoating;
-import enlightenment.bsdf.SmoothConductor;
-import enlightenment.bsdf.SmoothDielectric;
-import enlightenment.bsdf.SpecularReflection;
 import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import enlightenment.frame.SceneFrame;
 import enlightenment.material.Material;
+import enlightenment.material.Principled;
 import enlightenment.numeric.Scale;
 
 /**
@@ -45,7 +36,8 @@ public record PhysicalSurface(
     /** That of a material of classic shading. */
     static final PhysicalSurface NONE = new PhysicalSurface(null, Rgb.BLACK, false, Rgb.BLACK, 0, 0, null, null, "");
 
-    public static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes) {
+    /** @param bsdfs makes how it scatters light */
+    public static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes, MaterialBsdfs bsdfs) {
         Rgb absorption = Rgb.BLACK;
         double dispersion = 0;
         Reradiation reradiation = null;
@@ -70,12 +62,15 @@ public record PhysicalSurface(
             look += " " + glossy.roughness() + " " + glossy.conductor() + " " + glossy.multipleScattering();
         } else if (material instanceof Material.Coated coated) {
             look += " " + coated.roughness() + " " + coated.indexOfRefraction() + " " + coated.nonlinear();
+        } else if (material instanceof Principled p) {
+            look += " " + p.metallic() + " " + p.roughness() + " " + p.indexOfRefraction() + " " + p.specular() + " "
+                    + p.clearcoat() + " " + p.clearcoatRoughness();
         } else if (material instanceof Material.Fluorescent dye) {
             reradiation = dyes.of(dye);
             look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
         }
         return new PhysicalSurface(
-                bsdf(material),
+                bsdfs.of(material),
                 material.radiance(),
                 true,
                 absorption,
@@ -99,53 +94,6 @@ public record PhysicalSurface(
 
     private static String text(Rgb c, double ultraviolet) {
         return ultraviolet == 0 ? text(c) : text(c) + "," + ultraviolet;
-    }
-
-    private static Bsdf bsdf(Material material) {
-        if (material instanceof Material.Matte matte) {
-            return matte.roughness() == 0 ? Lambert.INSTANCE : new RoughDiffuse(matte.roughness());
-        }
-        if (material instanceof Material.Fluorescent || !material.parts().isEmpty()) {
-            return Lambert.INSTANCE;
-        }
-        if (material instanceof Material.Mirror) {
-            return SpecularReflection.INSTANCE;
-        }
-        if (material instanceof Material.Glossy glossy) {
-            double alpha = glossy.roughness() * glossy.roughness();
-            Fresnel fresnel = glossy.conductor()
-                    .map(c -> Fresnel.conductor(c.eta(), c.k()))
-                    .orElse(Fresnel.SCHLICK);
-            return Microfacets.isSmooth(alpha)
-                    ? new SmoothConductor(fresnel)
-                    : new GlossyReflection(alpha, fresnel, glossy.multipleScattering());
-        }
-        if (material instanceof Material.Coated coated) {
-            return coating(coated);
-        }
-        if (material instanceof Material.Glass glass) {
-            return border(glass.roughness(), glass.multipleScattering());
-        }
-        if (material instanceof Material.Scattering scattering) {
-            return border(scattering.roughness(), true);
-        }
-        throw new AssertionError("no physical form of the material " + material.type());
-    }
-
-    private static Bsdf coating(Material.Coated coated) {
-        double index = coated.indexOfRefraction();
-        if (index == 1) {
-            return Lambert.INSTANCE;
-        }
-        double alpha = coated.roughness() * coated.roughness();
-        return Microfacets.isSmooth(alpha)
-                ? new SmoothCoating(index, coated.nonlinear())
-                : new RoughCoating(alpha, index, coated.nonlinear());
-    }
-
-    private static Bsdf border(double roughness, boolean losesNothing) {
-        double alpha = roughness * roughness;
-        return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha, losesNothing);
     }
 
     private static Rgb scaled(Rgb c, int exponent) {

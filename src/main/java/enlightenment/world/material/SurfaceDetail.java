@@ -2,10 +2,11 @@ package enlightenment.world.material;
 
 import enlightenment.primitive.Hit;
 import enlightenment.sampling.Hash;
+import java.util.List;
 
 /**
- * What a material does at a place before it is known what the surface is made of there: it may be one of two, nothing at all, or turn the
- * normal. Immutable.
+ * What a material does at a place before it is known what the surface is made of there: it may be one of several, nothing at all, or turn
+ * the normal. Immutable.
  *
  * <p>Chance is a hash of the place: all paths that come there find one thing.
  */
@@ -14,6 +15,7 @@ public final class SurfaceDetail {
     enum Kind {
         MIX,
         MASK,
+        ROUGHNESS,
         NORMAL_MAP,
         BUMP
     }
@@ -21,57 +23,85 @@ public final class SurfaceDetail {
     private static final long MIX_NUMBER = 0x6d69780000000001L;
     private static final long MASK_NUMBER = 0x6d61736b00000001L;
 
+    private static final long ROUGHNESS_NUMBER = 0x726f756700000001L;
+
     private final Kind kind;
-    private final SurfaceMaterial first;
 
-    /** The second material of a mix, else null. */
-    private final SurfaceMaterial second;
+    /** Two of a mix, one for each roughness, else one. */
+    private final SurfaceMaterial[] parts;
 
+    private final AmountLookup amount;
+
+    /** The texture of {@link #amount}. */
     private final TextureLookup map;
+
+    /** The roughness of each part; null unless it is that which differs. */
+    private final RoughnessLevels levels;
+
     private final double height;
 
     /** What its random numbers are drawn for: another purpose than that of each detail inside of it, so that the two are independent. */
     private final long purpose;
 
-    private SurfaceDetail(Kind kind, SurfaceMaterial first, SurfaceMaterial second, TextureLookup map, double height) {
+    private SurfaceDetail(
+            Kind kind, SurfaceMaterial[] parts, AmountLookup amount, double height, RoughnessLevels levels) {
         this.kind = kind;
-        this.first = first;
-        this.second = second;
-        this.map = map;
+        this.parts = parts;
+        this.amount = amount;
+        map = amount.map();
         this.height = height;
-        purpose = Hash.next(kind == Kind.MIX ? MIX_NUMBER : MASK_NUMBER, depth());
+        this.levels = levels;
+        long number =
+                switch (kind) {
+                    case MIX -> MIX_NUMBER;
+                    case ROUGHNESS -> ROUGHNESS_NUMBER;
+                    default -> MASK_NUMBER;
+                };
+        purpose = Hash.next(number, depth());
+    }
+
+    private static SurfaceDetail ofOne(Kind kind, SurfaceMaterial of, AmountLookup amount, double height) {
+        return new SurfaceDetail(kind, new SurfaceMaterial[] {of}, amount, height, null);
     }
 
     /** How many details lie inside of each other. */
     private int depth() {
-        int inside = first.detail == null ? 0 : first.detail.depth();
-        int other = second == null || second.detail == null ? 0 : second.detail.depth();
-        return 1 + Math.max(inside, other);
+        int inside = 0;
+        for (SurfaceMaterial part : parts) {
+            inside = Math.max(inside, part.detail == null ? 0 : part.detail.depth());
+        }
+        return 1 + inside;
     }
 
-    /** One of two, by chance: the second with the probability that a texture has. */
-    public static SurfaceDetail mix(SurfaceMaterial first, SurfaceMaterial second, TextureLookup weight) {
-        return new SurfaceDetail(Kind.MIX, first, second, weight, 0);
+    /** One of two, by chance: the second with the probability that is its weight. */
+    public static SurfaceDetail mix(SurfaceMaterial first, SurfaceMaterial second, AmountLookup weight) {
+        return new SurfaceDetail(Kind.MIX, new SurfaceMaterial[] {first, second}, weight, 0, null);
     }
 
-    /** There with the probability that a texture has, else a hole. */
-    public static SurfaceDetail mask(SurfaceMaterial of, TextureLookup alpha) {
-        return new SurfaceDetail(Kind.MASK, of, null, alpha, 0);
+    /** One of several that differ in roughness, by chance: of the two next to what a texture says. */
+    public static SurfaceDetail ofRoughness(
+            RoughnessLevels levels, List<SurfaceMaterial> parts, AmountLookup roughness) {
+        return new SurfaceDetail(Kind.ROUGHNESS, parts.toArray(SurfaceMaterial[]::new), roughness, 0, levels);
+    }
+
+    /** There with the probability alpha, else a hole. */
+    public static SurfaceDetail mask(SurfaceMaterial of, AmountLookup alpha) {
+        return ofOne(Kind.MASK, of, alpha, 0);
     }
 
     /** With a normal that a texture has, in the basis of the texture's own directions. */
     public static SurfaceDetail normalMap(SurfaceMaterial of, TextureLookup map) {
-        return new SurfaceDetail(Kind.NORMAL_MAP, of, null, map, 0);
+        return ofOne(Kind.NORMAL_MAP, of, AmountLookup.mean(map), 0);
     }
 
     /** With the normal of a surface that is as high above this one as a texture says, times a height. */
     public static SurfaceDetail bump(SurfaceMaterial of, TextureLookup map, double height) {
-        return new SurfaceDetail(Kind.BUMP, of, null, map, height);
+        return ofOne(Kind.BUMP, of, AmountLookup.mean(map), height);
     }
 
     /** The materials that it may come to. */
     public SurfaceMaterial[] parts() {
-        return second == null ? new SurfaceMaterial[] {first} : new SurfaceMaterial[] {first, second};
+        return parts.clone();
     }
 
     /** Whether it turns normals. */
@@ -86,7 +116,11 @@ public final class SurfaceDetail {
 
     /** What the surface is made of at a place, which may have detail of its own. */
     public SurfaceMaterial at(Hit hit, double[] scratch) {
-        return kind == Kind.MIX && number(hit) < value(hit, scratch) ? second : first;
+        return switch (kind) {
+            case MIX -> parts[number(hit) < value(hit, scratch) ? 1 : 0];
+            case ROUGHNESS -> parts[levels.at(value(hit, scratch), number(hit))];
+            default -> parts[0];
+        };
     }
 
     /** Whether there is a hole in a mask. */
@@ -101,7 +135,7 @@ public final class SurfaceDetail {
                 Double.doubleToLongBits(hit.pz)));
     }
 
-    /** The mean of a texture's colours at a hit, 0..1 where they are. */
+    /** The amount at a hit. */
     private double value(Hit hit, double[] scratch) {
         if (map.isTextured()) {
             hit.primitive.textureCoordinates(hit);
@@ -115,7 +149,7 @@ public final class SurfaceDetail {
         } else {
             map.color(rgb);
         }
-        return (rgb[0] + rgb[1] + rgb[2]) / 3;
+        return amount.of(rgb);
     }
 
     /**
@@ -157,9 +191,12 @@ public final class SurfaceDetail {
         return hit.tiltShadingNormal(height * alongU, height * alongV);
     }
 
-    /** A text that is equal for details that look the same. */
+    /** A text that is equal for details that look the same. Parts that differ in roughness alone follow from one of them. */
     String look() {
-        return kind + " " + map.look() + " " + height + " [" + first.appearance() + "]"
-                + (second == null ? "" : " [" + second.appearance() + "]");
+        String of = levels == null ? "" : levels.toString();
+        for (int k = 0; k < (levels == null ? parts.length : 1); k++) {
+            of += " [" + parts[k].appearance() + "]";
+        }
+        return kind + " " + amount.look() + " " + height + " " + of;
     }
 }

@@ -5,6 +5,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
 import enlightenment.texture.ImageTexture;
+import java.util.function.Consumer;
 
 /** A texture ready to be looked up: one colour, a checkerboard, or an image. Immutable. */
 public final class TextureLookup {
@@ -104,6 +105,21 @@ public final class TextureLookup {
             rgb[2] = other[2];
         } else {
             color(rgb);
+        }
+    }
+
+    /**
+     * Gives all colours that it has, in linear light or display-referred as it is: of an image those of the texels, between which all others
+     * lie.
+     */
+    void forEachColor(Consumer<double[]> consumer) {
+        if (image != null) {
+            image.forEachTexel(consumer);
+            return;
+        }
+        consumer.accept(new double[] {r, g, b});
+        if (other != null) {
+            consumer.accept(other.clone());
         }
     }
 

@@ -1,0 +1,118 @@
+package enlightenment.material;
+
+import enlightenment.check.Check;
+import enlightenment.color.Radiance;
+import enlightenment.color.Rgb;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * The opaque material of metallic-roughness workflows: a metal, or a matte base under a dielectric coat, or a mixture of both; over it, a
+ * clear coat. It holds what glTF 2.0 describes, and the opaque part of Blender's Principled BSDF (B. Burley, "Physically based shading at
+ * Disney", 2012). Only physical shading has it.
+ *
+ * @param color the base colour: reflectance of the matte base, and of the metal where it is looked at and lit straight on (Schlick's Fresnel
+ *     term leads from there to white at grazing angles)
+ * @param metallic the share of metal: 0 (a dielectric) to 1
+ * @param roughness of metal and coat, 0 (smooth) to 1; the parameter alpha of the distribution GGX is its square
+ * @param indexOfRefraction of the coat, relative to the surrounding medium: 1 (as without a coat) to {@value Material.Coated#LARGEST_INDEX}
+ * @param specular what the coat's reflectance at normal incidence is multiplied by, 0 (as without a coat) to 1; it is rendered as the coat
+ *     of the index that has this reflectance
+ * @param clearcoat the share of the surface that is under a clear coat of index {@value Material.Coated#USUAL_INDEX}, 0..1
+ * @param clearcoatRoughness of the clear coat, as {@code roughness}
+ * @param radiance see {@link Material#radiance}
+ * @param ultraviolet see {@link Material#ultraviolet}
+ */
+public record Principled(
+        Texture color,
+        Amount metallic,
+        Amount roughness,
+        double indexOfRefraction,
+        double specular,
+        double clearcoat,
+        double clearcoatRoughness,
+        Rgb radiance,
+        double ultraviolet)
+        implements Material {
+    /** The roughness unless another one is given. */
+    public static final double USUAL_ROUGHNESS = 0.5;
+
+    /** Validates the components, as {@link Material} states. */
+    public Principled {
+        Reflectance.check(color);
+        Objects.requireNonNull(metallic, "metallic");
+        Objects.requireNonNull(roughness, "roughness");
+        Check.range("indexOfRefraction", indexOfRefraction, 1, Material.Coated.LARGEST_INDEX);
+        Check.range("specular", specular, 0, 1);
+        Check.range("clearcoat", clearcoat, 0, 1);
+        Check.range("clearcoatRoughness", clearcoatRoughness, 0, 1);
+        Radiance.check("radiance", radiance);
+        Radiance.check("ultraviolet", ultraviolet);
+    }
+
+    /** A surface of index 1.5 without a clear coat that does not glow. */
+    public static Principled of(Texture color, double metallic, double roughness) {
+        return new Principled(
+                color,
+                Detail.amount("metallic", metallic),
+                Detail.amount("roughness", roughness),
+                Material.Coated.USUAL_INDEX,
+                1,
+                0,
+                0,
+                Rgb.BLACK,
+                0);
+    }
+
+    /** The same surface with another share of metal. */
+    public Principled withMetallic(Amount value) {
+        return new Principled(
+                color,
+                value,
+                roughness,
+                indexOfRefraction,
+                specular,
+                clearcoat,
+                clearcoatRoughness,
+                radiance,
+                ultraviolet);
+    }
+
+    /** The same surface with another roughness. */
+    public Principled withRoughness(Amount value) {
+        return new Principled(
+                color,
+                metallic,
+                value,
+                indexOfRefraction,
+                specular,
+                clearcoat,
+                clearcoatRoughness,
+                radiance,
+                ultraviolet);
+    }
+
+    /** The same surface under another clear coat. */
+    public Principled withClearcoat(double share, double roughnessOfIt) {
+        return new Principled(
+                color, metallic, roughness, indexOfRefraction, specular, share, roughnessOfIt, radiance, ultraviolet);
+    }
+
+    @Override
+    public List<Texture> textures() {
+        List<Texture> all = new ArrayList<>(metallic.textures());
+        all.addAll(roughness.textures());
+        return List.copyOf(all);
+    }
+
+    @Override
+    public String type() {
+        return "principled";
+    }
+
+    @Override
+    public boolean isForClassicShading() {
+        return false;
+    }
+}

@@ -1,0 +1,45 @@
+package enlightenment.scene.json;
+
+import enlightenment.color.Rgb;
+import enlightenment.material.Amount;
+import enlightenment.material.Material;
+import enlightenment.material.Principled;
+import enlightenment.material.Texture;
+
+/** Materials of metallic-roughness workflows. */
+final class PrincipledMaterials {
+    static final String KEYS =
+            "color | metallic roughness indexOfRefraction specular clearcoat clearcoatRoughness radiance ultraviolet";
+
+    private PrincipledMaterials() {}
+
+    /** The material; null after a problem. */
+    static Material read(Fields f) {
+        Texture color = Textures.color(f, "color");
+        Amount metallic = Amounts.read(f, "metallic", 0);
+        Amount roughness = Amounts.read(f, "roughness", Principled.USUAL_ROUGHNESS);
+        double index = f.number("indexOfRefraction", Material.Coated.USUAL_INDEX);
+        double specular = f.number("specular", 1);
+        double clearcoat = f.number("clearcoat", 0);
+        double clearcoatRoughness = f.number("clearcoatRoughness", 0);
+        Rgb radiance = Materials.radiance(f);
+        double ultraviolet = f.number("ultraviolet", 0);
+        if (color == null || metallic == null || roughness == null) {
+            return null;
+        }
+        return f.make(() -> new Principled(
+                color, metallic, roughness, index, specular, clearcoat, clearcoatRoughness, radiance, ultraviolet));
+    }
+
+    static void write(Principled m, JsonObjectBuilder p) {
+        p.texture("color", m.color())
+                .amountUnless(0, "metallic", m.metallic())
+                .amountUnless(Principled.USUAL_ROUGHNESS, "roughness", m.roughness())
+                .numberUnless(Material.Coated.USUAL_INDEX, "indexOfRefraction", m.indexOfRefraction())
+                .numberUnless(1, "specular", m.specular())
+                .numberUnless(0, "clearcoat", m.clearcoat())
+                .numberUnless(0, "clearcoatRoughness", m.clearcoatRoughness())
+                .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
+                .numberUnless(0, "ultraviolet", m.ultraviolet());
+    }
+}

@@ -1,0 +1,135 @@
+package enlightenment.world.material;
+
+import enlightenment.bsdf.Bsdf;
+import enlightenment.bsdf.Fresnel;
+import enlightenment.bsdf.GlossyReflection;
+import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Microfacets;
+import enlightenment.bsdf.PrincipledReflection;
+import enlightenment.bsdf.RoughCoating;
+import enlightenment.bsdf.RoughDielectric;
+import enlightenment.bsdf.RoughDiffuse;
+import enlightenment.bsdf.SmoothCoating;
+import enlightenment.bsdf.SmoothConductor;
+import enlightenment.bsdf.SmoothDielectric;
+import enlightenment.bsdf.SpecularReflection;
+import enlightenment.material.Amount;
+import enlightenment.material.Conductor;
+import enlightenment.material.Material;
+import enlightenment.material.Principled;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+
+/** How the materials of a scene scatter light. Those with tables are made once for all materials that differ in colour alone. */
+public final class MaterialBsdfs {
+    private final Map<List<Object>, Bsdf> made = new HashMap<>();
+
+    Bsdf of(Material material) {
+        if (material instanceof Material.Matte matte) {
+            return matte.roughness() == 0 ? Lambert.INSTANCE : new RoughDiffuse(matte.roughness());
+        }
+        if (material instanceof Material.Fluorescent || !material.parts().isEmpty()) {
+            return Lambert.INSTANCE;
+        }
+        if (material instanceof Material.Mirror) {
+            return SpecularReflection.INSTANCE;
+        }
+        if (material instanceof Material.Glossy g) {
+            return g.roughness() instanceof Amount.Constant roughness
+                    ? metal(roughness.value(), g.conductor(), g.multipleScattering())
+                    : Lambert.INSTANCE;
+        }
+        if (material instanceof Material.Coated c) {
+            return c.roughness() instanceof Amount.Constant roughness
+                    ? coating(roughness.value(), c.indexOfRefraction(), c.nonlinear())
+                    : Lambert.INSTANCE;
+        }
+        if (material instanceof Principled p) {
+            return p.metallic() instanceof Amount.Constant metallic
+                            && p.roughness() instanceof Amount.Constant roughness
+                    ? principled(metallic.value(), roughness.value(), p)
+                    : Lambert.INSTANCE;
+        }
+        if (material instanceof Material.Glass glass) {
+            return border(glass.roughness(), glass.multipleScattering());
+        }
+        if (material instanceof Material.Scattering scattering) {
+            return border(scattering.roughness(), true);
+        }
+        throw new AssertionError("no physical form of the material " + material.type());
+    }
+
+    private Bsdf once(Supplier<Bsdf> maker, Object... key) {
+        List<Object> all = List.of(key);
+        Bsdf known = made.get(all);
+        if (known == null) {
+            known = maker.get();
+            made.put(all, known);
+        }
+        return known;
+    }
+
+    private Bsdf metal(double roughness, Optional<Conductor> conductor, boolean losesNothing) {
+        double alpha = roughness * roughness;
+        Supplier<Fresnel> fresnel =
+                () -> conductor.map(c -> Fresnel.conductor(c.eta(), c.k())).orElse(Fresnel.SCHLICK);
+        return once(
+                () -> Microfacets.isSmooth(alpha)
+                        ? new SmoothConductor(fresnel.get())
+                        : new GlossyReflection(alpha, fresnel.get(), losesNothing),
+                "metal",
+                alpha,
+                conductor,
+                losesNothing);
+    }
+
+    private Bsdf coating(double roughness, double index, boolean nonlinear) {
+        if (index == 1) {
+            return Lambert.INSTANCE;
+        }
+        double alpha = roughness * roughness;
+        return once(
+                () -> Microfacets.isSmooth(alpha)
+                        ? new SmoothCoating(index, nonlinear)
+                        : new RoughCoating(alpha, index, nonlinear),
+                "coat",
+                alpha,
+                index,
+                nonlinear);
+    }
+
+    private Bsdf principled(double metallic, double roughness, Principled p) {
+        double index = index(p.indexOfRefraction(), p.specular());
+        if (p.clearcoat() == 0 && metallic == 1) {
+            return metal(roughness, Optional.empty(), true);
+        }
+        if (p.clearcoat() == 0 && metallic == 0) {
+            return coating(roughness, index, false);
+        }
+        double alpha = roughness * roughness;
+        double clearAlpha = p.clearcoatRoughness() * p.clearcoatRoughness();
+        return once(
+                () -> new PrincipledReflection(
+                        metallic, alpha, index, p.clearcoat(), clearAlpha, Material.Coated.USUAL_INDEX),
+                "principled",
+                metallic,
+                alpha,
+                index,
+                p.clearcoat(),
+                clearAlpha);
+    }
+
+    /** The index of refraction at least 1 whose reflectance ((n − 1)/(n + 1))² at normal incidence is that of another, times a factor. */
+    static double index(double of, double factor) {
+        double root = Math.sqrt(factor) * ((of - 1) / (of + 1));
+        return factor == 1 ? of : (1 + root) / (1 - root);
+    }
+
+    private static Bsdf border(double roughness, boolean losesNothing) {
+        double alpha = roughness * roughness;
+        return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha, losesNothing);
+    }
+}

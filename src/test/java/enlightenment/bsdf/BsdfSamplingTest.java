@@ -39,6 +39,12 @@ class BsdfSamplingTest {
         }
         all.add(new Case("smooth coat", new SmoothCoating(1.5, false), 1, 1));
         all.add(new Case("smooth coat, nonlinear", new SmoothCoating(2.4, true), 1, 1));
+        all.add(new Case("principled", new PrincipledReflection(0.5, 0.36, 1.5, 0, 0, 1.5), 0.36, 1));
+        all.add(new Case("coated principled", new PrincipledReflection(0.25, 1, 1.8, 0.7, 0.25, 1.5), 0.25, 1));
+        all.add(new Case("varnished principled", new PrincipledReflection(0.5, 0.5, 1.5, 1, 0, 1.5), 0.5, 1));
+        all.add(new Case("smooth principled", new PrincipledReflection(0.5, 0, 1.5, 0.5, 0, 1.5), 1, 1));
+        all.add(new Case("mirror under haze", new PrincipledReflection(1, 0, 1.5, 0.8, 0.36, 1.5), 0.36, 1));
+        all.add(new Case("metal under haze", new PrincipledReflection(1, 0.36, 1.5, 1, 0.5, 1.5), 0.36, 1));
         for (double alpha : new double[] {0.01, 0.1, 0.36, 1}) {
             all.add(new Case("rough coat " + alpha, new RoughCoating(alpha, 1.5, alpha < 0.1), alpha, 1));
             all.add(new Case("glossy " + alpha, new GlossyReflection(alpha, Fresnel.SCHLICK, false), alpha, 1));
@@ -220,6 +226,10 @@ class BsdfSamplingTest {
         all.add(new Case("densest coat", new SmoothCoating(10, true), 1, 1));
         all.add(new Case("least rough coat", new RoughCoating(1e-4, 1 + 1e-9, false), 1e-4, 1));
         all.add(new Case("densest rough coat", new RoughCoating(1, 10, true), 1, 1));
+        all.add(new Case("least principled", new PrincipledReflection(0.5, 1e-4, 10, 1, 1e-4, 10), 1e-4, 1));
+        all.add(new Case("bare principled", new PrincipledReflection(0, 1, 1, 0, 1, 1.5), 1, 1));
+        all.add(new Case("hardly coated", new PrincipledReflection(1, 1, 1, 1e-300, 0, 1.5), 1, 1));
+        all.add(new Case("densest principled", new PrincipledReflection(1e-300, 0, 10, 1, 1, 10), 1, 1));
         all.add(new Case("least glossy", new GlossyReflection(1e-4, Fresnel.SCHLICK, true), 1e-4, 1));
         all.add(new Case("least metal", new GlossyReflection(1e-4, GOLD, false), 1e-4, 1));
         all.add(new Case("least glass", new RoughDielectric(1e-4, true), 1e-4, 1.5));
@@ -293,7 +303,7 @@ class BsdfSamplingTest {
         if (c.bsdf instanceof RoughDiffuse) {
             return 3.6;
         }
-        if (c.bsdf instanceof RoughCoating) {
+        if (c.bsdf instanceof RoughCoating || c.bsdf instanceof PrincipledReflection) {
             // One over the least share of the coat's own reflection, along the surface.
             return 10;
         }

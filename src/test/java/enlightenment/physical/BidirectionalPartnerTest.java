@@ -39,6 +39,8 @@ class BidirectionalPartnerTest {
                 "checkered metal, mirror and glass",
                 "coated",
                 "coated, mirror and glass",
+                "checkered roughness",
+                "principled",
                 "fog with a mirror and glass",
                 "glowing disk and triangle",
                 "glowing mirror and metal",

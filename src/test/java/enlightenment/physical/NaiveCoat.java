@@ -21,7 +21,7 @@ final class NaiveCoat extends NaiveReflector {
 
     NaiveCoat(double[] color, Material.Coated material) {
         index = material.indexOfRefraction();
-        double alpha = material.roughness() * material.roughness();
+        double alpha = NaiveAmount.squared(material.roughness());
         facets = alpha > 0 ? new NaiveFacets(alpha) : null;
         for (int k = 0; facets != null && k <= NODES; k++) {
             double root = Math.max(k, 0.02) / NODES;
@@ -52,7 +52,8 @@ final class NaiveCoat extends NaiveReflector {
         return NaiveFresnel.dielectric(cosine, 1, index);
     }
 
-    private double through(double mu) {
+    /** The share of light that enters the coat. */
+    double through(double mu) {
         if (facets == null) {
             return 1 - fresnel(mu);
         }
@@ -81,12 +82,16 @@ final class NaiveCoat extends NaiveReflector {
         if (facets == null) {
             return base;
         }
+        return lobe(out, in) + through(out.z()) * base;
+    }
+
+    /** What a rough coat itself reflects. */
+    double lobe(Vec3 out, Vec3 in) {
         Vec3 m = out.plus(in).normalized();
-        double coat = fresnel(Math.min(1, out.dot(m)))
+        return fresnel(Math.min(1, out.dot(m)))
                 * facets.distribution(m)
                 * facets.visible(out, in)
                 / (4 * out.z() * in.z());
-        return coat + through(out.z()) * base;
     }
 
     @Override

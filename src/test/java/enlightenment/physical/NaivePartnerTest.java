@@ -42,6 +42,8 @@ class NaivePartnerTest {
                 "checkered metal, mirror and glass",
                 "coated",
                 "coated, mirror and glass",
+                "checkered roughness",
+                "principled",
                 "glowing disk and triangle",
                 "glowing tubes",
                 "fog with a mirror and glass",

@@ -117,7 +117,7 @@ abstract class NaiveReflector {
         Facets(double[] color, Material.Glossy material) {
             this.color = color;
             this.material = material;
-            this.facets = new NaiveFacets(material.roughness() * material.roughness());
+            this.facets = new NaiveFacets(NaiveAmount.squared(material.roughness()));
             for (int band = 0; material.multipleScattering() && band < 3; band++) {
                 double f = meanFresnel(band);
                 double e = facets.meanAlbedo();

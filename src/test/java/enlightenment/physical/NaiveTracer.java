@@ -1,6 +1,7 @@
 package enlightenment.physical;
 
 import enlightenment.material.Material;
+import enlightenment.material.Principled;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -251,6 +252,14 @@ final class NaiveTracer {
                 return mirrored(hit, n, d, scattered, events, path);
             }
         }
+        if (reflector instanceof NaivePrincipled principled && principled.hasMirror()) {
+            Vec3 n = shadingNormal(hit, d);
+            double cosine = Math.min(1, -d.dot(n));
+            double[] seen = path.random.nextBoolean()
+                    ? NaiveColors.product(principled.mirrored(cosine), mirrored(hit, n, d, scattered, events, path))
+                    : reflected(reflector, hit, d, scattered + 1, events, path);
+            return scaled(seen, 2);
+        }
         return reflected(reflector, hit, d, scattered + 1, events, path);
     }
 
@@ -261,13 +270,22 @@ final class NaiveTracer {
     private NaiveReflector reflector(Material material, NaiveScene.Hit hit) {
         if (material instanceof Material.Glossy g) {
             double[] color = color(hit);
-            List<Object> key = List.of(g, color[0], color[1], color[2]);
-            return metals.computeIfAbsent(key, any -> new NaiveReflector.Facets(color, g));
+            Material.Glossy here = g.withRoughness(NaiveAmount.at(g.roughness(), hit));
+            List<Object> key = List.of(here, color[0], color[1], color[2]);
+            return metals.computeIfAbsent(key, any -> new NaiveReflector.Facets(color, here));
         }
         if (material instanceof Material.Coated c) {
             double[] color = color(hit);
-            List<Object> key = List.of(c, color[0], color[1], color[2]);
-            return metals.computeIfAbsent(key, any -> new NaiveCoat(color, c));
+            Material.Coated here = c.withRoughness(NaiveAmount.at(c.roughness(), hit));
+            List<Object> key = List.of(here, color[0], color[1], color[2]);
+            return metals.computeIfAbsent(key, any -> new NaiveCoat(color, here));
+        }
+        if (material instanceof Principled p) {
+            double[] color = color(hit);
+            Principled here =
+                    p.withRoughness(NaiveAmount.at(p.roughness(), hit)).withMetallic(NaiveAmount.at(p.metallic(), hit));
+            List<Object> key = List.of(here, color[0], color[1], color[2]);
+            return metals.computeIfAbsent(key, any -> new NaivePrincipled(color, here));
         }
         double roughness = ((Material.Matte) material).roughness();
         return roughness > 0 ? new NaiveReflector.Rough(color(hit), roughness) : new NaiveReflector.Lambert(color(hit));

@@ -21,8 +21,10 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Amount;
 import enlightenment.material.Conductor;
 import enlightenment.material.Material;
+import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
@@ -183,6 +185,37 @@ final class PartnerScenes {
                 room().light(CEILING)
                         .object(BALL, new Material.Coated(linear(0.9, 0.5, 0.1), 0, 1.9, true, Rgb.BLACK, 0))
                         .object(BLOCK, Material.Coated.of(linear(0.2, 0.9, 0.6), 0.5)));
+        scenes.put(
+                "principled",
+                room().light(CEILING)
+                        .object(
+                                BALL,
+                                new Principled(
+                                        linear(0.9, 0.5, 0.1),
+                                        Amount.of(0.5),
+                                        Amount.of(0.6),
+                                        2,
+                                        0.5,
+                                        0.8,
+                                        0.5,
+                                        Rgb.BLACK,
+                                        0))
+                        .object(
+                                BLOCK,
+                                Principled.of(linear(0.2, 0.9, 0.6), 0.3, 0).withClearcoat(0.5, 0)));
+        Texture shares = new Texture.Checker(List.of(Rgb.gray(0.375), new Rgb(1, 0.75, 0.5)), 3);
+        scenes.put(
+                "checkered roughness",
+                room().light(LAMP)
+                        .object(
+                                BALL,
+                                Principled.of(linear(0.9, 0.6, 0.3), 0, 0)
+                                        .withRoughness(new Amount.Textured(shares, Amount.Channel.RED, 0.75))
+                                        .withMetallic(Amount.of(shares)))
+                        .object(
+                                BLOCK,
+                                Material.Glossy.of(linear(0.9, 0.9, 0.9), 0)
+                                        .withRoughness(new Amount.Textured(shares, Amount.Channel.GREEN, 1))));
         scenes.put(
                 "coated, mirror and glass",
                 room().light(LAMP)

@@ -22,6 +22,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
+import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
@@ -105,6 +106,7 @@ public final class Descriptions {
                     Material.Mirror.of(RED),
                     Material.Glossy.of(RED, 0.5),
                     Material.Coated.of(RED, 0.5),
+                    Principled.of(RED, 0.25, 0.5),
                     Material.Glass.of(RED, 1.5),
                     Material.Scattering.of(Medium.Colored.of(Rgb.gray(0.5), Rgb.gray(0.25))),
                     new Material.Fluorescent(RED, new WavelengthBand(300, 400), new WavelengthBand(500, 600), 0.5),

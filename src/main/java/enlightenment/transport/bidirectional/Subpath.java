@@ -177,13 +177,13 @@ abstract class Subpath extends CarriedLight {
         isBorder = false;
         survival = survival(most);
         Bsdf made = bsdf instanceof SmoothShading smooth ? smooth.inner() : bsdf;
-        if (!(made instanceof GlossyReflection) && (made.hasDelta() || made.reflectsIfBlack())) {
-            // A coat reflects what its base does not.
-            survival = survival(0.5 + 0.5 * most);
-        } else if (made instanceof GlossyReflection metal) {
+        if (made instanceof GlossyReflection metal) {
             // Along the surface it reflects more.
             metal.reflectAtNormal(s);
             survival = survival(0.5 + 0.5 * Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
+        } else if (made.hasDelta() || made.reflectsIfBlack()) {
+            // A coat reflects what its base does not.
+            survival = survival(0.5 + 0.5 * most);
         }
         if (material.isBlack) {
             survival = 0;

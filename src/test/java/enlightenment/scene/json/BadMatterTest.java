@@ -94,7 +94,7 @@ class BadMatterTest {
                 "'mask', 'of': 'later', 'map': 1}, 'later': {'type': 'matte', 'color': '#fff' | /of | 'later' before this one",
                 "'mask', 'of': {'type': 'glass', 'color': '#fff', 'indexOfRefraction': 1.5}, 'map': 1 | /of | an opaque material",
                 "'mask', 'of': {'type': 'matte', 'color': '#fff', 'radiance': 1}, 'map': 1 | /of | does not glow",
-                "'mask', 'of': {'type': 'matte', 'color': '#fff'}, 'map': -0.5 | /map | must lie in 0..1, not -0.5",
+                "'mask', 'of': {'type': 'matte', 'color': '#fff'}, 'map': -0.5 | /map | must lie in 0.0..1.0, not -0.5",
                 "'mask', 'of': {'type': 'matte', 'color': '#fff'}, 'map': 1, 'receivesShadows': true | /receivesShadows | classic",
                 "'bump', 'of': {'type': 'matte', 'color': '#fff'}, 'map': {'texture': 'no'}, 'height': 1 | /map/texture | names no",
             })

@@ -22,6 +22,7 @@ import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Conductor;
 import enlightenment.material.Mask;
@@ -30,6 +31,7 @@ import enlightenment.material.Medium;
 import enlightenment.material.Metal;
 import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
+import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
@@ -474,13 +476,14 @@ final class RandomScenes {
                 ? Texture.of(surfaceColor())
                 : named.get(random.nextInt(named.size()));
         boolean shadows = isPhysical || random.nextBoolean();
-        switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 8 : 7)) {
+        switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 9 : 8)) {
             case 0:
                 return new Material.Matte(color, shadows, random.nextBoolean() ? 0 : unit(), radiance(), ultraviolet());
             case 1:
                 return new Material.Mirror(color, shadows, radiance(), ultraviolet());
             case 3:
-                return new Material.Glossy(color, unit(), conductor(), random.nextBoolean(), radiance(), ultraviolet());
+                return new Material.Glossy(
+                        color, amount(), conductor(), random.nextBoolean(), radiance(), ultraviolet());
             case 4:
                 return new Material.Scattering(
                         retry(this::medium),
@@ -490,7 +493,7 @@ final class RandomScenes {
             case 5:
                 return new Material.Coated(
                         color,
-                        random.nextBoolean() ? 0 : unit(),
+                        random.nextBoolean() ? Amount.of(0) : amount(),
                         random.nextBoolean() ? Material.Coated.USUAL_INDEX : 1 + 9 * unit(),
                         random.nextBoolean(),
                         radiance(),
@@ -498,6 +501,17 @@ final class RandomScenes {
             case 6:
                 return detailed();
             case 7:
+                return new Principled(
+                        color,
+                        random.nextBoolean() ? Amount.of(0) : amount(),
+                        random.nextBoolean() ? Amount.of(Principled.USUAL_ROUGHNESS) : amount(),
+                        random.nextBoolean() ? Material.Coated.USUAL_INDEX : 1 + 9 * unit(),
+                        random.nextBoolean() ? 1 : unit(),
+                        random.nextBoolean() ? 0 : unit(),
+                        random.nextBoolean() ? 0 : unit(),
+                        radiance(),
+                        ultraviolet());
+            case 8:
                 return retry(() -> new Material.Fluorescent(
                         color, wavelengths(), wavelengths(), unit(), radiance(), ultraviolet()));
             default:
@@ -519,9 +533,9 @@ final class RandomScenes {
         Material of = part();
         switch (random.nextInt(4)) {
             case 0:
-                return new Mix(of, part(), share());
+                return new Mix(of, part(), amount());
             case 1:
-                return new Mask(of, share());
+                return new Mask(of, amount());
             case 2:
                 Texture.File file = file();
                 Texture normals = new Texture.File(file.file(), file.filter(), Texture.Encoding.LINEAR);
@@ -543,8 +557,13 @@ final class RandomScenes {
         }
     }
 
-    private Texture share() {
-        return random.nextBoolean() ? Texture.of(Rgb.gray(unit())) : withName(texture());
+    private Amount amount() {
+        if (random.nextBoolean()) {
+            return Amount.of(unit());
+        }
+        Amount.Channel[] channels = Amount.Channel.values();
+        return retry(() -> new Amount.Textured(
+                withName(texture()), channels[random.nextInt(channels.length)], random.nextBoolean() ? 1 : unit()));
     }
 
     /** A texture that the scene has a name for. */

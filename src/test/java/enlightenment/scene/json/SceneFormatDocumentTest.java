@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Tone;
+import enlightenment.material.Amount;
 import enlightenment.material.Texture;
 import enlightenment.mesh.MeshOrigin;
 import enlightenment.scene.BuiltInMethod;
@@ -226,12 +227,13 @@ class SceneFormatDocumentTest {
                         Fields.words(Texture.Filter.class),
                         Fields.words(MeshOrigin.Normals.class),
                         Fields.words(Tone.class),
+                        Fields.words(Amount.Channel.class),
                         Fields.words(Texture.Encoding.class))
                 .flatMap(List::stream)
                 .forEach(w -> assertTrue(document.contains("`\"" + w + "\"`"), w));
         Stream.concat(
                         Vocabulary.families().stream().flatMap(SceneFormatDocumentTest::refused),
-                        Stream.concat(PartKeys.LINEAR_COLOR.all().stream(), PartKeys.TEXTURE_REFERENCE.all().stream()))
+                        Stream.concat(PartKeys.LINEAR_COLOR.all().stream(), PartKeys.AMOUNT_REFERENCE.all().stream()))
                 .forEach(w -> assertTrue(document.contains("`" + w + "`") || document.contains("\"" + w + "\": "), w));
     }
 }

@@ -25,6 +25,7 @@ import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Conductor;
 import enlightenment.material.Mask;
@@ -32,6 +33,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
+import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
@@ -100,6 +102,16 @@ class SceneReaderTest {
                 Rgb.gray(1.5),
                 0.25);
         Material varnish = new Material.Coated(plain(128, 64, 32), 0.6875, 1.75, true, Rgb.gray(0.375), 0.125);
+        Material enamel = new Principled(
+                plain(16, 32, 48),
+                new Amount.Textured(ice, Amount.Channel.BLUE, 1),
+                new Amount.Textured(checks, Amount.Channel.MEAN, 0.75),
+                1.625,
+                0.5,
+                0.25,
+                0.125,
+                Rgb.gray(0.0625),
+                3);
         Material wax = new Material.Scattering(
                 new Medium.Colored(DisplayRgb.ofBytes(0xf0, 0xe0, 0xc0), new Rgb(0.3, 0.2, 0.1), 0.375),
                 1.44,
@@ -121,7 +133,8 @@ class SceneReaderTest {
         Map<String, Material> materials = new HashMap<>(Map.of(
                 "ice", matte, "chrome", chrome, "glass", glass, "ember", ember, "copper", copper, "varnish", varnish,
                 "wax", wax, "milk", milk, "marker", marker));
-        materials.putAll(Map.of("leaf", leaf, "rust", rust, "grooves", grooves, "hammered", hammered));
+        materials.putAll(
+                Map.of("enamel", enamel, "leaf", leaf, "rust", rust, "grooves", grooves, "hammered", hammered));
         assertEquals(materials, s.materials());
         assertEquals(new Display(-0.5, Tone.FILMIC), s.display());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());

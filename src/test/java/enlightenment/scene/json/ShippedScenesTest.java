@@ -13,6 +13,7 @@ import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
+import enlightenment.material.Amount;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -232,7 +233,7 @@ class ShippedScenesTest {
                 Set.of(0.1, 0.3, 0.5, 0.8),
                 read("metals.json").materials().values().stream()
                         .filter(m -> m instanceof Material.Glossy)
-                        .map(m -> ((Material.Glossy) m).roughness())
+                        .map(m -> ((Amount.Constant) ((Material.Glossy) m).roughness()).value())
                         .collect(Collectors.toSet()));
         List<Material.Glass> glass = read("glass-physical.json").materials().values().stream()
                 .filter(m -> m instanceof Material.Glass)

@@ -1,0 +1,87 @@
+package enlightenment.physical;
+
+import enlightenment.color.Rgb;
+import enlightenment.material.Amount;
+import enlightenment.material.Material;
+import enlightenment.material.Principled;
+import enlightenment.math.Vec3;
+import java.util.SplittableRandom;
+
+/** Metal and a coated base side by side, under a clear coat: the sum of the reflectors that they are alone. */
+final class NaivePrincipled extends NaiveReflector {
+    private static final int STEPS = 2_000;
+
+    private final double[] color;
+    private final double metallic;
+    private final double clearShare;
+    private final NaiveCoat clear;
+    private final NaiveCoat coat;
+
+    /** Null where it is smooth. */
+    private final NaiveReflector metal;
+
+    private final double mean;
+
+    NaivePrincipled(double[] color, Principled p) {
+        this.color = color;
+        metallic = ((Amount.Constant) p.metallic()).value();
+        double root = (p.indexOfRefraction() - 1) / (p.indexOfRefraction() + 1) * Math.sqrt(p.specular());
+        double index = (1 + root) / (1 - root);
+        coat = new NaiveCoat(color, new Material.Coated(p.color(), p.roughness(), index, false, Rgb.BLACK, 0));
+        clear = new NaiveCoat(color, Material.Coated.of(p.color(), p.clearcoatRoughness()));
+        clearShare = p.clearcoat();
+        metal = coat.isSmooth()
+                ? null
+                : new Facets(color, Material.Glossy.of(p.color(), 1).withRoughness(p.roughness()));
+        double sum = 0;
+        for (int i = 0; i < STEPS; i++) {
+            double mu = (i + 0.5) / STEPS;
+            sum += 2 * mu * passing(mu) * coat.through(mu) / STEPS;
+        }
+        mean = sum;
+    }
+
+    /** What the clear coat lets pass. */
+    private double passing(double mu) {
+        return 1 - clearShare * (1 - clear.through(mu));
+    }
+
+    /** Whether something of it is smooth. */
+    boolean hasMirror() {
+        return metal == null || clearShare > 0 && clear.isSmooth();
+    }
+
+    /** What is seen of the mirror image. */
+    double[] mirrored(double cosine) {
+        double[] share = new double[3];
+        for (int band = 0; band < 3; band++) {
+            double below = (1 - metallic) * coat.fresnel(cosine) + metallic * NaiveFresnel.schlick(cosine, color[band]);
+            share[band] = (clear.isSmooth() ? clearShare * clear.fresnel(cosine) : 0)
+                    + (metal == null ? passing(cosine) * below : 0);
+        }
+        return share;
+    }
+
+    @Override
+    double value(int band, Vec3 out, Vec3 in) {
+        double sum = clear.isSmooth() ? 0 : clearShare * clear.lobe(out, in);
+        double a = passing(out.z());
+        double b = passing(in.z());
+        if (metal != null) {
+            double below = (1 - metallic) * coat.lobe(out, in) + metallic * metal.value(band, out, in);
+            sum += Math.min(a, b) * below;
+        }
+        double base = a * b * coat.through(out.z()) * coat.through(in.z()) / (Math.PI * mean);
+        return sum + (1 - metallic) * color[band] * base;
+    }
+
+    @Override
+    Vec3 sample(Vec3 out, SplittableRandom random) {
+        return (metal == null ? clear : metal).sample(out, random);
+    }
+
+    @Override
+    double density(Vec3 out, Vec3 in) {
+        return (metal == null ? clear : metal).density(out, in);
+    }
+}

@@ -12,7 +12,7 @@ import java.util.Arrays;
  * @param count how many there are, at least 1
  */
 public record RoughnessLevels(double low, double step, int count) {
-    /** The steps between 0 and 1: α differs by less than a tenth between neighbours from a roughness of 0.32 on. */
+    /** The steps between 0 and 1: α differs by less than a tenth between neighbours from a roughness of a third on. */
     private static final int STEPS = 63;
 
     /** Those that the numbers of a texture lie between. */

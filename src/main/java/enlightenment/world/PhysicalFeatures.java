@@ -1,6 +1,7 @@
 package enlightenment.world;
 
 import enlightenment.bsdf.Lambert;
+import enlightenment.world.material.FaceMaterials;
 import enlightenment.world.material.SurfaceMaterial;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -15,10 +16,11 @@ final class PhysicalFeatures {
     /**
      * Looks at a scene.
      *
-     * @param surfaces its materials, those of its lights included
+     * @param materials those of its objects and lights
      * @param mirrors images of lights that can be aimed at, or null
      */
-    PhysicalFeatures(PhysicalScene scene, Collection<SurfaceMaterial> surfaces, MirrorBalls mirrors) {
+    PhysicalFeatures(PhysicalScene scene, FaceMaterials materials, MirrorBalls mirrors) {
+        Collection<SurfaceMaterial> surfaces = materials.distinct();
         int lights = scene.lights.length;
         boolean hasBackground = scene.backgroundR > 0 || scene.backgroundG > 0 || scene.backgroundB > 0;
         add(lights > 0, "direct light of " + lights + (lights == 1 ? " light" : " lights"), "direct light");
@@ -40,7 +42,7 @@ final class PhysicalFeatures {
         add(any(surfaces, m -> !m.isDelta && !m.isBlack && m.bsdf != Lambert.INSTANCE), "rough lobes", "rough lobes");
         add(scene.hasUltraviolet, "ultraviolet light", "ultraviolet light");
         add(scene.hasAbsorption, "absorption in media", "absorption in media");
-        add(any(surfaces, SurfaceMaterial::hasImage), "image textures", "image textures");
+        add(materials.readImages(), "image textures", "image textures");
     }
 
     private void addCaustics(boolean hasPass, MirrorBalls mirrors) {

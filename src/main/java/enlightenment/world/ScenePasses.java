@@ -188,8 +188,7 @@ final class ScenePasses {
     /** Which features are modelled, and which are not because nothing requires them. */
     private void describe(CompiledMaterials materials) {
         SceneFeatures some = new SceneFeatures(scene, !isLoop, materials.bySource.values());
-        PhysicalFeatures more =
-                isPhysical ? new PhysicalFeatures(physical, compiled.materials().distinct(), mirrorBalls) : null;
+        PhysicalFeatures more = isPhysical ? new PhysicalFeatures(physical, compiled.materials(), mirrorBalls) : null;
         features = more == null ? some.present() : joined(more.present, some.present());
         absent = more == null ? some.absent() : joined(more.absent, some.absent());
     }

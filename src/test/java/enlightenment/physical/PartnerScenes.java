@@ -213,7 +213,7 @@ final class PartnerScenes {
                                         .withRoughness(new Amount.Textured(shares, Amount.Channel.RED, 0.75))
                                         .withMetallic(Amount.of(shares)))
                         .object(
-                                BLOCK,
+                                TestScenes.rectangle(0.2, 0.1, -0.3, 0.2, 1, -0.1, 0.9, 1, 0.2, 0.9, 0.1, 0),
                                 Material.Glossy.of(linear(0.9, 0.9, 0.9), 0)
                                         .withRoughness(new Amount.Textured(shares, Amount.Channel.GREEN, 1))));
         scenes.put(

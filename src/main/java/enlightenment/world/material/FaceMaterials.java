@@ -44,6 +44,11 @@ public final class FaceMaterials {
         return Arrays.stream(materials).anyMatch(SurfaceMaterial::hasMask);
     }
 
+    /** Whether some surface depends on an image. */
+    public boolean readImages() {
+        return Arrays.stream(materials).anyMatch(SurfaceMaterial::readsImages);
+    }
+
     /** Whether some surface is of such a material. */
     public boolean any(Predicate<SurfaceMaterial> such) {
         return Arrays.stream(materials).anyMatch(m -> m.any(such));

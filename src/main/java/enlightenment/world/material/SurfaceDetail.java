@@ -99,6 +99,11 @@ public final class SurfaceDetail {
         return ofOne(Kind.BUMP, of, AmountLookup.mean(map), height);
     }
 
+    /** Whether it reads an image. */
+    boolean hasImage() {
+        return map.hasImage();
+    }
+
     /** The materials that it may come to. */
     public SurfaceMaterial[] parts() {
         return parts.clone();

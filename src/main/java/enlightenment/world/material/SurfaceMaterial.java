@@ -178,6 +178,11 @@ public final class SurfaceMaterial {
         return anyDetail(SurfaceDetail::isMask);
     }
 
+    /** Whether its colour or its detail comes from an image, or that of what it may be made of. */
+    boolean readsImages() {
+        return any(SurfaceMaterial::hasImage) || anyDetail(SurfaceDetail::hasImage);
+    }
+
     /** Whether it turns normals by a texture. */
     public boolean turnsNormals() {
         return anyDetail(SurfaceDetail::turnsNormal);

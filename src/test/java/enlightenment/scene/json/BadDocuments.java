@@ -415,7 +415,11 @@ final class BadDocuments {
                     "\"metal\": \"Gold\",",
                     "/materials/copper/metal",
                     "did you mean \"gold\"?"),
-            edit("\"metallic\": {", "\"metallic\": 2, \"was\": {", "/materials/enamel/metallic", "0.0..1.0, not 2.0"),
+            edit(
+                    "\"metallic\": {\"texture\": \"ice\", \"channel\": \"blue\"}",
+                    "\"metallic\": 2",
+                    "/materials/enamel/metallic",
+                    "0.0..1.0, not 2.0"),
             edit("\"channel\": \"blue\"", "\"channel\": \"b\"", "/materials/enamel/metallic/channel", "\"blue\""),
             edit("\"factor\": 0.75", "\"factor\": 7", "/materials/enamel/roughness/factor", "0.0..1.0, not 7.0"),
             edit("\"clearcoat\": 0.25", "\"clearcoat\": -1", "/materials/enamel/clearcoat", "0.0..1.0, not -1.0"),

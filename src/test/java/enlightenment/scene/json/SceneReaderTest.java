@@ -103,7 +103,7 @@ class SceneReaderTest {
                 0.25);
         Material varnish = new Material.Coated(plain(128, 64, 32), 0.6875, 1.75, true, Rgb.gray(0.375), 0.125);
         Material enamel = new Principled(
-                plain(16, 32, 48),
+                plain(17, 33, 49),
                 new Amount.Textured(ice, Amount.Channel.BLUE, 1),
                 new Amount.Textured(checks, Amount.Channel.MEAN, 0.75),
                 1.625,

@@ -220,7 +220,7 @@ public sealed interface Material
             this(color, roughness, conductor, multipleScattering, radiance, 0);
         }
 
-        /** The same surface with another roughness. */
+        /** This surface with another roughness. */
         public Glossy withRoughness(Amount value) {
             return new Glossy(color, value, conductor, multipleScattering, radiance, ultraviolet);
         }
@@ -296,7 +296,7 @@ public sealed interface Material
             this(color, Detail.amount("roughness", roughness), indexOfRefraction, nonlinear, radiance, ultraviolet);
         }
 
-        /** The same surface whose coat has another roughness. */
+        /** This surface, whose coat has another roughness. */
         public Coated withRoughness(Amount value) {
             return new Coated(color, value, indexOfRefraction, nonlinear, radiance, ultraviolet);
         }

@@ -65,7 +65,7 @@ public record Principled(
                 0);
     }
 
-    /** The same surface with another share of metal. */
+    /** This surface with another share of metal. */
     public Principled withMetallic(Amount value) {
         return new Principled(
                 color,
@@ -79,7 +79,7 @@ public record Principled(
                 ultraviolet);
     }
 
-    /** The same surface with another roughness. */
+    /** This surface with another roughness. */
     public Principled withRoughness(Amount value) {
         return new Principled(
                 color,
@@ -93,7 +93,7 @@ public record Principled(
                 ultraviolet);
     }
 
-    /** The same surface under another clear coat. */
+    /** This surface under another clear coat. */
     public Principled withClearcoat(double share, double roughnessOfIt) {
         return new Principled(
                 color, metallic, roughness, indexOfRefraction, specular, share, roughnessOfIt, radiance, ultraviolet);

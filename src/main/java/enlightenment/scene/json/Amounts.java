@@ -29,7 +29,7 @@ final class Amounts {
         return Amount.of(value);
     }
 
-    /** The same, which may be missing; null after a problem. */
+    /** An amount that may be missing; null after a problem. */
     static Amount read(Fields f, String key, double unlessGiven) {
         return f.has(key) ? read(f, key) : Amount.of(unlessGiven);
     }
@@ -43,28 +43,5 @@ final class Amounts {
         Amount.Channel channel = reference.word("channel", Amount.Channel.MEAN);
         double factor = reference.number("factor", 1);
         return texture == null ? null : reference.make(() -> new Amount.Textured(texture, channel, factor));
-    }
-
-    static void write(Amount amount, String key, JsonObjectBuilder p) {
-        if (amount instanceof Amount.Textured t) {
-            p.put(
-                    key,
-                    p.child(key)
-                            .textureName("texture", t.texture())
-                            .wordUnless(Amount.Channel.MEAN, "channel", t.channel())
-                            .numberUnless(1, "factor", t.factor())
-                            .json());
-        } else {
-            p.number(key, ((Amount.Constant) amount).value());
-        }
-    }
-
-    /** The same of an amount that may be missing. */
-    static void writeUnless(double usual, Amount amount, String key, JsonObjectBuilder p) {
-        if (amount instanceof Amount.Constant c) {
-            p.numberUnless(usual, key, c.value());
-        } else {
-            write(amount, key, p);
-        }
     }
 }

@@ -124,13 +124,18 @@ final class JsonObjectBuilder {
 
     /** A number, or the texture that it comes from. */
     JsonObjectBuilder amount(String key, Amount amount) {
-        Amounts.write(amount, key, this);
-        return this;
+        if (!(amount instanceof Amount.Textured t)) {
+            return number(key, ((Amount.Constant) amount).value());
+        }
+        JsonObjectBuilder reference = child(key)
+                .textureName("texture", t.texture())
+                .wordUnless(Amount.Channel.MEAN, "channel", t.channel())
+                .numberUnless(1, "factor", t.factor());
+        return put(key, reference.json());
     }
 
     JsonObjectBuilder amountUnless(double usual, String key, Amount amount) {
-        Amounts.writeUnless(usual, amount, key, this);
-        return this;
+        return amount instanceof Amount.Constant c ? numberUnless(usual, key, c.value()) : amount(key, amount);
     }
 
     JsonObjectBuilder imageFile(String key, Path file) {

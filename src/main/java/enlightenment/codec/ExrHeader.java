@@ -15,17 +15,7 @@ final class ExrHeader {
     private static final int ALL = 3;
 
     /** A channel, with the place of its samples in the bytes of a row. */
-    private record Channel(String name, Type type, int sampling, long offset) {}
-
-    private enum Type {
-        UINT,
-        HALF,
-        FLOAT;
-
-        int bytes() {
-            return this == HALF ? 2 : 4;
-        }
-    }
+    private record Channel(String name, ExrType type, int sampling, long offset) {}
 
     private final ByteBuffer file;
     private final int end;
@@ -111,13 +101,13 @@ final class ExrHeader {
             number();
             int x = number();
             int y = number();
-            if (type < 0 || type >= Type.values().length || x < 1 || y < 1) {
+            if (type < 0 || type >= ExrType.values().length || x < 1 || y < 1) {
                 throw new IOException("channel " + ExrReader.quoted(name) + " is of an unknown type");
             }
             if (x != 1 || y != 1) {
                 throw new IOException("channel " + ExrReader.quoted(name) + " has not a sample for each pixel");
             }
-            channels.add(new Channel(name, Type.values()[type], x, 0));
+            channels.add(new Channel(name, ExrType.values()[type], x, 0));
             if (channels.size() > MOST_CHANNELS) {
                 throw new IOException("it has more than " + MOST_CHANNELS + " channels");
             }
@@ -136,7 +126,7 @@ final class ExrHeader {
             } else if (c.name.equals("Y")) {
                 grey = placed;
             }
-            bytesPerRow += (long) c.type.bytes() * width;
+            bytesPerRow += (long) c.type.bytes * width;
         }
         boolean isColoured = rgb[0] != null && rgb[1] != null && rgb[2] != null;
         if (!isColoured && grey == null) {
@@ -146,6 +136,11 @@ final class ExrHeader {
         for (int band = 0; band < ALL; band++) {
             taken[band] = isColoured ? rgb[band] : grey;
         }
+    }
+
+    /** The kinds of all channels, in the order of their numbers in a row. */
+    ExrType[] types() {
+        return channels.stream().map(Channel::type).toArray(ExrType[]::new);
     }
 
     private void need(int bytes) throws IOException {
@@ -183,25 +178,10 @@ final class ExrHeader {
             for (int x = 0; x < width; x++, to += ALL) {
                 rgb[to] = switch (c.type) {
                     case FLOAT -> data.getFloat(at + 4 * x);
-                    case HALF -> half(data.getShort(at + 2 * x));
+                    case HALF -> Half.toFloat(data.getShort(at + 2 * x));
                     case UINT -> data.getInt(at + 4 * x) & 0xffffffffL;
                 };
             }
         }
-    }
-
-    /** A half (IEEE 754, binary16) as a float: exact. */
-    static float half(short bits) {
-        int exponent = bits >> 10 & 31;
-        int mantissa = bits & 1023;
-        float size;
-        if (exponent == 31) {
-            size = mantissa == 0 ? Float.POSITIVE_INFINITY : Float.NaN;
-        } else {
-            size = exponent == 0
-                    ? Math.scalb((float) mantissa, -24)
-                    : Math.scalb((float) (1024 + mantissa), exponent - 25);
-        }
-        return bits < 0 ? -size : size;
     }
 }

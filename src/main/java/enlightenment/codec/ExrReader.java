@@ -71,18 +71,15 @@ final class ExrReader {
         int table = file.position();
         Raster raster = Raster.ofFloats(header.width, header.height);
         boolean[] isThere = new boolean[chunks];
-        ExrCompression.Unpacker unpacker = header.compression.unpacker();
-        try {
+        try (ExrUnpacker unpacker = header.compression.unpacker(header.types(), header.width)) {
             for (int i = 0; i < chunks; i++) {
                 readChunk(file.getLong(table + 8 * i), rows, isThere, unpacker, raster.floats());
             }
-        } finally {
-            unpacker.close();
         }
         return raster;
     }
 
-    private void readChunk(long offset, int rows, boolean[] isThere, ExrCompression.Unpacker unpacker, float[] rgb)
+    private void readChunk(long offset, int rows, boolean[] isThere, ExrUnpacker unpacker, float[] rgb)
             throws IOException {
         if (offset < 0 || offset > file.limit() - 8) {
             throw new IOException("a chunk is said to begin at byte " + offset + " of " + file.limit());

@@ -33,7 +33,7 @@ public enum ImageFormat {
     /** Radiance pictures (G. Ward): three mantissas of 8 bits with a common exponent. */
     HDR(List.of("hdr"), List.of(), false, RasterDecoder.HDR),
 
-    /** OpenEXR (Academy Software Foundation): one part of scan lines, uncompressed or RLE, ZIPS or ZIP. */
+    /** OpenEXR (Academy Software Foundation): one part of scan lines, uncompressed or RLE, ZIPS, ZIP, PIZ or PXR24. */
     EXR(List.of("exr"), List.of(), false, RasterDecoder.EXR);
 
     /** The number of bytes at the beginning of a file that {@link #ofContent} needs. */

@@ -34,6 +34,9 @@ public enum Auxiliary {
      */
     NORMAL,
 
+    /** Where that is: x, y, z in the scene's units and axes, as the nearest floats; 0, 0, 0 where there is nothing. */
+    POSITION,
+
     /**
      * Which object it is: its place in the scene's list of objects, counted from 0. Lights count on after the last object; −1
      * where there is nothing.
@@ -77,7 +80,20 @@ public enum Auxiliary {
 
     /** Whether it is told by one ray to each pixel rather than by the samples of the picture. */
     boolean needsRays() {
-        return this == DEPTH || this == NORMAL || this == OBJECT;
+        return this == DEPTH || this == NORMAL || this == POSITION || this == OBJECT;
+    }
+
+    /**
+     * What its numbers are called as channels of a layer of this {@linkplain #word name}, as in OpenEXR files: R, G, B of what is light or
+     * reflectance, X, Y, Z of points and directions, Z of the depth and Y of other single numbers.
+     */
+    public List<String> channels() {
+        return switch (this) {
+            case ERROR, SAMPLES, OBJECT -> List.of("Y");
+            case DEPTH -> List.of("Z");
+            case NORMAL, POSITION -> List.of("X", "Y", "Z");
+            case ALBEDO, DIRECT, INDIRECT -> List.of("R", "G", "B");
+        };
     }
 
     /** Whether it is light or reflectance, of physical shading. */

@@ -1,6 +1,7 @@
 package enlightenment.render;
 
 import enlightenment.image.Image;
+import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
@@ -21,12 +22,17 @@ final class AuxiliaryPass {
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final RenderSettings.Crop region;
+
+    /** The frame's origin in the scene. */
+    private final Vec3 origin;
+
     private final Map<Auxiliary, float[]> numbers = new EnumMap<>(Auxiliary.class);
 
     AuxiliaryPass(CompiledScene scene, RenderSettings settings, Set<Auxiliary> kinds) {
         this.scene = scene;
         this.settings = settings;
         region = settings.region();
+        origin = scene.frame.origin().toVec3();
         for (Auxiliary a : kinds) {
             if (a.needsRays()) {
                 float[] all = new float[3 * region.width() * region.height()];
@@ -84,10 +90,25 @@ final class AuxiliaryPass {
                 normal[k + 1] = (float) (hit.side * hit.ny);
                 normal[k + 2] = (float) (hit.side * hit.nz);
             }
+            float[] position = numbers.get(Auxiliary.POSITION);
+            if (position != null) {
+                position[k] = coordinate(origin.x(), hit.px);
+                position[k + 1] = coordinate(origin.y(), hit.py);
+                position[k + 2] = coordinate(origin.z(), hit.pz);
+            }
             float[] objects = numbers.get(Auxiliary.OBJECT);
             if (objects != null) {
                 Arrays.fill(objects, k, k + 3, object);
             }
+        }
+
+        /** A coordinate of the scene, from one of the frame. */
+        private float coordinate(double ofOrigin, double inFrame) {
+            return finite(ofOrigin + Scale.scalb(inFrame, scene.frame.exponent()));
+        }
+
+        private static float finite(double value) {
+            return (float) Math.max(Math.min(value, Float.MAX_VALUE), -Float.MAX_VALUE);
         }
 
         private float depth() {
@@ -95,7 +116,7 @@ final class AuxiliaryPass {
             double length = Math.sqrt(ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz);
             double depth = Scale.scalb(along / length, scene.frame.exponent());
             // Infinity is kept for what is not there.
-            return (float) Math.max(Math.min(depth, Float.MAX_VALUE), -Float.MAX_VALUE);
+            return finite(depth);
         }
     }
 }

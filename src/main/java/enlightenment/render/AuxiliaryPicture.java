@@ -35,6 +35,7 @@ public record AuxiliaryPicture(Image image, String explanation) {
             case SAMPLES -> samples(numbers);
             case DEPTH -> depth(numbers);
             case NORMAL -> normal(numbers);
+            case POSITION -> position(numbers);
             case OBJECT -> object(numbers);
             case ALBEDO -> albedo(numbers);
             case DIRECT ->
@@ -143,7 +144,7 @@ public record AuxiliaryPicture(Image image, String explanation) {
     private static AuxiliaryPicture normal(Image numbers) {
         float[] n = numbers.toArray();
         for (int i = 0; i < n.length; i += 3) {
-            boolean nothing = n[i] == 0 && n[i + 1] == 0 && n[i + 2] == 0;
+            boolean nothing = !isThere(n, i);
             for (int c = i; c < i + 3; c++) {
                 n[c] = nothing ? 0 : 0.5f + 0.5f * n[c];
             }
@@ -151,6 +152,36 @@ public record AuxiliaryPicture(Image image, String explanation) {
         return new AuxiliaryPicture(
                 new Image(numbers.width(), numbers.height(), n),
                 "normal on the viewer's side: 0.5 + 0.5 n, x y z as red green blue; black: nothing there");
+    }
+
+    /** Colours as places in the box of all that is seen. */
+    private static AuxiliaryPicture position(Image numbers) {
+        float[] p = numbers.toArray();
+        float[] low = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY};
+        float[] high = {Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
+        for (int i = 0; i < p.length; i++) {
+            if (isThere(p, i - i % 3)) {
+                low[i % 3] = Math.min(low[i % 3], p[i]);
+                high[i % 3] = Math.max(high[i % 3], p[i]);
+            }
+        }
+        float[] rgb = new float[p.length];
+        for (int i = 0; i < p.length; i++) {
+            double size = (double) high[i % 3] - low[i % 3];
+            rgb[i] = isThere(p, i - i % 3) && size > 0 ? (float) (((double) p[i] - low[i % 3]) / size) : 0;
+        }
+        String box = low[0] > high[0] ? "nothing is seen" : "from " + text(low) + " to " + text(high);
+        return new AuxiliaryPicture(
+                new Image(numbers.width(), numbers.height(), rgb),
+                "position, x y z as red green blue: " + box + " in the scene's units; black: nothing there");
+    }
+
+    private static boolean isThere(float[] xyz, int first) {
+        return xyz[first] != 0 || xyz[first + 1] != 0 || xyz[first + 2] != 0;
+    }
+
+    private static String text(float[] xyz) {
+        return "(" + xyz[0] + ", " + xyz[1] + ", " + xyz[2] + ")";
     }
 
     private static AuxiliaryPicture object(Image numbers) {

@@ -1,5 +1,6 @@
 package enlightenment.render;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -95,9 +96,18 @@ class AuxiliaryPictureTest {
     }
 
     @Test
+    void positionsAreShownAsPlacesInTheBoxOfAllThatIsSeen() {
+        Image numbers = new Image(3, 1, new float[] {-1, 5, 0, 3, 5, 8, 0, 0, 0});
+        AuxiliaryPicture picture = AuxiliaryPicture.of(Auxiliary.POSITION, numbers);
+        assertArrayEquals(
+                new float[] {0, 0, 0, 1, 0, 1, 0, 0, 0}, picture.image().toArray());
+        assertTrue(picture.explanation().contains("from (-1.0, 5.0, 0.0) to (3.0, 5.0, 8.0)"));
+    }
+
+    @Test
     void theWordsAreTheNamesInSmallLetters() {
         assertEquals(
-                List.of("error", "samples", "depth", "normal", "object", "albedo", "direct", "indirect"),
+                List.of("error", "samples", "depth", "normal", "position", "object", "albedo", "direct", "indirect"),
                 Auxiliary.words());
         assertEquals(Optional.of(Auxiliary.DEPTH), Auxiliary.of("depth"));
         assertEquals(Optional.empty(), Auxiliary.of("DEPTH"));

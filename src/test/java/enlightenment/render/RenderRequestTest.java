@@ -67,6 +67,9 @@ class RenderRequestTest {
         assertEquals(0, normal.component(20, 10, 0), 1e-15);
         assertEquals(0, normal.component(20, 10, 1), 1e-15);
         assertEquals(-1, normal.component(20, 10, 2));
+        Image position = result.auxiliary().get(Auxiliary.POSITION);
+        assertArrayEquals(new float[] {10, 20, 34}, pixel(position, 20, 10), 1e-6f);
+        assertArrayEquals(new float[3], pixel(position, 0, 0));
         Image object = result.auxiliary().get(Auxiliary.OBJECT);
         assertEquals(1, object.component(20, 10, 0));
         // In the corner there is nothing.
@@ -79,6 +82,34 @@ class RenderRequestTest {
         assertEquals(2, object.component(column, 10, 0));
         float depth = result.auxiliary().get(Auxiliary.DEPTH).component(column, 10, 0);
         assertEquals(Math.sqrt(109) - 0.5, depth, 0.1);
+    }
+
+    private static float[] pixel(Image image, int x, int y) {
+        return new float[] {image.component(x, y, 0), image.component(x, y, 1), image.component(x, y, 2)};
+    }
+
+    /** The position is where the depth is, on the ray from the eye: for a sphere, on the sphere. */
+    @Test
+    void positionsLieOnWhatIsSeen() {
+        RenderResult result = Renderer.render(RenderRequest.of(ballAndLight(), RenderSettings.of(ballAndLight()))
+                .withAuxiliary(Auxiliary.POSITION, Auxiliary.DEPTH, Auxiliary.OBJECT));
+        int seen = 0;
+        for (int y = 0; y < 21; y++) {
+            for (int x = 0; x < 41; x++) {
+                if (result.auxiliary().get(Auxiliary.OBJECT).component(x, y, 0) == 1) {
+                    float[] p = pixel(result.auxiliary().get(Auxiliary.POSITION), x, y);
+                    float depth = result.auxiliary().get(Auxiliary.DEPTH).component(x, y, 0);
+                    assertEquals(1, distance(p, 10, 20, 35), 1e-5);
+                    assertEquals(depth, distance(p, 10, 20, 30), 1e-5);
+                    seen++;
+                }
+            }
+        }
+        assertTrue(seen > 50);
+    }
+
+    private static double distance(float[] p, double x, double y, double z) {
+        return Math.sqrt((p[0] - x) * (p[0] - x) + (p[1] - y) * (p[1] - y) + (p[2] - z) * (p[2] - z));
     }
 
     @Test

@@ -98,11 +98,11 @@ class RenderExtrasTest extends SceneFixture {
     @Test
     void whatIsWrongWithTheListIsToldBeforeAnythingIsDone() throws IOException {
         refused(
-                "--aov must be one of error, samples, depth, normal, object, albedo, direct, indirect, not \"eror\"",
+                "--aov must be one of error, samples, depth, normal, position, object, albedo, direct, indirect, not \"eror\"",
                 "--aov",
                 "error,eror");
         refused(
-                "--aov must be one of error, samples, depth, normal, object, albedo, direct, indirect, not \"\"",
+                "--aov must be one of error, samples, depth, normal, position, object, albedo, direct, indirect, not \"\"",
                 "--aov",
                 "error,");
         refused("--aov names depth twice", "--aov", "depth,error,depth");

@@ -11,7 +11,7 @@ import java.nio.ByteOrder;
  * the data window.
  */
 final class ExrReader {
-    private static final int MAGIC = 20000630;
+    static final int MAGIC = 20000630;
     private static final int VERSION = 2;
     private static final int TILED = 0x200;
     private static final int LONG_NAMES = 0x400;

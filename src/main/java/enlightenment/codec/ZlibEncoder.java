@@ -38,7 +38,7 @@ final class ZlibEncoder {
     private final Adler32 checksum = new Adler32();
     private final DeflateBlock block = new DeflateBlock();
     /** 32 KiB of what went before, then the piece. */
-    private final byte[] buffer = new byte[HISTORY + PIECE];
+    private final byte[] buffer;
     /** Per hash: the index in the buffer where it occurred last; 0 for never. */
     private final int[] last = new int[1 << HASH_BITS];
     /** Per index in the buffer, modulo 32 KiB: where its hash had occurred before. */
@@ -55,6 +55,13 @@ final class ZlibEncoder {
     private int matchDistance;
 
     ZlibEncoder(OutputStream out) throws IOException {
+        this(out, PIECE);
+    }
+
+    /** @param most how many bytes there will be, at least 1: where they are few, buffers are small */
+    ZlibEncoder(OutputStream out, int most) throws IOException {
+        int pieces = Math.min(most, PIECE) + HISTORY - 1 & -HISTORY;
+        buffer = new byte[HISTORY + pieces];
         this.out = new BitWriter(out);
         this.out.write(0x78, 8); // DEFLATE with a window of 32 KiB
         this.out.write(0x9c, 8); // default effort, no dictionary

@@ -49,6 +49,7 @@ public final class ImageFiles {
             }
             case JPEG -> JpegWriter.write(image.width(), image.height(), image.toArgb(), out);
             case PFM -> PfmFormat.write(image.width(), image.height(), image::component, out);
+            case EXR -> toExr(image, out, ExrOptions.DEFAULT);
             default -> throw new IllegalArgumentException("no " + format + " files are written");
         }
     }
@@ -96,6 +97,23 @@ public final class ImageFiles {
     /** Writes what {@link #writePfm} would to a stream, which stays open. */
     public static void toPfm(Image image, OutputStream out) throws IOException {
         write(image, out, ImageFormat.PFM, PngOptions.DEFAULT);
+    }
+
+    /**
+     * Writes an OpenEXR file: one part of scan lines, channels R, G, B and those of the layers, ZIP. Components are written as they are,
+     * bit by bit with 32 bits per component, but for those that are no number (NaN), which become 0; those of linear light as linear light,
+     * which is what programs expect of such files. With 16 bits they become the nearest half, at most ±65504 unless infinite.
+     *
+     * @throws IllegalArgumentException if the place is not within the whole picture, a layer has another size than the picture, two
+     *     channels have one name, or a name is not as {@link ExrOptions} says
+     */
+    public static void writeExr(Image image, Path file, ExrOptions options) throws IOException {
+        WholeFile.write(file, out -> toExr(image, out, options));
+    }
+
+    /** Writes what {@link #writeExr} would to a stream, which stays open. */
+    public static void toExr(Image image, OutputStream out, ExrOptions options) throws IOException {
+        ExrPicture.write(image, out, options);
     }
 
     /**

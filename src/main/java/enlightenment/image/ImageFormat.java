@@ -33,8 +33,11 @@ public enum ImageFormat {
     /** Radiance pictures (G. Ward): three mantissas of 8 bits with a common exponent. */
     HDR(List.of("hdr"), List.of(), false, RasterDecoder.HDR),
 
-    /** OpenEXR (Academy Software Foundation): one part of scan lines, uncompressed or RLE, ZIPS, ZIP, PIZ or PXR24. */
-    EXR(List.of("exr"), List.of(), false, RasterDecoder.EXR);
+    /**
+     * OpenEXR (Academy Software Foundation): one part of scan lines, read uncompressed or in RLE, ZIPS, ZIP, PIZ or PXR24, written in ZIP.
+     * Floats of 32 or 16 bits.
+     */
+    EXR(List.of("exr"), List.of(32, 16), true, RasterDecoder.EXR);
 
     /** The number of bytes at the beginning of a file that {@link #ofContent} needs. */
     public static final int SIGNATURE_LENGTH = RasterDecoder.SIGNATURE_LENGTH;
@@ -118,7 +121,7 @@ public enum ImageFormat {
 
     /** Whether components are floats, exact and without limits; otherwise whole numbers that stand for 0..1. */
     public boolean holdsFloats() {
-        return depths.isEmpty();
+        return this == PFM || this == HDR || this == EXR;
     }
 
     /** Whether a file of this format may differ from the picture by more than the rounding to its {@link #depths}. */
@@ -132,8 +135,8 @@ public enum ImageFormat {
     }
 
     /**
-     * Bits per component, the usual number first; empty for floats. A format that is not written has those of its files
-     * that are read.
+     * Bits per component, the usual number first; empty for formats of floats that have no choice. A format that is not written has those
+     * of its files that are read.
      */
     public List<Integer> depths() {
         return depths;

@@ -19,7 +19,6 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.ShutdownSignal;
 import enlightenment.cli.terminal.Terminal;
-import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
 import enlightenment.net.EngineJob;
 import enlightenment.render.RenderProgress;
@@ -147,7 +146,7 @@ public final class SparkCommand extends Subcommand {
         }
         double samples = result.report().sampling().plannedSamples();
         String line = SettingsLine.replayable(settings, samples, frame.number());
-        output.write(result.image(), new PngOptions(output.depth(), PictureText.of(scene, line)), terminal);
+        output.write(result.image(), PictureText.of(scene, line), settings, terminal);
         report.write(result, output, terminal);
         if (!result.complete()) {
             throw StoppedRender.after(result, output, "");

@@ -62,6 +62,15 @@ class StandardStreamsTest {
     }
 
     @Test
+    void anExrFileThereHasItsChannels() throws IOException {
+        Path file = folder.resolve("p.exr");
+        assertEquals(0, CliRun.of("render", scene, "-o", file, "--aov", "depth").code());
+        Run run = run(new byte[0], "render", scene, "-o", "-", "--format", "exr", "--aov", "depth");
+        assertEquals("", run.err());
+        assertArrayEquals(Files.readAllBytes(file), run.out());
+    }
+
+    @Test
     void nothingElseGoesThere() throws IOException {
         Run run = run(
                 new byte[0],
@@ -170,7 +179,7 @@ class StandardStreamsTest {
     void whatNeedsAFileSaysSo() {
         refused("--aov writes files beside the picture: -o must name a file, not standard output", "--aov", "depth");
         refused("--preview replaces the picture: -o must name a file, not standard output", "--preview", "1");
-        refused("--format must be one of png, jpg, pfm, not \"bmp\"", "--format", "bmp");
+        refused("--format must be one of png, jpg, pfm, exr, not \"bmp\"", "--format", "bmp");
         refused("--depth must not be given for --format pfm, which holds floats", "--format", "pfm", "--depth", "8");
         refused(
                 "only the picture (-o) can go to standard output, \"-\"; \"./-\" is a file of that name",

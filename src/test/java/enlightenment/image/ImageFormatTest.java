@@ -57,7 +57,7 @@ class ImageFormatTest {
         Image image = new Image(1, 1, new float[3]);
         List<ImageFormat> readOnly =
                 Arrays.stream(ImageFormat.values()).filter(f -> !f.isWritten()).toList();
-        assertEquals(List.of(ImageFormat.BMP, ImageFormat.HDR, ImageFormat.EXR), readOnly);
+        assertEquals(List.of(ImageFormat.BMP, ImageFormat.HDR), readOnly);
         for (ImageFormat format : readOnly) {
             ByteArrayOutputStream out = new ByteArrayOutputStream();
             assertThrows(
@@ -68,7 +68,8 @@ class ImageFormatTest {
             IllegalArgumentException e =
                     assertThrows(IllegalArgumentException.class, () -> ImageFiles.writtenFormat(file));
             assertEquals(
-                    "cannot tell how to write " + file + ": the name must end in .png, .jpg or .pfm", e.getMessage());
+                    "cannot tell how to write " + file + ": the name must end in .png, .jpg, .pfm or .exr",
+                    e.getMessage());
         }
     }
 
@@ -89,15 +90,22 @@ class ImageFormatTest {
     }
 
     @Test
-    void depthsAreThoseThatPngOptionsTake() {
+    void depthsAreThoseThatOptionsTake() {
         for (int depth : ImageFormat.PNG.depths()) {
             assertEquals(depth, new PngOptions(depth, java.util.Map.of()).depth());
         }
+        for (int depth : ImageFormat.EXR.depths()) {
+            assertEquals(depth, ExrOptions.DEFAULT.withDepth(depth).depth());
+        }
+        assertEquals(ExrOptions.DEFAULT.depth(), ImageFormat.EXR.depths().get(0));
         for (ImageFormat format : ImageFormat.values()) {
-            assertEquals(format.holdsFloats(), format.depths().isEmpty());
+            assertEquals(
+                    format == ImageFormat.PFM || format == ImageFormat.HDR,
+                    format.depths().isEmpty());
             assertEquals(!format.holdsFloats(), ImageFormat.textures().contains(format));
         }
-        assertEquals(List.of(ImageFormat.PNG, ImageFormat.JPEG, ImageFormat.PFM), ImageFormat.written());
+        assertEquals(
+                List.of(ImageFormat.PNG, ImageFormat.JPEG, ImageFormat.PFM, ImageFormat.EXR), ImageFormat.written());
     }
 
     @Test

@@ -103,7 +103,7 @@ public final class AnimateCommand extends Subcommand {
         FrameRange range =
                 frames == null ? new FrameRange(0, animation.frames() - 1) : frames.within(animation.frames());
         view.check(scene);
-        output.beside(range.first()).check(scene);
+        output.aov().check(scene);
         options.warnOfStretch(scene, options.settings(scene, input), terminal);
         List<Path> files = range.frames().mapToObj(output.pattern()::file).toList();
         check(scene, range, files);

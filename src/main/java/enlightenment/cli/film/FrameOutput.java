@@ -18,8 +18,8 @@ final class FrameOutput {
     @Option(
             names = "--depth",
             paramLabel = "BITS",
-            converter = PictureOutput.Depths.class,
-            completionCandidates = PictureOutput.Depths.class,
+            converter = PictureOutput.PngDepths.class,
+            completionCandidates = PictureOutput.PngDepths.class,
             description = "bits per component of the PNG files: 8 (default) or 16")
     private Integer depth;
 

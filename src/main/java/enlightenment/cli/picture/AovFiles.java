@@ -1,7 +1,6 @@
 package enlightenment.cli.picture;
 
 import enlightenment.cli.option.CommandFiles;
-import enlightenment.cli.terminal.CliException;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
@@ -9,31 +8,16 @@ import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.AuxiliaryPicture;
-import enlightenment.scene.PhysicalShading;
-import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.EnumMap;
-import java.util.List;
 import java.util.Map;
 
 /** The further files beside a picture, {@code out.error.png} beside {@code out.png}. */
 public final class AovFiles {
     private final Map<Auxiliary, Path> files = new EnumMap<>(Auxiliary.class);
-
-    /** Fails for what a scene's shading does not have. */
-    public void check(Scene scene) {
-        List<String> words = files.keySet().stream()
-                .filter(Auxiliary::needsPaths)
-                .map(Auxiliary::word)
-                .toList();
-        if (!words.isEmpty() && !(scene.shading() instanceof PhysicalShading)) {
-            throw CliException.wrongUsage("--aov " + String.join(",", words)
-                    + " is for physical shading: classic shading does not tell it apart");
-        }
-    }
 
     /** @param picture the picture's file, with the extension of an image format if any kind is asked for */
     public AovFiles(AovSet kinds, Path picture) {

@@ -2,7 +2,10 @@ package enlightenment.cli.picture;
 
 import enlightenment.cli.option.BadValue;
 import enlightenment.cli.option.WordOption;
+import enlightenment.cli.terminal.CliException;
 import enlightenment.render.Auxiliary;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Scene;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
@@ -13,6 +16,18 @@ import picocli.CommandLine.ITypeConverter;
 /** The further pictures that are asked for beside the picture, in the order of {@link Auxiliary}. */
 public record AovSet(Set<Auxiliary> kinds) {
     public static final AovSet EMPTY = new AovSet(Set.of());
+
+    /** Fails for what a scene's shading does not have. */
+    public void check(Scene scene) {
+        List<String> words = kinds.stream()
+                .filter(Auxiliary::needsPaths)
+                .map(Auxiliary::word)
+                .toList();
+        if (!words.isEmpty() && !(scene.shading() instanceof PhysicalShading)) {
+            throw CliException.wrongUsage("--aov " + String.join(",", words)
+                    + " is for physical shading: classic shading does not tell it apart");
+        }
+    }
 
     /** As it is typed. picocli asks for it at each start, and Java would take longer to make a record's own. */
     @Override

@@ -5,14 +5,21 @@ import enlightenment.cli.option.WordOption;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.StandardStreams;
 import enlightenment.cli.terminal.Terminal;
+import enlightenment.file.WholeFile;
+import enlightenment.image.ExrOptions;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
+import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
+import enlightenment.text.WordList;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import picocli.CommandLine.Option;
 
 /** The options that say where a picture goes and in which format. */
@@ -23,7 +30,7 @@ public final class PictureOutput {
             names = {"-o", "--output"},
             required = true,
             paramLabel = "FILE",
-            description = "the picture: .png, .jpg, or .pfm for exact floats; - for standard output")
+            description = "the picture: .png, .jpg, or .exr or .pfm for floats; - for standard output")
     private Path file;
 
     @Option(
@@ -31,7 +38,7 @@ public final class PictureOutput {
             paramLabel = "FORMAT",
             converter = Formats.class,
             completionCandidates = Formats.class,
-            description = "format on standard output, only with -o -: png (default), jpg or pfm")
+            description = "format on standard output, only with -o -: png (default), jpg, pfm or exr")
     private ImageFormat format;
 
     @Option(
@@ -39,7 +46,7 @@ public final class PictureOutput {
             paramLabel = "BITS",
             converter = Depths.class,
             completionCandidates = Depths.class,
-            description = "bits per component of a PNG file: 8 (default) or 16")
+            description = "bits per component: 8 (default) or 16 of a PNG file, 32 (default) or 16 of an EXR file")
     private Integer depth;
 
     public PictureOutput() {}
@@ -79,11 +86,23 @@ public final class PictureOutput {
                     ? "--format " + new Formats().word(format)
                     : "a " + FileNames.extension(file) + " file";
             throw CliException.wrongUsage(
-                    format.holdsFloats()
+                    format.depths().isEmpty()
                             ? "--depth must not be given for " + what + ", which holds floats"
                             : "--depth " + depth + " must not be given for " + what + ", which holds "
-                                    + format.depths().get(0) + " bits per component; .png holds 16");
+                                    + WordList.join(
+                                            format.depths().stream()
+                                                    .map(String::valueOf)
+                                                    .toList(),
+                                            "or")
+                                    + " bits per component; " + extensionOf(depth) + " holds " + depth);
         }
+    }
+
+    private static String extensionOf(int depth) {
+        return ImageFormat.extensions(ImageFormat.written().stream()
+                .filter(f -> f.depths().contains(depth))
+                .limit(1)
+                .toList());
     }
 
     /** Fails if a picture rendered like that cannot be kept in this format. */
@@ -99,6 +118,12 @@ public final class PictureOutput {
             throw CliException.wrongUsage(
                     "--error is the error of the file, and what JPEG loses is not measured:" + " choose .png or .pfm");
         }
+        if (format == ImageFormat.EXR
+                && depth() != ExrOptions.DEFAULT.depth()
+                && settings.budget().error().isPresent()) {
+            throw CliException.wrongUsage(
+                    "--error is the error of the file, and what floats of 16 bits lose is not measured: leave out --depth 16");
+        }
     }
 
     /** The format of the file, or of what goes to standard output. */
@@ -112,14 +137,24 @@ public final class PictureOutput {
                         + ImageFormat.extensions(ImageFormat.written()) + ", not \"" + file + "\""));
     }
 
-    /** Bits per component of a PNG file; a JPEG file has the usual depth only. */
-    public int depth() {
-        return hasDepth() ? depth : USUAL_DEPTH;
+    /** Bits per component, of a format that has a choice. */
+    private int depth() {
+        return hasDepth() ? depth : format().depths().get(0);
     }
 
     /** Bits per component of what is written; 0 for floats. */
     public int writtenDepth() {
         return format().holdsFloats() ? 0 : depth();
+    }
+
+    /** Bits per component of the picture that a part is rendered for, whose format is not known yet; 0 for floats. */
+    public int depthOfWhole() {
+        return !hasDepth() ? USUAL_DEPTH : ImageFormat.PNG.depths().contains(depth) ? depth : 0;
+    }
+
+    /** Whether further numbers of pixels are written as channels of the picture, rather than as files beside it. */
+    public boolean holdsLayers() {
+        return format() == ImageFormat.EXR;
     }
 
     /** The settings with the rounding of the written file, which counts where an error is asked for. */
@@ -129,13 +164,50 @@ public final class PictureOutput {
                 : settings.withBudget(settings.budget().withDepth(writtenDepth));
     }
 
-    /** Writes the picture. */
-    public void write(Image image, PngOptions options, Terminal terminal) throws IOException {
+    /** Writes the picture, which is all that is written of the render. */
+    public void write(Image image, Map<String, String> texts, RenderSettings settings, Terminal terminal)
+            throws IOException {
+        write(image, texts, settings, Map.of(), terminal);
+    }
+
+    /**
+     * Writes the picture.
+     *
+     * @param texts what the file says of itself, if its format has room for that
+     * @param settings of the render: where a crop lies
+     * @param layers further numbers of pixels, for a file that {@link #holdsLayers}
+     */
+    public void write(
+            Image image,
+            Map<String, String> texts,
+            RenderSettings settings,
+            Map<Auxiliary, Image> layers,
+            Terminal terminal)
+            throws IOException {
         if (isStandardOutput()) {
-            ImageFiles.write(image, terminal.out(), format(), options);
+            write(image, texts, settings, layers, terminal.out());
         } else {
-            ImageFiles.write(image, file, options);
+            WholeFile.write(file, out -> write(image, texts, settings, layers, out));
         }
+    }
+
+    private void write(
+            Image image,
+            Map<String, String> texts,
+            RenderSettings settings,
+            Map<Auxiliary, Image> layers,
+            OutputStream out)
+            throws IOException {
+        if (format() == ImageFormat.EXR) {
+            ImageFiles.toExr(image, out, ExrOutput.options(depth(), texts, settings, layers));
+        } else {
+            ImageFiles.write(image, out, format(), pngOptions(texts));
+        }
+    }
+
+    /** How PNG files are written, of the picture or beside it. */
+    public PngOptions pngOptions(Map<String, String> texts) {
+        return new PngOptions(format() == ImageFormat.PNG ? depth() : USUAL_DEPTH, texts);
     }
 
     /** Says so if the finished picture is nearly black or nearly white in this file. */
@@ -155,9 +227,16 @@ public final class PictureOutput {
         }
     }
 
-    /** The depths of PNG files. */
-    public static final class Depths extends WordOption<Integer> {
+    /** The depths of files of any format. */
+    static final class Depths extends WordOption<Integer> {
         Depths() {
+            super(List.of(8, 16, 32));
+        }
+    }
+
+    /** The depths of PNG files. */
+    public static final class PngDepths extends WordOption<Integer> {
+        PngDepths() {
             super(ImageFormat.PNG.depths());
         }
     }

@@ -4,7 +4,6 @@ import enlightenment.cli.option.CommandFiles;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.image.Image;
-import enlightenment.image.PngOptions;
 import enlightenment.picture.Rounding;
 import enlightenment.render.RenderResult;
 import java.io.IOException;
@@ -49,7 +48,7 @@ public final class ResultPicture {
         output.check(made.report().settings());
         RenderResult result = made.withRounding(Rounding.of(made.image(), output.writtenDepth()));
         Image shown = view.view(result.image(), terminal);
-        output.write(shown, new PngOptions(output.depth(), texts), terminal);
+        output.write(shown, texts, made.report().settings(), terminal);
         report.write(result, output, terminal);
         if (!missing.isEmpty()) {
             throw CliException.failed(missing);

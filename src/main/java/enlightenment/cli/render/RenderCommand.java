@@ -36,8 +36,6 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.image.Image;
-import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
 import enlightenment.net.RenderParts;
 import enlightenment.render.RenderProgress;
@@ -51,6 +49,7 @@ import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.LongSupplier;
@@ -159,14 +158,14 @@ public final class RenderCommand extends Subcommand {
     @Override
     protected int execute() throws IOException {
         checkOptions();
-        aovFiles = new AovFiles(aov, output.file());
+        aovFiles = new AovFiles(hasFurtherFiles() ? aov : AovSet.EMPTY, output.file());
         input = argument.open(terminal);
         Scene scene = frame.read(input);
         RenderSettings settings = PictureOutput.withRounding(
-                options.settings(scene, input), part == null ? output.writtenDepth() : output.depth());
+                options.settings(scene, input), part == null ? output.writtenDepth() : output.depthOfWhole());
         view.check(scene);
         samples.check(settings);
-        aovFiles.check(scene);
+        aov.check(scene);
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("-o", output.file());
         report.register(files);
@@ -202,7 +201,7 @@ public final class RenderCommand extends Subcommand {
                     "with --part, -o must name a file that ends in .film, not \"" + output.file() + "\"");
         }
         store.check();
-        boolean hasFurther = !aov.kinds().isEmpty();
+        boolean hasFurther = hasFurtherFiles();
         if (output.isStandardOutput() && (hasFurther || preview != null)) {
             throw CliException.wrongUsage((hasFurther ? "--aov writes files beside" : "--preview replaces")
                     + " the picture: -o must name a file, not standard output");
@@ -211,6 +210,11 @@ public final class RenderCommand extends Subcommand {
         if (preview != null && CommandFiles.isDevice(file)) {
             throw CliException.wrongUsage("--preview needs a file that can be replaced, unlike \"" + file + "\"");
         }
+    }
+
+    /** Whether there will be files beside the picture: in some formats further numbers are part of it. */
+    private boolean hasFurtherFiles() {
+        return !aov.kinds().isEmpty() && !output.holdsLayers();
     }
 
     private void renderPart(Scene scene, RenderSettings settings) throws IOException {
@@ -256,12 +260,12 @@ public final class RenderCommand extends Subcommand {
         }
         double samples = result.report().sampling().plannedSamples();
         String line = SettingsLine.replayable(settings, samples, frame.number());
-        PngOptions png = new PngOptions(output.depth(), PictureText.of(scene, line));
+        Map<String, String> texts = PictureText.of(scene, line);
         Image shown = view.view(result.image(), terminal);
         watch.rendered(shown, result);
-        output.write(shown, png, terminal);
+        output.write(shown, texts, settings, output.holdsLayers() ? result.auxiliary() : Map.of(), terminal);
         progress.tellWritten(output.file(), terminal);
-        aovFiles.write(result.auxiliary(), shown, png);
+        aovFiles.write(result.auxiliary(), shown, output.pngOptions(texts));
         report.write(result, output, terminal);
         if (clusters != null) {
             ClusterFile.write(clusters, result, terminal);
@@ -308,11 +312,10 @@ public final class RenderCommand extends Subcommand {
     }
 
     private PreviewWriter previewWriter(Scene scene, RenderSettings settings, RenderProgress display) {
-        PngOptions png = new PngOptions(
-                        output.depth(), PictureText.of(scene, SettingsLine.of(settings, frame.number())))
-                .withText("Comment", "preview");
+        Map<String, String> texts = PictureText.of(scene, SettingsLine.of(settings, frame.number()));
+        texts.put("Comment", "preview");
         return new PreviewWriter(
-                display, preview, image -> ImageFiles.write(view.view(image), output.file(), png), terminal, clock);
+                display, preview, image -> output.write(view.view(image), texts, settings, terminal), terminal, clock);
     }
 
     static final class PreviewPeriod extends DecimalNumber {

@@ -26,7 +26,6 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.image.Image;
-import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
 import enlightenment.net.AuditReport;
 import enlightenment.net.RenderServer;
@@ -153,7 +152,7 @@ public final class ServerCommand extends Subcommand {
         double samples = result.report().sampling().plannedSamples();
         String line = SettingsLine.replayable(settings, samples, frame.number());
         Image shown = view.view(result.image(), terminal);
-        output.write(shown, new PngOptions(output.depth(), PictureText.of(scene, line)), terminal);
+        output.write(shown, PictureText.of(scene, line), settings, terminal);
         progress.tellWritten(output.file(), terminal);
         report.write(result, Optional.of(audits), output, terminal);
         if (!result.complete()) {

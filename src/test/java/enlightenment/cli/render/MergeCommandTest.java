@@ -191,6 +191,6 @@ class MergeCommandTest extends SceneFixture {
         assertSays(CliRun.of("render", scene, "-o", film, "--part", "1/2", "--time", "3"), 2, "give --samples");
         assertSays(CliRun.of("render", scene, "-o", film, "--part", "1/2", "--stats"), 2, "no picture yet");
         assertSays(CliRun.of("merge", folder.resolve("none.film"), "-o", merged), 1, "none.film");
-        assertSays(CliRun.of("merge", film, "-o", film), 2, "ends in .png, .jpg or .pfm");
+        assertSays(CliRun.of("merge", film, "-o", film), 2, "ends in .png, .jpg, .pfm or .exr");
     }
 }

@@ -137,7 +137,7 @@ class RenderCommandTest extends SceneFixture {
                 "--method must be one of " + String.join(", ", Method.words()) + ", not \"magic\"",
                 "--method",
                 "magic");
-        refused("--depth must be one of 8, 16, not \"12\"", "--depth", "12");
+        refused("--depth must be one of 8, 16, 32, not \"12\"", "--depth", "12");
         refused("--progress must be one of auto, bar, plain, none, not \"x\"", "--progress", "x");
     }
 
@@ -174,7 +174,8 @@ class RenderCommandTest extends SceneFixture {
                 new CliRun(
                         2,
                         "",
-                        "enlightenment: -o must name a file that ends in .png, .jpg or .pfm, not \"" + gif + "\"\n"),
+                        "enlightenment: -o must name a file that ends in .png, .jpg, .pfm or .exr, not \"" + gif
+                                + "\"\n"),
                 run);
     }
 

@@ -1,0 +1,33 @@
+package enlightenment.cli.picture;
+
+import enlightenment.image.ExrOptions;
+import enlightenment.image.Image;
+import enlightenment.render.Auxiliary;
+import enlightenment.scene.RenderSettings;
+import java.util.Map;
+import java.util.Optional;
+
+/** What an OpenEXR file has beside the picture. */
+final class ExrOutput {
+    private ExrOutput() {}
+
+    /**
+     * How a render's picture is written.
+     *
+     * @param depth bits per component
+     * @param layers numbers that become channels, each kind in a layer of its name
+     */
+    static ExrOptions options(
+            int depth, Map<String, String> texts, RenderSettings settings, Map<Auxiliary, Image> layers) {
+        RenderSettings.Crop region = settings.region();
+        ExrOptions.Place place = new ExrOptions.Place(region.x(), region.y(), settings.width(), settings.height());
+        return new ExrOptions(
+                depth,
+                Optional.of(place),
+                texts,
+                layers.entrySet().stream()
+                        .map(e -> new ExrOptions.Layer(
+                                e.getKey().word(), e.getKey().channels(), e.getValue()))
+                        .toList());
+    }
+}

@@ -69,7 +69,7 @@ def compare(folder, scene, crop, depth):
             for c, name in enumerate(names):
                 same(f"{layer}.{name}", channels[f"{layer}.{name}"].pixels, numbers[..., c])
         assert len(channels) == 3 + sum(map(len, LAYERS.values())), channels.keys()
-    print(f"{scene}: {width}x{height}, {depth} bits, {len(channels)} channels agree")
+        print(f"{scene}: {width}x{height}, {depth} bits, {len(channels)} channels agree")
 
 
 if len(sys.argv) < 2:

@@ -42,9 +42,9 @@ class CompletionTest {
                 "render  | --method   | METHODS",
                 "render  | --proposal | normal zeta linear",
                 "render  | --progress | auto bar plain none",
-                "render  | --depth    | 8 16",
-                "render  | --format   | png jpg pfm",
-                "render  | --aov      | error samples depth normal object albedo direct indirect",
+                "render  | --depth    | 8 16 32",
+                "render  | --format   | png jpg pfm exr",
+                "render  | --aov      | error samples depth normal position object albedo direct indirect",
                 "trade   | --methods  | METHODS"
             })
     void wordsAreCompleted(String command, String option, String known) {

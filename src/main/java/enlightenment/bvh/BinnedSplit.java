@@ -1,86 +1,50 @@
 package enlightenment.bvh;
 
-import java.util.Arrays;
-
 /** Finds the split of a range of boxes with the lowest surface area cost between equal bins of centroids, over all three axes. */
 final class BinnedSplit {
-    private static final int BINS = 16;
-
-    /** Up to this many items are sorted by their bins: sixteen bins on three axes would be mostly empty. */
-    private static final int FEW = 8;
-
     private final ItemBoxes items;
-    private final double[] lowest = new double[3];
-    private final double[] highest = new double[3];
+
+    /** The box of the items of the range, and behind it the box of their centroids. */
+    private final double[] range = new double[2 * ItemBoxes.BOX];
+
+    /** By axis: bins per length; 0 if the centroids coincide. */
     private final double[] scale = new double[3];
-    private final double[] binBoxes = new double[3 * BINS * 6];
-    private final int[] binCounts = new int[3 * BINS];
-    private final double[] sweep = new double[6];
-    private final double[] rightCost = new double[BINS];
 
-    /** A few items and their bins, and the boxes of the items from each of them on. */
-    private final int[] fewItems = new int[FEW];
-
-    private final int[] fewBins = new int[FEW];
-    private final double[] fewBoxes = new double[6 * FEW];
-
+    private final Bins[] bins = {new Bins(), new Bins(), new Bins()};
+    private final double[] sweep = new double[ItemBoxes.BOX];
     private int axis;
-    private int border;
     private double cost;
 
     BinnedSplit(ItemBoxes items) {
         this.items = items;
     }
 
-    /** Looks for a split of start..end−1 into two parts that are not empty; false if there is none. */
+    /** Measures the range start..end−1, which the other methods are about; box takes the box of its items. */
+    void measure(int start, int end, double[] box) {
+        items.measure(start, end, range);
+        System.arraycopy(range, 0, box, 0, ItemBoxes.BOX);
+    }
+
+    /** The extent of the centroids on an axis. */
+    private double spread(int a) {
+        return range[ItemBoxes.BOX + 3 + a] - range[ItemBoxes.BOX + a];
+    }
+
+    /** Searches a split into two parts that are not empty; false if there is none. */
     boolean find(int start, int end) {
-        boolean few = end - start <= FEW;
-        measure(start, end);
-        if (!few) {
-            fill(start, end);
+        for (int a = 0; a < 3; a++) {
+            scale[a] = spread(a) > 0 ? Bins.COUNT / spread(a) : 0;
         }
+        fill(start, end);
         cost = Double.POSITIVE_INFINITY;
         for (int a = 0; a < 3; a++) {
-            if (scale[a] > 0) {
-                if (few) {
-                    sweepFew(a, start, end - start);
-                } else {
-                    sweep(a, end - start);
-                }
+            double c = scale[a] > 0 ? bins[a].sweep(items, sweep) : Double.POSITIVE_INFINITY;
+            if (c < cost) {
+                cost = c;
+                axis = a;
             }
         }
         return cost < Double.POSITIVE_INFINITY;
-    }
-
-    /** As {@link #sweep}, with the same result: only borders next to an item's bin are looked at, all others split alike or not at all. */
-    private void sweepFew(int a, int start, int n) {
-        for (int i = 0; i < n; i++) {
-            int bin = bin(start + i, a);
-            int k = i;
-            for (; k > 0 && fewBins[k - 1] > bin; k--) {
-                fewBins[k] = fewBins[k - 1];
-                fewItems[k] = fewItems[k - 1];
-            }
-            fewBins[k] = bin;
-            fewItems[k] = start + i;
-        }
-        ItemBoxes.clear(sweep, 0);
-        for (int k = n - 1; k > 0; k--) {
-            items.add(fewItems[k], sweep, 0);
-            System.arraycopy(sweep, 0, fewBoxes, 6 * k, 6);
-        }
-        ItemBoxes.clear(sweep, 0);
-        for (int k = 1; k < n; k++) {
-            items.add(fewItems[k - 1], sweep, 0);
-            if (fewBins[k - 1] < fewBins[k]) {
-                double c = k * items.area(sweep, 0) + (n - k) * items.area(fewBoxes, 6 * k);
-                if (c < cost) {
-                    cost = c;
-                    axis = a;
-                    border = fewBins[k - 1] + 1;
-                }
-            }
-        }
     }
 
     /** The surface area cost of the split: area times number of items, summed over both parts. */
@@ -88,78 +52,51 @@ final class BinnedSplit {
         return cost;
     }
 
-    /** The axis with the largest extent of the centroids of start..end−1. */
-    int widestAxis(int start, int end) {
-        measure(start, end);
+    /** The axis with the largest extent of the centroids. */
+    int widestAxis() {
         int widest = 0;
         for (int a = 1; a < 3; a++) {
-            if (highest[a] - lowest[a] > highest[widest] - lowest[widest]) {
+            if (spread(a) > spread(widest)) {
                 widest = a;
             }
         }
         return widest;
     }
 
-    private void measure(int start, int end) {
-        Arrays.fill(lowest, Double.POSITIVE_INFINITY);
-        Arrays.fill(highest, Double.NEGATIVE_INFINITY);
-        items.encloseCenters(start, end, lowest, highest);
-        for (int a = 0; a < 3; a++) {
-            double spread = highest[a] - lowest[a];
-            scale[a] = spread > 0 ? BINS / spread : 0;
-        }
-    }
-
-    /** The bin of item i on an axis; the last one where the quotient overflows. */
-    private int bin(int i, int a) {
-        int k = (int) ((items.center(i, a) - lowest[a]) * scale[a]);
-        return k < BINS ? k : BINS - 1;
+    /** The bin of a centroid's coordinate; the last one where the quotient overflows. */
+    private static int bin(double center, double lowest, double scale) {
+        return Math.min(Bins.COUNT - 1, (int) ((center - lowest) * scale));
     }
 
     private void fill(int start, int end) {
-        Arrays.fill(binCounts, 0);
-        for (int k = 0; k < 3 * BINS; k++) {
-            ItemBoxes.clear(binBoxes, 6 * k);
-        }
-        for (int i = start; i < end; i++) {
-            for (int a = 0; a < 3; a++) {
-                if (scale[a] > 0) {
-                    int k = BINS * a + bin(i, a);
-                    binCounts[k]++;
-                    items.add(i, binBoxes, 6 * k);
-                }
-            }
-        }
-    }
-
-    private void sweep(int a, int total) {
-        int n = 0;
-        ItemBoxes.clear(sweep, 0);
-        for (int k = BINS - 1; k > 0; k--) {
-            n += binCounts[BINS * a + k];
-            ItemBoxes.merge(binBoxes, 6 * (BINS * a + k), sweep, 0);
-            rightCost[k] = n == 0 ? Double.POSITIVE_INFINITY : n * items.area(sweep, 0);
-        }
-        n = 0;
-        ItemBoxes.clear(sweep, 0);
-        for (int k = 1; k < BINS && n < total; k++) {
-            n += binCounts[BINS * a + k - 1];
-            ItemBoxes.merge(binBoxes, 6 * (BINS * a + k - 1), sweep, 0);
-            double c = n == 0 ? Double.POSITIVE_INFINITY : n * items.area(sweep, 0) + rightCost[k];
-            if (c < cost) {
-                cost = c;
-                axis = a;
-                border = k;
-            }
+        double[] b = items.numbers();
+        Bins onX = bins[0];
+        Bins onY = bins[1];
+        Bins onZ = bins[2];
+        onX.clear();
+        onY.clear();
+        onZ.clear();
+        for (int p = ItemBoxes.BOX * start; p < ItemBoxes.BOX * end; p += ItemBoxes.BOX) {
+            double x0 = b[p];
+            double y0 = b[p + 1];
+            double z0 = b[p + 2];
+            double x1 = b[p + 3];
+            double y1 = b[p + 4];
+            double z1 = b[p + 5];
+            onX.add(bin(0.5 * x0 + 0.5 * x1, range[6], scale[0]), x0, y0, z0, x1, y1, z1);
+            onY.add(bin(0.5 * y0 + 0.5 * y1, range[7], scale[1]), x0, y0, z0, x1, y1, z1);
+            onZ.add(bin(0.5 * z0 + 0.5 * z1, range[8], scale[2]), x0, y0, z0, x1, y1, z1);
         }
     }
 
     /** Partitions start..end−1 by the split that was found; returns where the second part begins. */
     int partition(int start, int end) {
+        double lowest = range[ItemBoxes.BOX + axis];
+        int border = bins[axis].border();
         int i = start;
         int j = end - 1;
         while (i <= j) {
-            if (bin(i, axis) < border) {
+            if (bin(items.center(i, axis), lowest, scale[axis]) < border) {
                 i++;
             } else {
                 items.swap(i, j--);

@@ -69,7 +69,7 @@ public final class BvhBuilder {
             if (end - start >= POLLED) {
                 poll.run();
             }
-            items.enclose(start, end, box, 0);
+            split.measure(start, end, box);
             int middle = split(start, end, depth);
             if (middle < 0) {
                 // The root has two children even if the second is empty.
@@ -133,8 +133,8 @@ public final class BvhBuilder {
     /** Splits a range and partitions its items; returns where the second part begins, -1 if the range becomes a leaf. */
     private int split(int start, int end, int depth) {
         int n = end - start;
-        if (n <= 1) {
-            return -1;
+        if (n <= NODE_COST) {
+            return -1; // No split is cheaper than testing them.
         }
         if (depth < MEDIAN_DEPTH && split.find(start, end)) {
             double whole = items.area(box, 0);
@@ -147,7 +147,7 @@ public final class BvhBuilder {
             return -1;
         }
         int middle = (start + end) >>> 1;
-        items.select(start, end, middle, split.widestAxis(start, end));
+        items.select(start, end, middle, split.widestAxis());
         return middle;
     }
 

@@ -1,6 +1,7 @@
 package enlightenment.bvh;
 
 import enlightenment.frame.Bounds;
+import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 import java.util.function.IntFunction;
 
@@ -45,12 +46,9 @@ public final class ItemBoxes {
     }
 
     private static void set(Bounds box, double[] out, int at) {
-        out[at] = box.min().x();
-        out[at + 1] = box.min().y();
-        out[at + 2] = box.min().z();
-        out[at + 3] = box.max().x();
-        out[at + 4] = box.max().y();
-        out[at + 5] = box.max().z();
+        Vec3 min = box.min();
+        Vec3 max = box.max();
+        set(out, at, min.x(), min.y(), min.z(), max.x(), max.y(), max.z());
     }
 
     /** The number of items. */
@@ -72,27 +70,58 @@ public final class ItemBoxes {
         return 0.5 * b[6 * i + axis] + 0.5 * b[6 * i + 3 + axis];
     }
 
-    /** Widens the ranges of the three coordinates, each at least lowest and at most highest, by the centroids of start..end−1. */
-    void encloseCenters(int start, int end, double[] lowest, double[] highest) {
-        for (int axis = 0; axis < 3; axis++) {
-            double low = lowest[axis];
-            double high = highest[axis];
-            for (int k = BOX * start + axis; k < BOX * end; k += BOX) {
-                double c = 0.5 * b[k] + 0.5 * b[k + 3];
-                low = c < low ? c : low;
-                high = c > high ? c : high;
-            }
-            lowest[axis] = low;
-            highest[axis] = high;
-        }
+    /** The boxes themselves, {@link #BOX} numbers each, in the order of the items now; for this package and for reading only. */
+    double[] numbers() {
+        return b;
     }
 
-    /** Sets the six numbers at out[at] to the box of the items start..end−1. */
-    void enclose(int start, int end, double[] out, int at) {
-        clear(out, at);
-        for (int i = start; i < end; i++) {
-            add(i, out, at);
+    /**
+     * Measures items start..end−1 in one pass.
+     *
+     * @param out takes the box that encloses them, and behind it the box of their centroids
+     */
+    void measure(int start, int end, double[] out) {
+        double x0 = Double.POSITIVE_INFINITY;
+        double y0 = x0;
+        double z0 = x0;
+        double x1 = Double.NEGATIVE_INFINITY;
+        double y1 = x1;
+        double z1 = x1;
+        double u0 = x0;
+        double v0 = x0;
+        double w0 = x0;
+        double u1 = x1;
+        double v1 = x1;
+        double w1 = x1;
+        for (int p = BOX * start; p < BOX * end; p += BOX) {
+            double u = 0.5 * b[p] + 0.5 * b[p + 3];
+            double v = 0.5 * b[p + 1] + 0.5 * b[p + 4];
+            double w = 0.5 * b[p + 2] + 0.5 * b[p + 5];
+            u0 = u < u0 ? u : u0;
+            v0 = v < v0 ? v : v0;
+            w0 = w < w0 ? w : w0;
+            u1 = u > u1 ? u : u1;
+            v1 = v > v1 ? v : v1;
+            w1 = w > w1 ? w : w1;
+            x0 = b[p] < x0 ? b[p] : x0;
+            y0 = b[p + 1] < y0 ? b[p + 1] : y0;
+            z0 = b[p + 2] < z0 ? b[p + 2] : z0;
+            x1 = b[p + 3] > x1 ? b[p + 3] : x1;
+            y1 = b[p + 4] > y1 ? b[p + 4] : y1;
+            z1 = b[p + 5] > z1 ? b[p + 5] : z1;
         }
+        set(out, 0, x0, y0, z0, x1, y1, z1);
+        set(out, BOX, u0, v0, w0, u1, v1, w1);
+    }
+
+    /** Sets the six numbers at out[at]. */
+    static void set(double[] out, int at, double x0, double y0, double z0, double x1, double y1, double z1) {
+        out[at] = x0;
+        out[at + 1] = y0;
+        out[at + 2] = z0;
+        out[at + 3] = x1;
+        out[at + 4] = y1;
+        out[at + 5] = z1;
     }
 
     /** Sets the six numbers at out[at] to the box that encloses nothing. */
@@ -101,11 +130,6 @@ public final class ItemBoxes {
             out[at + k] = Double.POSITIVE_INFINITY;
             out[at + 3 + k] = Double.NEGATIVE_INFINITY;
         }
-    }
-
-    /** Enlarges the box at out[at] by item i. */
-    void add(int i, double[] out, int at) {
-        merge(b, 6 * i, out, at);
     }
 
     /** Enlarges the box at out[at] by the box at in[from]. */
@@ -122,9 +146,14 @@ public final class ItemBoxes {
 
     /** Half the surface area of the box at box[at], in a unit that is the same for the whole scene. */
     double area(double[] box, int at) {
-        double x = (box[at + 3] - box[at]) * unit;
-        double y = (box[at + 4] - box[at + 1]) * unit;
-        double z = (box[at + 5] - box[at + 2]) * unit;
+        return area(box[at + 3] - box[at], box[at + 4] - box[at + 1], box[at + 5] - box[at + 2]);
+    }
+
+    /** {@link #area(double[], int)} by the extents of the box. */
+    double area(double width, double height, double depth) {
+        double x = width * unit;
+        double y = height * unit;
+        double z = depth * unit;
         return x * y + y * z + z * x;
     }
 

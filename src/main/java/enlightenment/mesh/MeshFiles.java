@@ -86,11 +86,14 @@ public final class MeshFiles {
     private static MeshFile readAny(MeshSource source, long maxTriangles) throws IOException {
         byte[] start = source.start(START);
         String text = new String(start, StandardCharsets.ISO_8859_1);
+        if (text.startsWith("\u001f\u008b")) {
+            throw source.failure("is compressed by gzip; a mesh is read from what gunzip makes of it");
+        }
         String name = source.name.toLowerCase(Locale.ROOT);
         if (SerializedReader.isSerialized(start) || name.endsWith(".serialized")) {
             return new MeshFile(SerializedReader.read(source, maxTriangles), List.of());
         }
-        if (text.startsWith("ply\n") || text.startsWith("ply\r") || name.endsWith(".ply")) {
+        if (text.matches("(?is)ply[\n\r].*") || name.endsWith(".ply")) {
             return single(source, () -> PlyReader.read(source, maxTriangles));
         }
         if (name.endsWith(".obj")) {

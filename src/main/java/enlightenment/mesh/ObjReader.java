@@ -104,7 +104,10 @@ final class ObjReader {
                     .ifPresent(mesh -> read.add(new MeshPart(p.material, mesh)));
         }
         if (read.isEmpty()) {
-            throw source.failure(triangles == 0 ? "has no triangles" : "has no triangle with an area");
+            throw source.failure(
+                    triangles == 0
+                            ? "has " + positions.count() + " vertices and no faces (f); nothing else makes a mesh"
+                            : "has no triangle with an area");
         }
         return new MeshFile(read, List.copyOf(libraries));
     }

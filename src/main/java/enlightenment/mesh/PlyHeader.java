@@ -54,7 +54,7 @@ final class PlyHeader {
     PlyHeader(MeshSource source) throws IOException {
         this.source = source;
         String text = new String(source.start(LONGEST), StandardCharsets.ISO_8859_1);
-        boolean isOfReturns = text.startsWith("ply\r") && !text.startsWith("ply\r\n");
+        boolean isOfReturns = text.startsWith("\r", 3) && !text.startsWith("\r\n", 3);
         char lineEnd = isOfReturns ? '\r' : '\n';
         String line = "";
         while (!line.equals("end_header")) {
@@ -91,7 +91,7 @@ final class PlyHeader {
     private void take(String line) throws IOException {
         String[] words = line.split("[ \t]+");
         if (lines == 1) {
-            check(line.equals("ply"), "begins with " + Plain.quoted(line) + " where ply is expected");
+            check(line.equalsIgnoreCase("ply"), "begins with " + Plain.quoted(line) + " where ply is expected");
             return;
         }
         switch (words[0]) {
@@ -99,7 +99,9 @@ final class PlyHeader {
             case "element" -> takeElement(words);
             case "property" -> takeProperty(words);
             case "comment", "obj_info", "end_header", "" -> {}
-            default -> throw failure("has " + Plain.quoted(words[0]) + " where element or property is expected");
+            // Some programs write comments without their keyword, such as Blender 2.47.
+            default ->
+                check(elements.isEmpty(), "has " + Plain.quoted(words[0]) + " where element or property is expected");
         }
     }
 

@@ -50,7 +50,8 @@ final class PlyReader {
         vertices = count("vertex");
         int faces = count("face");
         if (vertices == 0 || faces == 0) {
-            throw source.failure("has no triangles: a mesh needs elements vertex and face");
+            throw source.failure("has " + vertices + " vertices and " + faces
+                    + " faces; a mesh needs some of both, elements vertex and face");
         }
         try (InputStream in = source.open(header.length())) {
             PlyBody body = body(in);

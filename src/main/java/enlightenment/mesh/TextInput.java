@@ -55,8 +55,15 @@ final class TextInput {
         this.in = in;
         this.line = line;
         fill();
+        if (line == 1 && end >= 2 && (isMark(0xfe, 0xff) || isMark(0xff, 0xfe))) {
+            throw source.failure("is text of UTF-16, by the mark at its start; UTF-8 is expected");
+        }
         boolean hasMark = line == 1 && end >= 3 && buffer[0] == -17 && buffer[1] == -69 && buffer[2] == -65;
         at = hasMark ? 3 : 0; // the mark of UTF-8
+    }
+
+    private boolean isMark(int first, int second) {
+        return buffer[0] == (byte) first && buffer[1] == (byte) second;
     }
 
     /** A failure whose message names the text and the line. */

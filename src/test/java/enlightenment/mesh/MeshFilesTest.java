@@ -1,5 +1,6 @@
 package enlightenment.mesh;
 
+import static enlightenment.mesh.MutatedFiles.mutated;
 import static enlightenment.mesh.SmallMeshFiles.HALVES;
 import static enlightenment.mesh.SmallMeshFiles.SQUARE;
 import static enlightenment.mesh.SmallMeshFiles.bytes;
@@ -15,12 +16,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -89,6 +93,22 @@ class MeshFilesTest {
     }
 
     @Test
+    void compressedFilesAndOtherEncodingsAreCalledWhatTheyAre() throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        try (GZIPOutputStream zip = new GZIPOutputStream(out)) {
+            zip.write(bytes(PLY));
+        }
+        assertEquals(
+                "is compressed by gzip; a mesh is read from what gunzip makes of it",
+                problem(out.toByteArray(), "a.ply.gz"));
+        for (Charset wide : List.of(StandardCharsets.UTF_16BE, StandardCharsets.UTF_16LE)) {
+            assertEquals(
+                    "is text of UTF-16, by the mark at its start; UTF-8 is expected",
+                    problem(("\ufeff" + OBJ).getBytes(wide), "a.obj"));
+        }
+    }
+
+    @Test
     void filesThatCannotBeOpenedAreNamed() {
         Path none = folder.resolve("none.ply");
         assertTrue(assertThrows(IOException.class, () -> MeshFiles.read(none, 1))
@@ -131,27 +151,6 @@ class MeshFilesTest {
             assertTrue(e.getMessage().length() < 300 && e.getMessage().indexOf('\n') < 0, e.getMessage());
             return true;
         }
-    }
-
-    private static byte[] mutated(byte[] content, Random random) {
-        byte[] all = content.clone();
-        int changes = 1 + random.nextInt(4);
-        for (int i = 0; i < changes; i++) {
-            int at = random.nextInt(all.length);
-            switch (random.nextInt(6)) {
-                case 0 -> all[at] = (byte) random.nextInt(256);
-                case 1 -> all[at] ^= (byte) (1 << random.nextInt(8));
-                case 2 -> all[at] = (byte) "0123456789-+./\\ \r\n#eEn".charAt(random.nextInt(22));
-                case 3 -> Arrays.fill(all, at, Math.min(all.length, at + 4), (byte) (random.nextInt(3) - 1));
-                case 4 -> {
-                    int from = random.nextInt(all.length);
-                    int length = Math.min(random.nextInt(20), all.length - Math.max(at, from));
-                    System.arraycopy(all, from, all, at, length);
-                }
-                default -> all = Arrays.copyOf(all, Math.max(1, all.length - random.nextInt(8)));
-            }
-        }
-        return all;
     }
 
     @Test

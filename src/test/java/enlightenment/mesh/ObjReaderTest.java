@@ -131,7 +131,7 @@ class ObjReaderTest {
             {"f 1 2 x", "line 5: has \"x\" where an integer is expected"},
             {"v 1 2", "line 5: has the end of the text where a number is expected"},
             {"f 1 1 1", "has no triangle with an area"},
-            {"", "has no triangles"},
+            {"", "has 4 vertices and no faces (f); nothing else makes a mesh"},
         };
         for (String[] c : cases) {
             assertEquals(c[1], problem(CORNERS + c[0], "a.obj"));

@@ -198,14 +198,14 @@ class PlyReaderTest {
             {"format ascii 1.0\n", "", "its header has no format"},
             {"float x", "real x", "line 5: has the unknown type \"real\""},
             {"vertex 4", "vertex -4", "line 4: must be an element with its name and its count"},
-            {"comment", "remark", "line 3: has \"remark\" where element or property is expected"},
+            {"property float y", "remark", "line 6: has \"remark\" where element or property is expected"},
             {"list uchar", "list float", "line 9: has a list whose count is no integer"},
             {"property float z\n", "", "has vertices without properties x, y and z"},
             {"float y", "float x", "element \"vertex\" has two properties \"x\""},
             {"face 1", "vertex 1", "line 8: is a second element \"vertex\""},
             {"uchar int", "uchar float", "has faces without a list vertex_indices of integers"},
             {"end_header\n", "", "line 10: has \"0\" where element or property is expected"},
-            {"face 1", "face 0", "has no triangles: a mesh needs elements vertex and face"},
+            {"face 1", "face 0", "has 4 vertices and 0 faces; a mesh needs some of both, elements vertex and face"},
         };
         for (String[] c : cases) {
             String problem = problem(good.replace(c[0], c[1]) + body, "a.ply");
@@ -215,6 +215,14 @@ class PlyReaderTest {
                 "its header has no end_header within the first 64 KiB",
                 problem("ply\nformat ascii 1.0\n" + "comment\n".repeat(10_000) + "end_header\n", "a.ply"));
         assertEquals("line 1: begins with \"plyx\" where ply is expected", problem("plyx\n", "a.ply"));
+    }
+
+    @Test
+    void headersOfSomeOldProgramsAreRead() throws IOException {
+        String good = ASCII + ONE_FACE + CORNERS + "4 0 1 2 3\n";
+        TriangleMesh mesh = mesh(good, "a.ply");
+        assertEquals(mesh, mesh(good.replace("ply\n", "PLY\n"), "a"));
+        assertEquals(mesh, mesh(good.replace("comment", "Created by a program without the word"), "a.ply"));
     }
 
     @Test

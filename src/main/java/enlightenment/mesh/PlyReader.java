@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteOrder;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Reads PLY files: ascii and both binary forms, elements in any order. Elements and properties that a mesh has no use for are skipped.
@@ -200,13 +201,17 @@ final class PlyReader {
         }
         indices = new Ints((int) Math.min(3 * e.count(), 3 * Math.min(maxTriangles, Floats.LONGEST / 3)));
         for (record = 0; record < e.count(); record++) {
-            for (int i = 0; i < e.properties().size(); i++) {
-                Property p = e.properties().get(i);
-                if (i == list) {
-                    readPolygon(p, body);
-                } else {
-                    body.skip(p.type(), p.count().isEmpty() ? 1 : length(p, body));
-                }
+            readFace(e.properties(), list, body);
+        }
+    }
+
+    private void readFace(List<Property> properties, int list, PlyBody body) throws IOException {
+        for (int i = 0; i < properties.size(); i++) {
+            Property p = properties.get(i);
+            if (i == list) {
+                readPolygon(p, body);
+            } else {
+                body.skip(p.type(), p.count().isEmpty() ? 1 : length(p, body));
             }
         }
     }

@@ -54,8 +54,9 @@ public final class TriangleMesh {
         this.normals = normals;
         this.uv = uv;
         check(indices);
-        withoutArea = some(indices, false);
-        this.indices = withoutArea.length == 0 ? indices : some(indices, true);
+        int[] flat = trianglesWithoutArea(indices);
+        withoutArea = corners(indices, flat);
+        this.indices = flat.length == 0 ? indices : cornersOfOthers(indices, flat);
         Check.that(this.indices.length > 0, "indices", "must hold at least one triangle with an area");
         bounds = boundsOf(this);
         double size = bounds.maxAbs();
@@ -188,18 +189,37 @@ public final class TriangleMesh {
         }
     }
 
-    /** Those triangles that have an area, as far as doubles can tell, or those whose three corners lie in one line. */
-    private int[] some(int[] all, boolean withArea) {
+    /** The numbers of those triangles whose three corners lie in one line, as far as doubles can tell. */
+    private int[] trianglesWithoutArea(int[] all) {
         double[] n = new double[3];
-        Ints some = new Ints(withArea ? all.length : 0);
+        Ints some = new Ints(0);
         for (int i = 0; i < all.length; i += 3) {
-            if (normal(all[i], all[i + 1], all[i + 2], n) == withArea) {
-                some.add(all[i]);
-                some.add(all[i + 1]);
-                some.add(all[i + 2]);
+            if (!normal(all[i], all[i + 1], all[i + 2], n)) {
+                some.add(i / 3);
             }
         }
         return some.toArray();
+    }
+
+    private static int[] corners(int[] all, int[] triangles) {
+        int[] some = new int[3 * triangles.length];
+        for (int i = 0; i < some.length; i++) {
+            some[i] = all[3 * triangles[i / 3] + i % 3];
+        }
+        return some;
+    }
+
+    /** @param left the triangles that are left out, in ascending order */
+    private static int[] cornersOfOthers(int[] all, int[] left) {
+        int[] some = new int[all.length - 3 * left.length];
+        int to = 0;
+        for (int i = 0; i <= left.length; i++) {
+            int from = i == 0 ? 0 : 3 * left[i - 1] + 3;
+            int end = i == left.length ? all.length : 3 * left[i];
+            System.arraycopy(all, from, some, to, end - from);
+            to += end - from;
+        }
+        return some;
     }
 
     /** Writes the geometric normal of a triangle, as long as twice its area. */
@@ -377,13 +397,11 @@ public final class TriangleMesh {
     private static Bounds boundsOf(TriangleMesh mesh) {
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
-        for (int t = 0; t < mesh.triangles(); t++) {
-            for (int k = 0; k < 3; k++) {
-                for (int axis = 0; axis < 3; axis++) {
-                    double c = mesh.coordinate(mesh.vertex(t, k), axis);
-                    low[axis] = Math.min(low[axis], c);
-                    high[axis] = Math.max(high[axis], c);
-                }
+        for (int v : mesh.indices) {
+            for (int axis = 0; axis < 3; axis++) {
+                double c = mesh.number(3 * v + axis);
+                low[axis] = Math.min(low[axis], c);
+                high[axis] = Math.max(high[axis], c);
             }
         }
         return new Bounds(new Vec3(low[0], low[1], low[2]), new Vec3(high[0], high[1], high[2]));

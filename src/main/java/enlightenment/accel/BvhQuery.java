@@ -95,7 +95,7 @@ public final class BvhQuery {
 
     /** Whether a mesh of several has a crossing with tMin ≤ t ≤ tMax. */
     boolean blocks(MeshUnion union, Ray ray, double tMax) {
-        if (ray.isSpecial()) {
+        if (!union.suits(ray)) {
             for (int k = 0; k < union.size(); k++) {
                 if (blocks(union.member(k), union.id(k), ray, tMax)) {
                     return true;

@@ -65,7 +65,7 @@ public final class Closest {
 
     /** Tests meshes together and keeps their crossing if it is the closest. */
     void offer(Ray ray, MeshUnion union) {
-        if (ray.isSpecial()) {
+        if (!union.suits(ray)) {
             for (int k = 0; k < union.size(); k++) {
                 offer(ray, union.member(k), union.id(k));
             }

@@ -36,7 +36,7 @@ public final class MeshPrimitive extends Primitive {
         Vec3 min = mesh.min();
         Vec3 max = mesh.max();
         PlacedBoxes all = new PlacedBoxes(placing);
-        if (placing.isMove) {
+        if (placing.keepsAxes()) {
             all.accept(min.x(), min.y(), min.z(), max.x(), max.y(), max.z());
         } else {
             mesh.tree(() -> {}).forEachBox(all);
@@ -98,14 +98,9 @@ public final class MeshPrimitive extends Primitive {
         local.startOn(triangle, ray.startSide, Scale.gamma(16) * size * placing.largestInverse());
     }
 
-    /** Whether it was moved only: not turned, mirrored or scaled. */
-    boolean isMoved() {
-        return placing.isMove;
-    }
-
-    /** Where the mesh's origin is. */
-    List<Double> offset() {
-        return List.of(placing.offset(0), placing.offset(1), placing.offset(2));
+    /** The numbers of how it is placed. */
+    List<Double> placing() {
+        return Arrays.stream(placing.numbers()).boxed().toList();
     }
 
     @Override

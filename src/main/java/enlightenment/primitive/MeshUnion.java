@@ -41,8 +41,7 @@ public final class MeshUnion {
     }
 
     /**
-     * The union of those meshes that are placed alike and not turned or scaled, if there are at least two; of several such sets that with the most
-     * triangles.
+     * The union of meshes that are placed alike, if there are at least two; of several such sets that with the most triangles.
      *
      * @param poll called now and then; ends the building by what it throws
      * @return null if there is none
@@ -50,8 +49,8 @@ public final class MeshUnion {
     public static MeshUnion of(Primitive[] primitives, Runnable poll) {
         Map<List<Double>, List<Integer>> placed = new LinkedHashMap<>();
         for (int i = 0; i < primitives.length; i++) {
-            if (primitives[i] instanceof MeshPrimitive m && m.isMoved() && !m.isExtreme()) {
-                placed.computeIfAbsent(m.offset(), k -> new ArrayList<>()).add(i);
+            if (primitives[i] instanceof MeshPrimitive m && !m.isExtreme()) {
+                placed.computeIfAbsent(m.placing(), k -> new ArrayList<>()).add(i);
             }
         }
         List<Integer> best = null;
@@ -90,7 +89,7 @@ public final class MeshUnion {
 
     /**
      * The t of the nearest crossing with tMin ≤ t ≤ tMax, or {@link Primitive#MISS}; {@link Ray#element} is the triangle then, and {@link
-     * Ray#member} the member. For ordinary rays that are not {@linkplain Ray#isSpecial special}.
+     * Ray#member} the member. For rays that it {@link #suits}.
      */
     public double nearest(Ray ray, double tMax) {
         MeshRay local = local(ray);
@@ -108,6 +107,11 @@ public final class MeshUnion {
         return local(ray).isBlocked(tMax);
     }
 
+    /** Whether a ray may be asked about: it is not extreme, and starts on two meshes at most. */
+    public boolean suits(Ray ray) {
+        return !ray.extreme && ray.otherMesh() > -2;
+    }
+
     private int memberOf(int triangle) {
         int k = Arrays.binarySearch(first, triangle);
         return k >= 0 ? k : -k - 2;
@@ -116,13 +120,25 @@ public final class MeshUnion {
     private MeshRay local(Ray ray) {
         MeshRay local = ray.meshRay();
         members[0].place(local, tree.mesh(), ray);
-        if (ray.start instanceof MeshPrimitive m) {
-            for (int k = 0; k < members.length; k++) {
-                if (members[k] == m) {
-                    m.startOn(local, first[k] + ray.startElement, ray);
-                }
-            }
+        int start = memberOf(ray.start);
+        if (start >= 0) {
+            members[start].startOn(local, first[start] + ray.startElement, ray);
+        }
+        int also = ray.isSpecial() ? ray.otherMesh() : -1;
+        int other = also < 0 ? -1 : memberOf(ray.alsoStart(also));
+        if (other >= 0) {
+            local.leaveOut(first[other] + ray.alsoElement(also));
         }
         return local;
+    }
+
+    /** The number of a member; −1 if it is none. */
+    private int memberOf(Primitive primitive) {
+        for (int k = 0; primitive != null && k < members.length; k++) {
+            if (members[k] == primitive) {
+                return k;
+            }
+        }
+        return -1;
     }
 }

@@ -88,6 +88,16 @@ final class Placing {
         return Products.dot(numbers[at], numbers[at + 1], numbers[at + 2], x, y, z);
     }
 
+    /** Whether each axis goes along itself. */
+    boolean keepsAxes() {
+        for (int k = 3; k < INVERSE; k++) {
+            if (numbers[k] != 0 && (k - 3) % 4 != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Where the mesh's origin is. */
     double offset(int axis) {
         return numbers[axis];

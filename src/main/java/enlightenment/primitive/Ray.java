@@ -205,6 +205,28 @@ public final class Ray {
         return special;
     }
 
+    /**
+     * Which of the other surfaces that the ray starts on is a mesh: its number for {@link #alsoStart} and {@link #alsoElement}, −1 if none is, −2
+     * if several are.
+     */
+    int otherMesh() {
+        int found = -1;
+        for (int k = 0; k < alsoCount; k++) {
+            if (alsoStarts[k].hasElements() && !(alsoStarts[k] == start && alsoElements[k] == startElement)) {
+                found = found == -1 ? k : -2;
+            }
+        }
+        return found;
+    }
+
+    Primitive alsoStart(int k) {
+        return alsoStarts[k];
+    }
+
+    int alsoElement(int k) {
+        return alsoElements[k];
+    }
+
     /** The side of the primitive that the ray starts on, or 0 if it does not start on it. */
     public int sideOf(Primitive primitive) {
         if (start == primitive) {

@@ -32,7 +32,7 @@ final class MeshUnionTest {
         TriangleMesh soup = TestMeshes.soup(60, 0.7, 5);
         return new Primitive[] {
             Primitives.place(Mesh.of(ball), frame),
-            Primitives.place(new Sphere(ExactPoint.of(0.5, 0, 0), 0.9), frame),
+            Primitives.place(new Sphere(ExactPoint.of(0.5, 0, 0), 0.9, 0), frame),
             Primitives.place(Mesh.of(soup), frame),
             Primitives.place(Mesh.of(TestMeshes.cube()), frame),
             Primitives.place(Mesh.of(ball, Transform.of(new Transform.Scale(new Vec3(2, 0.5, 1)))), frame),
@@ -75,9 +75,9 @@ final class MeshUnionTest {
         boolean leaves = false;
         for (int k = 0; k < RAYS; k++) {
             if (leaves) {
-                double x = hit.x;
-                double y = hit.y;
-                double z = hit.z;
+                double x = hit.px;
+                double y = hit.py;
+                double z = hit.pz;
                 ray.set(x, y, z, signed(random), signed(random), signed(random), 0);
                 double cosine = ray.dx * hit.nx + ray.dy * hit.ny + ray.dz * hit.nz;
                 ray.from(hit, cosine > 0 ? Ray.OUTSIDE : Ray.INSIDE);

@@ -42,6 +42,16 @@ final class LightNode {
         return new LightNode(box, cone, strength, light, null, null);
     }
 
+    /**
+     * A point with a profile by itself. The bound of the tree falls with the cosine of the angle to the axis beyond the cone that is given here, to 0 a
+     * quarter turn beyond it: so no direction of the profile has the bound 0.
+     */
+    static LightNode leaf(Vec3 center, IntensityProfile profile, double strength, int light) {
+        double angle = Math.max(profile.coneAngle() - 0.5 * Math.PI, 0);
+        NormalCone cone = new NormalCone(profile.axis(), Math.min(angle + NormalCone.SLACK, Math.PI));
+        return new LightNode(Bounds.of(center), cone, strength, light, null, null);
+    }
+
     private LightNode(LightNode first, LightNode second) {
         this(
                 first.box.union(second.box),

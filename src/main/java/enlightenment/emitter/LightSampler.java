@@ -33,7 +33,7 @@ public final class LightSampler {
             places[indices[place]] = place;
             Entry e = entries.get(indices[place]);
             if (e.light == null) {
-                weights.setPoint(place, e.position, e.strength);
+                weights.setPoint(place, e.position, e.profile, e.strength);
             } else {
                 weights.set(place, e.light, e.strength);
             }
@@ -106,9 +106,11 @@ public final class LightSampler {
                 .toArray();
     }
 
-    private record Entry(AreaLight light, Vec3 position, double strength, double[] key) implements Comparable<Entry> {
+    private record Entry(AreaLight light, Vec3 position, IntensityProfile profile, double strength, double[] key)
+            implements Comparable<Entry> {
         private String kind() {
-            return light == null ? "" : light.getClass().getSimpleName();
+            Object form = light == null ? profile : light;
+            return form == null ? "" : form.getClass().getSimpleName();
         }
 
         @Override
@@ -132,7 +134,7 @@ public final class LightSampler {
          * @param luminance of its radiance, above 0, as that of all others in any unit
          */
         public Builder add(AreaLight light, double luminance) {
-            entries.add(new Entry(light, light.ballCenter(), luminance, light.parameters()));
+            entries.add(new Entry(light, light.ballCenter(), null, luminance, light.parameters()));
             return this;
         }
 
@@ -142,7 +144,20 @@ public final class LightSampler {
          * @param luminance of its radiant intensity, in the unit of the other lights' times the square of the unit of length
          */
         public Builder addPoint(Vec3 position, double luminance) {
-            entries.add(new Entry(null, position, luminance, new double[] {position.x(), position.y(), position.z()}));
+            return addPoint(position, null, luminance);
+        }
+
+        /**
+         * Adds a point.
+         *
+         * @param profile by which its intensity depends on direction; null if it is the same in all directions
+         * @param luminance of its largest intensity, as for {@link #addPoint(Vec3, double)}
+         */
+        public Builder addPoint(Vec3 position, IntensityProfile profile, double luminance) {
+            double[] own = profile == null ? new double[0] : profile.parameters();
+            double[] key = Arrays.copyOf(new double[] {position.x(), position.y(), position.z()}, 3 + own.length);
+            System.arraycopy(own, 0, key, 3, own.length);
+            entries.add(new Entry(null, position, profile, luminance, key));
             return this;
         }
 

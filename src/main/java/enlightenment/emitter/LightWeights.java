@@ -30,12 +30,16 @@ final class LightWeights {
     /** Polygons, which have a closed form; null for others. */
     private final AreaLight[] polygons;
 
+    /** What intensity depends on; null for lights with extent, and for points that shine alike to all sides. */
+    private final IntensityProfile[] profiles;
+
     /** For each light: ball's centre and radius, normal, and luminance times area. */
     private final double[] data;
 
     LightWeights(int count) {
         kinds = new int[count];
         polygons = new AreaLight[count];
+        profiles = new IntensityProfile[count];
         data = new double[STRIDE * count];
     }
 
@@ -49,8 +53,9 @@ final class LightWeights {
         put(i, light.ballCenter(), light.ballRadius(), n, strength);
     }
 
-    void setPoint(int i, Vec3 position, double intensity) {
+    void setPoint(int i, Vec3 position, IntensityProfile profile, double intensity) {
         kinds[i] = POINT;
+        profiles[i] = profile;
         put(i, position, 0, Vec3.ZERO, intensity);
     }
 
@@ -71,6 +76,9 @@ final class LightWeights {
         int k = STRIDE * i;
         Vec3 center = new Vec3(data[k], data[k + 1], data[k + 2]);
         Vec3 normal = kinds[i] == FLAT ? new Vec3(data[k + 4], data[k + 5], data[k + 6]) : Vec3.ZERO;
+        if (profiles[i] != null) {
+            return LightNode.leaf(center, profiles[i], data[k + 7], i);
+        }
         double strength = kinds[i] == BALL ? Math.PI * data[k + 3] * data[k + 3] * data[k + 7] : data[k + 7];
         return LightNode.leaf(center, data[k + 3], normal, strength, i);
     }
@@ -95,6 +103,10 @@ final class LightWeights {
             return strength * ball(square, height, radius, everywhere);
         }
         double rough = rough(k, kind, dx, dy, dz, square, height, everywhere);
+        if (profiles[i] != null && rough > 0) {
+            double inverse = -1 / Math.sqrt(square);
+            return rough * profiles[i].luminance(dx * inverse, dy * inverse, dz * inverse);
+        }
         if (rough > 0 && !everywhere && polygons[i] != null && square < NEAR * NEAR * radius * radius) {
             AreaLight light = polygons[i];
             light.aim(scratch, x, y, z);

@@ -11,7 +11,7 @@ record NormalCone(Vec3 axis, double angle) {
     static final NormalCone ALL = new NormalCone(Vec3.Y, Math.PI);
 
     /** More than what an angle between unit vectors is off by. */
-    private static final double SLACK = 0x1p-24;
+    static final double SLACK = 0x1p-24;
 
     /** A cone around both, as small as they allow. */
     NormalCone union(NormalCone o) {

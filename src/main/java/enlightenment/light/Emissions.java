@@ -20,12 +20,12 @@ final class Emissions {
     }
 
     /** Of a light without extent. */
-    static void checkPoint(Color color, Emission emission) {
+    static void checkPoint(String type, Color color, Emission emission) {
         check(color, emission);
         Check.that(
                 emission.quantity() != Emission.Quantity.RADIANCE,
                 "radiance",
-                "belongs to lights with a surface; a point light has \"intensity\" or \"power\"");
+                "belongs to lights with a surface; a " + type + " light has \"intensity\" or \"power\"");
     }
 
     private static void check(Color color, Emission emission) {

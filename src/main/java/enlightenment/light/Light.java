@@ -5,6 +5,7 @@ import enlightenment.color.Color;
 import enlightenment.color.Rgb;
 import enlightenment.frame.Parallelograms;
 import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
 import java.util.List;
 import java.util.Objects;
 
@@ -16,7 +17,7 @@ import java.util.Objects;
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
  * of range or a degenerate light, and {@link NullPointerException} for a missing value.
  */
-public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point {
+public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point, Light.Spot {
 
     /** The light's colour: in classic shading, what a viewer looking straight at it sees. */
     Color color();
@@ -32,6 +33,16 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
     /** What it gives in the near ultraviolet (300 to 400 nm), in the quantity of its {@link #emission}, whatever its colour is. */
     default double ultraviolet() {
         return emission().ultraviolet();
+    }
+
+    /** Whether it has a surface that is seen; the others shine from one point. */
+    default boolean hasSurface() {
+        return true;
+    }
+
+    /** Whether classic shading has this kind of light. */
+    default boolean isForClassicShading() {
+        return true;
     }
 
     /** The name of this kind of light in the scene format, such as {@code "sphere"}. */
@@ -141,7 +152,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         /** Validates the components, as {@link Light} states. */
         public Point {
             Objects.requireNonNull(position, "position");
-            Emissions.checkPoint(color, emission);
+            Emissions.checkPoint("point", color, emission);
         }
 
         /** A light of this colour and intensity 1. */
@@ -152,6 +163,63 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         @Override
         public String type() {
             return "point";
+        }
+
+        @Override
+        public boolean hasSurface() {
+            return false;
+        }
+
+        @Override
+        public List<ExactPoint> anchors() {
+            return List.of(position);
+        }
+
+        @Override
+        public double reach() {
+            return 0;
+        }
+    }
+
+    /**
+     * A point that shines into a cone; it cannot be seen. Up to {@code innerAngle} from the direction its intensity is the full one, at
+     * {@code angle} it is 0, and between them it falls by the cubic smoothstep of the cosine. For physical shading.
+     *
+     * @param position where it is
+     * @param direction the axis of the cone, of any length
+     * @param angle between the axis and where it is dark, in degrees: above 0, at most 180
+     * @param innerAngle between the axis and where the intensity begins to fall, in degrees: 0..{@code angle}
+     * @param color its colour
+     * @param emission intensity on the axis, or power; intensity = power / (2π (1 − (cos {@code innerAngle} + cos {@code angle}) / 2))
+     */
+    record Spot(ExactPoint position, Vec3 direction, double angle, double innerAngle, Color color, Emission emission)
+            implements Light {
+        /** Validates the components, as {@link Light} states. */
+        public Spot {
+            Objects.requireNonNull(position, "position");
+            Objects.requireNonNull(direction, "direction");
+            Check.direction("direction", direction);
+            Check.that(angle > 0 && angle <= 180, "angle", "must be above 0 and at most 180 degrees, not " + angle);
+            Check.that(
+                    innerAngle >= 0 && innerAngle <= angle,
+                    "innerAngle",
+                    "must lie in 0.." + angle + ", where \"angle\" is, not " + innerAngle);
+            Emissions.checkPoint("spot", color, emission);
+        }
+
+        @Override
+        public String type() {
+            return "spot";
+        }
+
+        @Override
+        public boolean hasSurface() {
+            return false;
+        }
+
+        @Override
+        public boolean isForClassicShading() {
+            return false;
         }
 
         @Override

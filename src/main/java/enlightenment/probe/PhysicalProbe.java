@@ -10,7 +10,6 @@ import enlightenment.transport.direct.NextEventEstimation;
 import enlightenment.transport.direct.ShadowRays;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
-import enlightenment.world.Tracer;
 import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.parts.RayCounters;
 
@@ -112,9 +111,6 @@ final class PhysicalProbe extends RayProbe {
 
     private boolean isVisible(PhysicalLight l) {
         shadow.begin();
-        Tracer.Visibility visibility = shadow.visibility(l);
-        return visibility == Tracer.Visibility.UNKNOWN
-                ? !shadow.isBlocked(l, view.sample)
-                : visibility == Tracer.Visibility.ALL;
+        return shadow.isVisible(l, view.sample);
     }
 }

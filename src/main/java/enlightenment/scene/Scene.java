@@ -99,6 +99,9 @@ public record Scene(
         fit.throwIfAny();
         fit.requireTogether();
         fit.require(camera);
+        for (int i = 0; i < lights.size(); i++) {
+            fit.require(lights.get(i), i);
+        }
     }
 
     private static <T> Map<String, T> named(String key, String what, Map<String, T> things) {

@@ -7,6 +7,7 @@ import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Triangle;
+import enlightenment.light.Light;
 import enlightenment.material.Bump;
 import enlightenment.material.Material;
 import enlightenment.material.NormalMap;
@@ -70,6 +71,20 @@ final class ShadingFit {
                     "camera/type",
                     "must not be \"isometric\" in a scene that a \"medium\" fills: this view is from infinitely far, from"
                             + " where nothing is seen through it; \"orthographic\" has an eye");
+        }
+    }
+
+    /**
+     * Fails if a light has no meaning in this shading.
+     *
+     * @throws InvalidValueException with the place
+     */
+    void require(Light light, int index) {
+        if (model == Shading.Model.CLASSIC && !light.isForClassicShading()) {
+            throw new InvalidValueException(
+                    "lights/" + index + "/type",
+                    "\"" + light.type() + "\" needs \"shading\": {\"model\": \"physical\"}; classic shading has"
+                            + " \"sphere\", \"rectangle\" and \"point\"");
         }
     }
 

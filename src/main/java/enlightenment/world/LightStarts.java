@@ -1,5 +1,6 @@
 package enlightenment.world;
 
+import enlightenment.emitter.IntensityProfile;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.world.light.PhysicalLight;
@@ -98,7 +99,7 @@ public final class LightStarts {
             return 4 * Math.PI * Math.PI * radius * radius;
         }
         if (lights[l].isPoint) {
-            return 4 * Math.PI;
+            return lights[l].profile == null ? 4 * Math.PI : lights[l].profile.solidAngle();
         }
         return (shinesBothWays[l] ? 2 : 1) * Math.PI * lights[l].form.area();
     }
@@ -146,15 +147,22 @@ public final class LightStarts {
     }
 
     /**
-     * The density, per solid angle, of the direction in which paths leave a point of a light; of surroundings only if they are constant.
+     * The density, per solid angle, of the direction in which paths leave a point of a light with extent; of surroundings only if they are
+     * constant.
      *
-     * @param cosine between that and the normal on the side that it leaves to; has no influence where there is none
+     * @param cosine between that and the normal on the side that it leaves to; of surroundings it has no influence
      */
     public double directionDensity(int light, double cosine) {
-        if (light == background || lights[light].isPoint) {
+        if (light == background) {
             return 1 / (4 * Math.PI);
         }
         return cosine > 0 ? cosine / (shinesBothWays[light] ? 2 * Math.PI : Math.PI) : 0;
+    }
+
+    /** The density, per solid angle, of the direction (unit vector) in which paths leave a point light. */
+    public double directionDensity(int light, double dx, double dy, double dz) {
+        IntensityProfile profile = lights[light].profile;
+        return profile == null ? 1 / (4 * Math.PI) : profile.density(dx, dy, dz);
     }
 
     /** The solids of glass that points of a light may lie in. */

@@ -213,7 +213,7 @@ public final class PhysicalScene {
         LightSampler.Builder builder = new LightSampler.Builder();
         for (PhysicalLight light : lights) {
             if (light.isPoint) {
-                builder.addPoint(new Vec3(light.x, light.y, light.z), brightness(light));
+                builder.addPoint(new Vec3(light.x, light.y, light.z), light.profile, brightness(light));
             } else {
                 builder.add(light.form, brightness(light));
             }

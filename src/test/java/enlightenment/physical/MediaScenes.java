@@ -40,7 +40,7 @@ final class MediaScenes {
         return new Medium.Coefficients(scattering, absorption, anisotropy);
     }
 
-    private static PhysicalShading in(Medium medium, OptionalInt maxBounces, double background) {
+    static PhysicalShading in(Medium medium, OptionalInt maxBounces, double background) {
         return new PhysicalShading(maxBounces, new Background.Constant(Rgb.gray(background)), Optional.of(medium));
     }
 

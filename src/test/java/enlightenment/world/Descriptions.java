@@ -15,6 +15,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
+import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Bump;
 import enlightenment.material.Mask;
@@ -80,7 +81,14 @@ public final class Descriptions {
                             ExactPoint.of(1, 1, 5),
                             ExactPoint.of(1, -1, 4),
                             DisplayRgb.WHITE),
-                    new Light.Point(ExactPoint.of(0, 0, 4), DisplayRgb.WHITE)));
+                    new Light.Point(ExactPoint.of(0, 0, 4), DisplayRgb.WHITE),
+                    new Light.Spot(
+                            ExactPoint.of(0, 0, 4),
+                            new Vec3(0, 0, -2),
+                            30,
+                            20,
+                            DisplayRgb.WHITE,
+                            Emission.INTENSITY_1)));
 
     /** Cameras that look at (0, 0, 4). */
     public static final List<Camera> CAMERAS = all(

@@ -6,6 +6,7 @@ import enlightenment.color.Rgb;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -24,18 +25,22 @@ final class Lights {
                     Light.Rectangle.class,
                     "corners color | twoSided radiance power ultraviolet",
                     notOfSurfaces("rectangle"))
+            .with("point", Light.Point.class, "position color | intensity power ultraviolet", notOfPoints("point"))
             .with(
-                    "point",
-                    Light.Point.class,
-                    "position color | intensity power ultraviolet",
-                    Map.of(
-                            "radiance",
-                            "belongs to lights with a surface; a point light has \"intensity\" or \"power\""));
+                    "spot",
+                    Light.Spot.class,
+                    "position direction angle color | innerAngle intensity power ultraviolet",
+                    notOfPoints("spot"));
 
     private Lights() {}
 
     private static Map<String, String> notOfSurfaces(String type) {
         return Map.of("intensity", "belongs to point lights; a " + type + " light has \"radiance\" or \"power\"");
+    }
+
+    private static Map<String, String> notOfPoints(String type) {
+        return Map.of(
+                "radiance", "belongs to lights with a surface; a " + type + " light has \"intensity\" or \"power\"");
     }
 
     /** How much the light gives, with what it gives of ultraviolet light; null after a problem with that. */
@@ -70,6 +75,7 @@ final class Lights {
             case "sphere" -> sphere(f);
             case "rectangle" -> rectangle(f);
             case "point" -> point(f);
+            case "spot" -> spot(f);
             default -> throw Family.unknown(type);
         };
     }
@@ -85,6 +91,13 @@ final class Lights {
             write(r.emission(), Emission.RADIANCE_1, p);
         } else if (value instanceof Light.Point q) {
             p.point("position", q.position()).color("color", q.color());
+            write(q.emission(), Emission.INTENSITY_1, p);
+        } else if (value instanceof Light.Spot q) {
+            p.point("position", q.position())
+                    .vector("direction", q.direction())
+                    .number("angle", q.angle())
+                    .numberUnless(0, "innerAngle", q.innerAngle())
+                    .color("color", q.color());
             write(q.emission(), Emission.INTENSITY_1, p);
         } else {
             throw Family.unknown(value);
@@ -126,6 +139,16 @@ final class Lights {
         Color color = color(f);
         Emission emission = emission(f, Emission.INTENSITY_1);
         return f.make(() -> new Light.Point(position, color, emission));
+    }
+
+    private static Light spot(Fields f) {
+        ExactPoint position = f.point("position");
+        Vec3 direction = f.direction("direction", Vec3.Y.negated());
+        double angle = f.number("angle");
+        double innerAngle = f.number("innerAngle", 0);
+        Color color = color(f);
+        Emission emission = emission(f, Emission.INTENSITY_1);
+        return f.make(() -> new Light.Spot(position, direction, angle, innerAngle, color, emission));
     }
 
     private static Color color(Fields f) {

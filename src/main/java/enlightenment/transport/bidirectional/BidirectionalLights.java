@@ -13,7 +13,6 @@ import enlightenment.transport.ray.Optics;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.LightStarts;
 import enlightenment.world.PhysicalScene;
-import enlightenment.world.Tracer;
 import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.parts.RayCounters;
 
@@ -96,7 +95,7 @@ final class BidirectionalLights {
         return probability * density * Math.abs(cosine) / (d2 / physical.areaUnit);
     }
 
-    /** The density, per such area and solid angle, with which paths leave a light. */
+    /** The density, per such area and solid angle, with which paths leave a light with extent. */
     private double emission(int index, double outside) {
         double cosine = starts.shinesBothWays(index) ? Math.abs(outside) : outside;
         double perArea = starts.pointDensity(index) * physical.areaUnit;
@@ -136,7 +135,7 @@ final class BidirectionalLights {
         } else {
             shadow.begin();
         }
-        if (!(s.valueR > 0 || s.valueG > 0 || s.valueB > 0) || !isVisible(l)) {
+        if (!(s.valueR > 0 || s.valueG > 0 || s.valueB > 0) || !shadow.isVisible(l, sample)) {
             return false;
         }
         red = s.valueR * l.r / density;
@@ -166,22 +165,17 @@ final class BidirectionalLights {
         return sample.pdf;
     }
 
-    private boolean isVisible(PhysicalLight l) {
-        Tracer.Visibility known = shadow.visibility(l);
-        if (known != Tracer.Visibility.UNKNOWN) {
-            counters.lightSamplesWithoutRay++;
-            return known == Tracer.Visibility.ALL;
-        }
-        return !shadow.isBlocked(l, sample);
-    }
-
     private void weigh(PhysicalLight l, double density) {
         Scattering s = eye.s;
         double here = eye.projected(s.geometricCosineIn());
         double there = l.isPoint ? 1 : Math.abs(sample.cosine);
         double run = l.isPoint ? 0 : eye.survival * s.pdf / density;
         double ofLight = SubpathDensities.square(run);
-        double emission = emission(choice.light, l.isPoint ? 1 : sample.cosine);
+        double emission = l.isPoint
+                ? starts.probability(choice.light)
+                        * physical.areaUnit
+                        * starts.directionDensity(choice.light, -sample.dx, -sample.dy, -sample.dz)
+                : emission(choice.light, sample.cosine);
         double ofEye = emission > 0
                 ? SubpathDensities.square(emission * here / (density * there))
                         * eye.densities.behind(eye.survival * eye.reverse.of(eye.bsdf, s))

@@ -11,7 +11,6 @@ import enlightenment.transport.state.GatheredLight;
 import enlightenment.transport.state.PowerHeuristic;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
-import enlightenment.world.Tracer;
 import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.material.HomogeneousMedium;
 import enlightenment.world.parts.RayCounters;
@@ -145,12 +144,7 @@ public final class FlightLight {
 
     private boolean isVisible(PhysicalLight l) {
         shadow.isFiltered = false;
-        Tracer.Visibility known = shadow.visibility(l);
-        if (known != Tracer.Visibility.UNKNOWN) {
-            counters.lightSamplesWithoutRay++;
-            return known == Tracer.Visibility.ALL;
-        }
-        return !shadow.isBlocked(l, view.sample);
+        return shadow.isVisible(l, view.sample);
     }
 
     /** The flight has ended, and light is gathered there. */

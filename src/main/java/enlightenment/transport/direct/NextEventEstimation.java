@@ -197,7 +197,8 @@ public final class NextEventEstimation implements PathStrategy {
         }
         shadow.isFiltered = false;
         counters.lightSamples++;
-        isByChance = !tookAll;
+        // What depends on the direction from a point is as little the same at the next corner as what is drawn.
+        isByChance = !tookAll || l.profile != null;
         double e = l.isPoint ? ofPoint(l) : irradiance(l, tookAll ? index : -1, probability, sampler, address);
         // What is dimmed on its way is no matter of chance, but not the same at the next corner either.
         isByChance |= shadow.isFiltered;
@@ -406,11 +407,6 @@ public final class NextEventEstimation implements PathStrategy {
     }
 
     private boolean isVisible(PhysicalLight l) {
-        Tracer.Visibility visibility = shadow.visibility(l);
-        if (visibility != Tracer.Visibility.UNKNOWN) {
-            counters.lightSamplesWithoutRay++;
-            return visibility == Tracer.Visibility.ALL;
-        }
-        return !shadow.isBlocked(l, sample);
+        return shadow.isVisible(l, sample);
     }
 }

@@ -27,7 +27,9 @@ public final class ShadowRays {
     private final Tracer tracer;
     private final LightCone cone;
     private final Ray ray = new Ray();
+    private final RayCounters counters;
     private final boolean absorbs;
+    private final double[] relative = new double[3];
 
     /** Follows shadow rays through glass that does not turn them; null if there is none. */
     private final ShadowWalk walk;
@@ -58,16 +60,17 @@ public final class ShadowRays {
     /** Whether one primitive is in the way of all of the light. */
     private boolean isHidden;
 
-    /** Whether less than all of the light came through to the last shadow ray that was not blocked: {@link #rgb} says how much. */
+    /** Whether less than all of the light came through to the last shadow ray that was not blocked: {@link #rgb} has the share. */
     public boolean isFiltered;
 
-    /** What came through, by band. */
+    /** The share that came through, by band; of a point light with a profile also times the relative intensity in this direction. */
     public final double[] rgb = new double[3];
 
     /** @param cone around the light that is asked for, with its apex at the vertex */
     public ShadowRays(CompiledScene scene, RayCounters counters, PathFollower path, LightCone cone) {
         this.path = path;
         this.cone = cone;
+        this.counters = counters;
         hit = path.at.hit;
         glass = path.glass;
         tracer = path.tracer;
@@ -150,6 +153,34 @@ public final class ShadowRays {
         boolean isOpen =
                 known == Tracer.Visibility.ALL ? medium != null || l.lyingOn().hasCovers() : walk != null;
         return isOpen ? Tracer.Visibility.UNKNOWN : known;
+    }
+
+    /**
+     * Whether a sampled point of the light is seen from the vertex. {@link #rgb} then has what comes through, and of a point light the share that
+     * its profile sends this way.
+     */
+    public boolean isVisible(PhysicalLight l, LightSample to) {
+        if (l.profile != null && !(l.profile.luminance(-to.dx, -to.dy, -to.dz) > 0)) {
+            counters.lightSamplesWithoutRay++;
+            return false;
+        }
+        Tracer.Visibility known = visibility(l);
+        if (known != Tracer.Visibility.UNKNOWN) {
+            counters.lightSamplesWithoutRay++;
+        }
+        boolean isSeen = known == Tracer.Visibility.UNKNOWN ? !isBlocked(l, to) : known == Tracer.Visibility.ALL;
+        if (isSeen && l.profile != null) {
+            weighByProfile(l, to);
+        }
+        return isSeen;
+    }
+
+    private void weighByProfile(PhysicalLight l, LightSample to) {
+        l.profile.intensity(-to.dx, -to.dy, -to.dz, relative);
+        for (int band = 0; band < rgb.length; band++) {
+            rgb[band] = isFiltered ? rgb[band] * relative[band] : relative[band];
+        }
+        isFiltered = true;
     }
 
     /** Whether a point of the light is hidden. */

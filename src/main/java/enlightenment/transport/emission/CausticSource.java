@@ -1,6 +1,7 @@
 package enlightenment.transport.emission;
 
 import enlightenment.emitter.AreaLight;
+import enlightenment.emitter.IntensityProfile;
 import enlightenment.frame.BallCone;
 import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Ray;
@@ -62,6 +63,9 @@ public final class CausticSource extends PathSource {
         green = weight * l.g;
         blue = weight * l.b;
         ultraviolet = weight * l.ultraviolet;
+        if (l.profile != null) {
+            weighByProfile(l.profile);
+        }
         return weight > 0 && weight < Double.POSITIVE_INFINITY;
     }
 
@@ -109,10 +113,21 @@ public final class CausticSource extends PathSource {
 
     private double fromPoint(PhysicalLight l, int thing, double[] numbers, Ray ray) {
         aim(thing, 0, l.x, l.y, l.z);
-        toCone(numbers);
+        if (isWideFor(l.profile)) {
+            l.profile.sample(numbers[3], numbers[4], direction);
+            dx = direction[0];
+            dy = direction[1];
+            dz = direction[2];
+        } else {
+            toCone(numbers);
+        }
         double density = 0;
         for (int s = 0; s < pass.things; s++) {
-            density += probability(s) * coneDensity(s, thing, 0, l.x, l.y, l.z);
+            if (probability(s) > 0) {
+                aim(s, 0, l.x, l.y, l.z);
+                boolean asEmitted = isWideFor(l.profile);
+                density += probability(s) * (asEmitted ? l.profile.density(dx, dy, dz) : densityInCone(s == thing));
+            }
         }
         ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
         l.lyingOn().startOn(ray, Ray.OUTSIDE, 0, 0, 0, probe);
@@ -181,6 +196,11 @@ public final class CausticSource extends PathSource {
 
     private boolean isWide() {
         return cone.inside || 2 * Math.PI * cone.oneMinusCosine() > WIDE;
+    }
+
+    /** Whether the light of a profile spreads less than the cone: then directions are sampled as it emits. */
+    private boolean isWideFor(IntensityProfile profile) {
+        return profile != null && (cone.inside || 2 * Math.PI * cone.oneMinusCosine() > profile.solidAngle());
     }
 
     /** A direction in the cone, or any at all from inside the ball. */

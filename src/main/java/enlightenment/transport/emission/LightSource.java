@@ -91,8 +91,8 @@ public final class LightSource extends PathSource {
                 fromPoint(l, numbers, ray);
             } else {
                 goes = fromSurface(l, numbers, ray);
+                weigh(l.r, l.g, l.b, l.ultraviolet);
             }
-            weigh(l.r, l.g, l.b, l.ultraviolet);
         }
         return goes && directionDensity > 0 && (red > 0 || green > 0 || blue > 0 || ultraviolet > 0);
     }
@@ -111,7 +111,19 @@ public final class LightSource extends PathSource {
     }
 
     private void fromPoint(PhysicalLight l, double[] numbers, Ray ray) {
-        toSphere(numbers);
+        if (l.profile == null) {
+            toSphere(numbers);
+        } else {
+            l.profile.sample(numbers[4], numbers[5], direction);
+            dx = direction[0];
+            dy = direction[1];
+            dz = direction[2];
+        }
+        directionDensity = starts.directionDensity(light, dx, dy, dz);
+        weighEvenly(l.r, l.g, l.b, l.ultraviolet);
+        if (l.profile != null) {
+            weighByProfile(l.profile);
+        }
         ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
         l.lyingOn().startOn(ray, Ray.OUTSIDE, 0, 0, 0, probe);
     }

@@ -1,5 +1,6 @@
 package enlightenment.transport.ray;
 
+import enlightenment.emitter.IntensityProfile;
 import enlightenment.emitter.SurfacePoint;
 import enlightenment.frame.Basis;
 import enlightenment.primitive.EndFaces;
@@ -17,6 +18,7 @@ public abstract class PathSource {
     protected final SurfacePoint point = new SurfacePoint();
     protected final double[] disk = new double[3];
     protected final Ray probe = new Ray();
+    private final double[] relative = new double[3];
 
     /** The direction. */
     public double dx;
@@ -69,6 +71,15 @@ public abstract class PathSource {
         }
         l.lyingOn().startOn(ray, side, point.nx, point.ny, point.nz, probe);
         return true;
+    }
+
+    /** Multiplies what the path brings by the relative intensity of its direction; of ultraviolet as of blue. */
+    protected final void weighByProfile(IntensityProfile profile) {
+        profile.intensity(dx, dy, dz, relative);
+        red *= relative[0];
+        green *= relative[1];
+        blue *= relative[2];
+        ultraviolet *= relative[2];
     }
 
     /** Sets the direction to (a, b, c) in a basis of which w is the third vector. */

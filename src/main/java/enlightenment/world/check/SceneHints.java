@@ -83,7 +83,7 @@ public final class SceneHints {
         // The surfaces of lights come after the objects of the scene.
         int next = scene.objects().size();
         for (int i = 0; i < scene.lights().size(); i++) {
-            boolean hasSurface = !(scene.lights().get(i) instanceof Light.Point);
+            boolean hasSurface = scene.lights().get(i).hasSurface();
             if (hasSurface && !isThere[next++]) {
                 found.add("/lights/" + i
                         + ": is in exactly the same place as another surface that glows, which is seen in its stead:"

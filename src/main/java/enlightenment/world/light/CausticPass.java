@@ -1,5 +1,6 @@
 package enlightenment.world.light;
 
+import enlightenment.emitter.IntensityProfile;
 import enlightenment.math.Vec3;
 import enlightenment.surroundings.Sun;
 import enlightenment.world.parts.CompiledPrimitives;
@@ -24,6 +25,9 @@ public final class CausticPass {
 
     /** Of flat lights that a thing is seen from at an angle, the least cosine that is reckoned with. */
     private static final double LEAST_COSINE = 0.05;
+
+    /** More than what an angle between unit vectors is off by, in radians. */
+    private static final double SLACK = 0x1p-24;
 
     /** The least scattering events of a caustic: one at a mirror, one where it is seen. */
     private static final int LEAST_BOUNCES = 2;
@@ -180,12 +184,34 @@ public final class CausticPass {
         double angle =
                 d > wide ? 2 * Math.PI * sine * sine / (1 + Math.sqrt((d - wide) * (d + wide)) / d) : 4 * Math.PI;
         if (light.isPoint) {
-            return angle;
+            return light.profile == null ? angle : angle(light.profile, l, s, d, angle);
         }
         if (isBeam[l]) {
             return Math.PI * light.radius * light.radius * angle;
         }
         return light.form.area() * cosine(l, s, d) * Math.min(angle, Math.PI);
+    }
+
+    /**
+     * The same of a point light with a profile: at most the whole of its light, and 0 where its cone misses the ball of the thing.
+     *
+     * @param d the distance of the ball's centre
+     * @param angle the solid angle of the ball
+     */
+    private double angle(IntensityProfile profile, int l, int s, double d, double angle) {
+        double r = ballRadius[s];
+        if (d > r) {
+            Vec3 axis = profile.axis();
+            double x = ballX[s] - lights[l].ballX;
+            double y = ballY[s] - lights[l].ballY;
+            double z = ballZ[s] - lights[l].ballZ;
+            double along = axis.x() * x + axis.y() * y + axis.z() * z;
+            double between = StrictMath.acos(Math.min(Math.max(along / d, -1), 1));
+            if (between - SLACK > profile.coneAngle() + StrictMath.asin(r / d)) {
+                return 0;
+            }
+        }
+        return Math.min(angle, profile.solidAngle());
     }
 
     /** An upper bound of the cosine at a flat light, or what is taken for it; 0 where the thing is behind it. */

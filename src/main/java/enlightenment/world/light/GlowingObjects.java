@@ -3,6 +3,8 @@ package enlightenment.world.light;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
+import enlightenment.emitter.IntensityProfile;
+import enlightenment.emitter.SpotProfile;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
@@ -21,6 +23,7 @@ import enlightenment.scene.SceneObject;
 import enlightenment.world.material.PhysicalSurface;
 import enlightenment.world.material.SurfaceMaterial;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.IdentityHashMap;
@@ -60,7 +63,8 @@ public final class GlowingObjects {
                 .thenComparingDouble(l -> l.r)
                 .thenComparingDouble(l -> l.g)
                 .thenComparingDouble(l -> l.b)
-                .thenComparingDouble(l -> l.ultraviolet));
+                .thenComparingDouble(l -> l.ultraviolet)
+                .thenComparing(GlowingObjects::parameters, Arrays::compare));
         if (all.isEmpty()) {
             objects = scene.objects();
         } else {
@@ -80,13 +84,23 @@ public final class GlowingObjects {
             double sides = q.twoSided() ? 2 : 1;
             all.add(object(light, i, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
         } else if (light instanceof Light.Point p) {
-            PhysicalLight point = point(p, i, frame);
-            if (point.luminance() > 0 || point.ultraviolet > 0) {
-                points.add(point);
-            }
+            add(point(p, null, 1 / (4 * Math.PI), i, frame));
+        } else if (light instanceof Light.Spot s) {
+            SpotProfile profile = new SpotProfile(s.direction().normalized(), s.angle(), s.innerAngle());
+            add(point(s, profile, 1 / profile.solidAngle(), i, frame));
         } else {
             throw new AssertionError("no physical form of the light " + light.type());
         }
+    }
+
+    private void add(PhysicalLight point) {
+        if (point.luminance() > 0 || point.ultraviolet > 0) {
+            points.add(point);
+        }
+    }
+
+    private static double[] parameters(PhysicalLight point) {
+        return point.profile == null ? new double[0] : point.profile.parameters();
     }
 
     /** @param perPower the radiance of one unit of power */
@@ -135,20 +149,25 @@ public final class GlowingObjects {
                 .length();
     }
 
-    /** Intensity is power per solid angle: seen in another unit of length, as many times the square of it arrive. */
-    private static PhysicalLight point(Light.Point p, int index, SceneFrame frame) {
+    /**
+     * Intensity is power per solid angle: seen in another unit of length, as many times the square of it arrive.
+     *
+     * @param ofPower the intensity of one unit of power
+     */
+    private static PhysicalLight point(Light p, IntensityProfile profile, double ofPower, int index, SceneFrame frame) {
         boolean isPower = p.emission().quantity() == Emission.Quantity.POWER;
         Rgb c = p.emitted();
-        double perPower = isPower ? 1 / (4 * Math.PI) : 1;
-        Vec3 position = frame.toFrame(p.position());
+        double perPower = isPower ? ofPower : 1;
+        Vec3 position = frame.toFrame(p.anchors().get(0));
         String key = p.emission().quantity().key();
         return PhysicalLight.point(
                 position,
+                profile,
                 new Rgb(
-                        bounded(intensity(c.r() * perPower, frame), p, index, key),
-                        bounded(intensity(c.g() * perPower, frame), p, index, key),
-                        bounded(intensity(c.b() * perPower, frame), p, index, key)),
-                bounded(intensity(p.ultraviolet() * perPower, frame), p, index, ULTRAVIOLET));
+                        bounded(intensity(product(c.r(), perPower), frame), p, index, key),
+                        bounded(intensity(product(c.g(), perPower), frame), p, index, key),
+                        bounded(intensity(product(c.b(), perPower), frame), p, index, key)),
+                bounded(intensity(product(p.ultraviolet(), perPower), frame), p, index, ULTRAVIOLET));
     }
 
     /**
@@ -161,7 +180,7 @@ public final class GlowingObjects {
         if (!(value <= Radiance.LARGEST)) {
             throw new InvalidValueException(
                     "lights/" + index + "/" + key,
-                    light instanceof Light.Point
+                    !light.hasSurface()
                             ? "is too much for a scene of this size: in units of it, intensity must be at most 1e100"
                             : "is too much for a light of this size: its radiance must be at most 1e100");
         }

@@ -42,7 +42,8 @@ public final class LightBands {
         double[] sum = new double[Reradiation.BANDS];
         add(sum, WHOLE_SPHERE, background.r(), background.g(), background.b(), 0);
         for (PhysicalLight light : lights) {
-            double size = light.isPoint ? WHOLE_SPHERE : Math.PI * light.form.area();
+            double ofPoint = light.profile == null ? WHOLE_SPHERE : light.profile.solidAngle();
+            double size = light.isPoint ? ofPoint : Math.PI * light.form.area();
             add(sum, size, light.r, light.g, light.b, light.ultraviolet);
         }
         double most = 0;

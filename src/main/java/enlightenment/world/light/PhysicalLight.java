@@ -3,6 +3,7 @@ package enlightenment.world.light;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.AreaLights;
+import enlightenment.emitter.IntensityProfile;
 import enlightenment.emitter.SphereLight;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.EndFaces;
@@ -35,6 +36,9 @@ public final class PhysicalLight extends LightBody {
     /** Whether it is a point light: then {@link #r}, {@link #g}, {@link #b} are radiant intensity in units of the frame; a delta light. */
     public final boolean isPoint;
 
+    /** How the intensity of a point light depends on direction; null if it is the same in all directions, and for lights with a surface. */
+    public final IntensityProfile profile;
+
     /** Whether it is a ball: then direct light of matte surfaces always has a closed form. */
     public final boolean isBall;
 
@@ -43,7 +47,7 @@ public final class PhysicalLight extends LightBody {
 
     /**
      * Emitted radiance (W/(m² sr), relative), the same at all points and in all directions on the sides that shine; of a point light the
-     * radiant intensity, scaled so that intensity over squared distance in the frame is irradiance in the scene's units. Linear, by band.
+     * radiant intensity (the largest one, if it has a {@link #profile}), scaled so that intensity over squared distance in the frame is irradiance in the scene's units. Linear, by band.
      */
     public final double r;
 
@@ -65,6 +69,7 @@ public final class PhysicalLight extends LightBody {
     private PhysicalLight(
             Place place,
             AreaLight form,
+            IntensityProfile profile,
             Primitive surface,
             int id,
             int face,
@@ -73,6 +78,7 @@ public final class PhysicalLight extends LightBody {
             boolean shinesInside) {
         super(place.at, place.radius, place.right, place.up, place.ball, place.ballRadius, surface);
         this.form = form;
+        this.profile = profile;
         this.id = id;
         this.face = face;
         isPoint = surface == null;
@@ -102,14 +108,19 @@ public final class PhysicalLight extends LightBody {
         }
     }
 
-    /** A point light of an intensity per squared unit of length of the frame. */
-    static PhysicalLight point(Vec3 position, Rgb intensity, double ultraviolet) {
-        return new PhysicalLight(Place.ball(position, 0), null, null, NO_PRIMITIVE, 0, intensity, ultraviolet, false);
+    /**
+     * A point light of an intensity per squared unit of length of the frame.
+     *
+     * @param profile by which the intensity of each direction is multiplied; null if it is the same in all
+     */
+    static PhysicalLight point(Vec3 position, IntensityProfile profile, Rgb intensity, double ultraviolet) {
+        return new PhysicalLight(
+                Place.ball(position, 0), null, profile, null, NO_PRIMITIVE, 0, intensity, ultraviolet, false);
     }
 
     /** This point light without its ultraviolet, which nothing shows. */
     public PhysicalLight withoutUltraviolet() {
-        return ultraviolet == 0 ? this : point(new Vec3(x, y, z), new Rgb(r, g, b), 0);
+        return ultraviolet == 0 ? this : point(new Vec3(x, y, z), profile, new Rgb(r, g, b), 0);
     }
 
     /**
@@ -124,7 +135,7 @@ public final class PhysicalLight extends LightBody {
         return form == null
                 ? null
                 : new PhysicalLight(
-                        Place.of(p, form), form, p, id, face, radiance, ultraviolet, isTwoSided && isInsideSeen);
+                        Place.of(p, form), form, null, p, id, face, radiance, ultraviolet, isTwoSided && isInsideSeen);
     }
 
     /**

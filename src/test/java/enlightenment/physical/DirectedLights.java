@@ -1,0 +1,83 @@
+package enlightenment.physical;
+
+import static enlightenment.physical.PhysicalScenes.at;
+import static enlightenment.physical.PhysicalScenes.ball;
+import static enlightenment.physical.PhysicalScenes.linear;
+import static enlightenment.physical.PhysicalScenes.room;
+
+import enlightenment.color.Rgb;
+import enlightenment.geometry.Box;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
+import enlightenment.material.Material;
+import enlightenment.math.Vec3;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneBuilder;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+
+/** Scenes with points that shine into some directions. */
+final class DirectedLights {
+    static final List<BuiltInMethod> METHODS = List.of(
+            BuiltInMethod.RAYTRACE,
+            BuiltInMethod.CLUSTER,
+            BuiltInMethod.LIGHT,
+            BuiltInMethod.BIDIRECTIONAL,
+            BuiltInMethod.METROPOLIS);
+
+    static final double[] POWER = {5, 3, 2};
+
+    private static final Emission WATTS = Emission.power(new Rgb(POWER[0], POWER[1], POWER[2]));
+
+    private DirectedLights() {}
+
+    /** Lights in the middle of a ball of radius 1, of that power, which leave what is above dark. */
+    static Map<String, Light> down() {
+        Map<String, Light> lights = new LinkedHashMap<>();
+        lights.put("spot", new Light.Spot(at(0.1, 0, 0.05), new Vec3(0, -2, 0.1), 60, 30, Rgb.WHITE, WATTS));
+        return lights;
+    }
+
+    static Map<String, Scene> scenes() {
+        Map<String, Scene> scenes = new LinkedHashMap<>();
+        scenes.put(
+                "spot in a room",
+                furnished()
+                        .light(new Light.Spot(at(0.2, 1.8, -0.3), new Vec3(-0.3, -1, 0.2), 35, 10, Rgb.WHITE, WATTS))
+                        .build());
+        scenes.put(
+                "spot on mirror and glass",
+                room().object(ball(-0.4, 0.5, 0.1, 0.35), Material.Mirror.of(linear(0.9, 0.9, 0.9)))
+                        .object(ball(0.4, 0.5, -0.2, 0.35), Material.Glass.of(linear(1, 1, 1), 1.5))
+                        .light(new Light.Spot(at(0.1, 1.9, -0.4), new Vec3(0, -1, 0.2), 50, 40, Rgb.WHITE, WATTS))
+                        .light(new Light.Spot(at(-0.9, 1.5, 0), new Vec3(1, -1, -0.1), 8, 2, Rgb.WHITE, WATTS))
+                        .build());
+        scenes.put(
+                "spot in fog",
+                furnished()
+                        .shading(MediaScenes.in(
+                                MediaScenes.medium(Rgb.gray(0.4), Rgb.gray(0.05), 0.3), OptionalInt.of(6), 0))
+                        .light(new Light.Spot(at(0.1, 1.5, -0.4), new Vec3(-0.2, -1, 0.3), 30, 15, Rgb.WHITE, WATTS))
+                        .build());
+        SceneBuilder many = furnished();
+        for (int k = 0; k < 24; k++) {
+            many.light(new Light.Spot(
+                    at(0.8 * Math.sin(k), 1.9, 0.8 * Math.cos(k)),
+                    new Vec3(Math.sin(3 * k), -1, Math.cos(5 * k)),
+                    15 + 5 * (k % 9),
+                    5,
+                    Rgb.WHITE,
+                    Emission.intensity(Rgb.gray(1 + k % 3))));
+        }
+        scenes.put("many spots", many.build());
+        return scenes;
+    }
+
+    private static SceneBuilder furnished() {
+        return room().object(ball(-0.35, 0.45, -0.1, 0.42), PhysicalScenes.WHITE)
+                .object(new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1)), PhysicalScenes.GREEN);
+    }
+}

@@ -1,11 +1,13 @@
 package enlightenment.job;
 
 import enlightenment.file.ContentHash;
+import enlightenment.file.FileFailure;
 import enlightenment.file.InputFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
+import enlightenment.light.Light;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
@@ -115,7 +117,25 @@ public final class SceneDocument {
         return bytes.toByteArray();
     }
 
+    /** The index of the first light whose intensities a file holds; -1 if there is none. */
+    private static int luminaire(Path file, Scene scene) {
+        for (int i = 0; i < scene.lights().size(); i++) {
+            if (scene.lights().get(i) instanceof Light.Ies light && light.file().equals(file)) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
     private static byte[] read(Path file, Scene scene) {
+        int light = luminaire(file, scene);
+        if (light >= 0) {
+            try {
+                return InputFile.bytes(file);
+            } catch (IOException e) {
+                throw SceneException.of("/lights/" + light + "/file", FileFailure.described(e));
+            }
+        }
         try {
             byte[] bytes = InputFile.bytes(file);
             Optional<ImageFormat> format = ImageFormat.ofContent(bytes);

@@ -6,6 +6,7 @@ import enlightenment.color.Rgb;
 import enlightenment.frame.Parallelograms;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 
@@ -17,7 +18,7 @@ import java.util.Objects;
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
  * of range or a degenerate light, and {@link NullPointerException} for a missing value.
  */
-public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point, Light.Spot {
+public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point, Light.Spot, Light.Ies {
 
     /** The light's colour: in classic shading, what a viewer looking straight at it sees. */
     Color color();
@@ -210,6 +211,57 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         @Override
         public String type() {
             return "spot";
+        }
+
+        @Override
+        public boolean hasSurface() {
+            return false;
+        }
+
+        @Override
+        public boolean isForClassicShading() {
+            return false;
+        }
+
+        @Override
+        public List<ExactPoint> anchors() {
+            return List.of(position);
+        }
+
+        @Override
+        public double reach() {
+            return 0;
+        }
+    }
+
+    /**
+     * A point whose intensity by direction stands in an IES file; it cannot be seen. For physical shading. The file is read when a scene is
+     * rendered.
+     *
+     * @param position where it is
+     * @param file the path of the file
+     * @param direction the nadir axis, from which the file's vertical angles are counted, of any length
+     * @param rotation degrees by which the luminaire is turned around that axis, in the sense in which horizontal angles grow; at 0 the horizontal angle 0
+     *     is the direction that the x axis becomes where the least turn takes −y to {@code direction}. Seen against that, horizontal angles
+     *     grow clockwise: with −y from +x towards −z
+     * @param color its colour
+     * @param emission intensity: what the file's candelas are multiplied by; or power
+     */
+    record Ies(ExactPoint position, Path file, Vec3 direction, double rotation, Color color, Emission emission)
+            implements Light {
+        /** Validates the components, as {@link Light} states. */
+        public Ies {
+            Objects.requireNonNull(position, "position");
+            Objects.requireNonNull(file, "file");
+            Objects.requireNonNull(direction, "direction");
+            Check.direction("direction", direction);
+            Check.finite("rotation", rotation);
+            Emissions.checkPoint("ies", color, emission);
+        }
+
+        @Override
+        public String type() {
+            return "ies";
         }
 
         @Override

@@ -83,23 +83,27 @@ public final class SceneCompiler {
      * @param images reads the picture of surroundings where that is needed
      */
     public static void check(Scene scene, SceneImages images) {
-        check(scene);
+        checkObjects(scene, images);
         scene.instants().forEach(moment -> CompiledSurroundings.check(moment, images));
         CompiledSurroundings.check(scene, images);
     }
 
-    /** The same, surroundings aside as well. */
+    /** The same, surroundings and lights with files aside as well. */
     public static void check(Scene scene) {
+        checkObjects(scene, null);
+    }
+
+    private static void checkObjects(Scene scene, SceneImages images) {
         requireMemory(scene);
-        scene.instants().forEach(SceneCompiler::checkMoment);
-        checkMoment(scene);
+        scene.instants().forEach(moment -> checkMoment(moment, images));
+        checkMoment(scene, images);
     }
 
     /** Classic shading can be computed of whatever can be described. */
-    private static void checkMoment(Scene scene) {
+    private static void checkMoment(Scene scene, SceneImages images) {
         if (scene.shading().model() == Shading.Model.PHYSICAL) {
             SceneFrame frame = frameOf(scene);
-            Primitive[] primitives = new GlowingObjects(scene, frame)
+            Primitive[] primitives = new GlowingObjects(scene, frame, images)
                     .objects.stream()
                             .flatMap(o -> Primitives.placeAll(o.shape(), frame).stream())
                             .toArray(Primitive[]::new);

@@ -106,7 +106,7 @@ final class ScenePasses {
         CompiledMaterials materials = new CompiledMaterials(scene, isPhysical ? frame : null, images, poll);
         objects = scene.objects();
         if (isPhysical) {
-            glowing = new GlowingObjects(scene, frame);
+            glowing = new GlowingObjects(scene, frame, images);
             materials.bySource.putAll(glowing.surfaces);
             objects = glowing.objects;
         }

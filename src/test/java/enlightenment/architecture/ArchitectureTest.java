@@ -63,6 +63,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.bvh")
             .layer("mesh")
             .definedBy("enlightenment.mesh")
+            .layer("photometry")
+            .definedBy("enlightenment.photometry")
             .layer("geometry")
             .definedBy("enlightenment.geometry")
             .layer("primitive")
@@ -140,6 +142,7 @@ class ArchitectureTest {
                     "json",
                     "nff",
                     "importer",
+                    "photometry",
                     "job",
                     "checkpoint",
                     "net",

@@ -5,7 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.frame.Basis;
 import enlightenment.math.Vec3;
+import enlightenment.photometry.IesFile;
+import enlightenment.photometry.IntensityTable;
 import enlightenment.sampling.Hash;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,7 +28,55 @@ class IntensityProfileTest {
                 new SpotProfile(new Vec3(0.3, -0.5, 0.7).normalized(), 75, 0),
                 new SpotProfile(new Vec3(-1, 2, 0.1).normalized(), 140, 100),
                 new SpotProfile(Vec3.Z, 180, 10),
-                new SpotProfile(Vec3.X, 40, 40));
+                new SpotProfile(Vec3.X, 40, 40),
+                new TableProfile(table("0 30 60 90", "0", "9 7 8 1"), Vec3.Y.negated(), 0),
+                new TableProfile(
+                        table("0 45 90 180", "0 45 90", "1 5 2 0 1 9 3 1 1 4 0 0"),
+                        new Vec3(0.3, -0.5, 0.7).normalized(),
+                        33),
+                new TableProfile(
+                        table("90 135 180", "0 90 180 270 360", "0 3 9 0 6 9 0 1 9 0 0 9 0 3 9"), Vec3.Z, -20));
+    }
+
+    private static IntensityTable table(String vertical, String horizontal, String candela) {
+        int rows = vertical.split(" ").length;
+        int columns = horizontal.split(" ").length;
+        String text = "TILT=NONE\n1 1 1 " + rows + " " + columns + " 1 2 0 0 0 1 1 1\n" + vertical + "\n" + horizontal
+                + "\n" + candela;
+        try {
+            return IesFile.of(text.getBytes(StandardCharsets.ISO_8859_1));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Seen along −y, the file's horizontal angles grow from +x towards −z; a rotation turns the luminaire in that sense. */
+    @Test
+    void aTableStandsInTheSpaceOfTheScene() {
+        IntensityTable table = table("0 90", "0 90 180 270 360", "8 1 8 2 8 3 8 4 8 1");
+        IntensityProfile down = new TableProfile(table, Vec3.Y.negated(), 0);
+        assertEquals(1, down.luminance(0, -1, 0), 1e-12);
+        assertEquals(1.0 / 8, down.luminance(1, 0, 0), 1e-12);
+        assertEquals(2.0 / 8, down.luminance(0, 0, -1), 1e-12);
+        assertEquals(3.0 / 8, down.luminance(-1, 0, 0), 1e-12);
+        assertEquals(4.0 / 8, down.luminance(0, 0, 1), 1e-12);
+        assertEquals(0, down.luminance(0, 1, 0));
+        IntensityProfile turned = new TableProfile(table, Vec3.Y.negated(), 90);
+        assertEquals(1.0 / 8, turned.luminance(0, 0, -1), 1e-12);
+        assertEquals(4.0 / 8, turned.luminance(1, 0, 0), 1e-12);
+        // The least turn from −y to x takes x to y, and leaves z.
+        IntensityProfile aside = new TableProfile(table, Vec3.X, 0);
+        assertEquals(1.0 / 8, aside.luminance(0, 1, 0), 1e-12);
+        assertEquals(2.0 / 8, aside.luminance(0, 0, -1), 1e-12);
+    }
+
+    /** A hemisphere of equal intensity, and one that falls evenly with the angle: 2π ∫ (1 − 2θ/π) sin θ dθ = 2π (1 − 2/π). */
+    @Test
+    void theSolidAngleOfATableIsExact() {
+        assertEquals(2 * Math.PI, new TableProfile(table("0 90", "0", "7 7"), Vec3.X, 0).solidAngle(), 1e-14);
+        double expected = 2 * Math.PI * (1 - 2 / Math.PI);
+        assertEquals(expected, new TableProfile(table("0 90", "0", "7 0"), Vec3.X, 0).solidAngle(), 1e-14);
+        assertEquals(expected, new TableProfile(table("0 9 90", "0", "10 9 0"), Vec3.X, 0).solidAngle(), 1e-14);
     }
 
     /** The mean over a ring of equal heights around the axis of a profile, of what is sought. */

@@ -14,6 +14,10 @@ import enlightenment.math.Vec3;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,12 +36,38 @@ final class DirectedLights {
 
     private static final Emission WATTS = Emission.power(new Rgb(POWER[0], POWER[1], POWER[2]));
 
+    /** Wide, with a waist, dark above; the same to the left and to the right. */
+    private static final Path LAMP = lamp();
+
     private DirectedLights() {}
+
+    private static Path lamp() {
+        String text =
+                """
+                IESNA:LM-63-1995
+                TILT=NONE
+                1 -1 2 5 3 1 2 0 0 0
+                1 1 40
+                0 20 40 60 80
+                0 90 180
+                90 80 40 20 0
+                90 20 70 30 0
+                90 60 10 0 0
+                """;
+        try {
+            Path file = Files.createTempFile("lamp", ".ies");
+            file.toFile().deleteOnExit();
+            return Files.writeString(file, text);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
 
     /** Lights in the middle of a ball of radius 1, of that power, which leave what is above dark. */
     static Map<String, Light> down() {
         Map<String, Light> lights = new LinkedHashMap<>();
         lights.put("spot", new Light.Spot(at(0.1, 0, 0.05), new Vec3(0, -2, 0.1), 60, 30, Rgb.WHITE, WATTS));
+        lights.put("ies", new Light.Ies(at(0.1, 0, 0.05), LAMP, new Vec3(0.1, -1, 0), 40, Rgb.WHITE, WATTS));
         return lights;
     }
 
@@ -50,17 +80,34 @@ final class DirectedLights {
                         .build());
         scenes.put(
                 "spot on mirror and glass",
-                room().object(ball(-0.4, 0.5, 0.1, 0.35), Material.Mirror.of(linear(0.9, 0.9, 0.9)))
-                        .object(ball(0.4, 0.5, -0.2, 0.35), Material.Glass.of(linear(1, 1, 1), 1.5))
+                specular()
                         .light(new Light.Spot(at(0.1, 1.9, -0.4), new Vec3(0, -1, 0.2), 50, 40, Rgb.WHITE, WATTS))
                         .light(new Light.Spot(at(-0.9, 1.5, 0), new Vec3(1, -1, -0.1), 8, 2, Rgb.WHITE, WATTS))
                         .build());
         scenes.put(
                 "spot in fog",
+                foggy().light(new Light.Spot(at(0.1, 1.5, -0.4), new Vec3(-0.2, -1, 0.3), 30, 15, Rgb.WHITE, WATTS))
+                        .build());
+        scenes.put(
+                "luminaires in a room",
                 furnished()
-                        .shading(MediaScenes.in(
-                                MediaScenes.medium(Rgb.gray(0.4), Rgb.gray(0.05), 0.3), OptionalInt.of(6), 0))
-                        .light(new Light.Spot(at(0.1, 1.5, -0.4), new Vec3(-0.2, -1, 0.3), 30, 15, Rgb.WHITE, WATTS))
+                        .light(new Light.Ies(at(0.2, 1.8, -0.3), LAMP, new Vec3(-0.3, -1, 0.2), 15, Rgb.WHITE, WATTS))
+                        .light(new Light.Ies(
+                                at(-0.7, 0.2, 0.3),
+                                LAMP,
+                                new Vec3(0, 1, 0),
+                                0,
+                                new Rgb(1, 0.5, 0.2),
+                                Emission.intensity(Rgb.gray(0.01))))
+                        .build());
+        scenes.put(
+                "luminaire on mirror and glass",
+                specular()
+                        .light(new Light.Ies(at(0.1, 1.9, -0.4), LAMP, new Vec3(0, -1, 0.2), 70, Rgb.WHITE, WATTS))
+                        .build());
+        scenes.put(
+                "luminaire in fog",
+                foggy().light(new Light.Ies(at(0.1, 1.5, -0.4), LAMP, new Vec3(-0.2, -1, 0.3), 0, Rgb.WHITE, WATTS))
                         .build());
         SceneBuilder many = furnished();
         for (int k = 0; k < 24; k++) {
@@ -74,6 +121,16 @@ final class DirectedLights {
         }
         scenes.put("many spots", many.build());
         return scenes;
+    }
+
+    private static SceneBuilder specular() {
+        return room().object(ball(-0.4, 0.5, 0.1, 0.35), Material.Mirror.of(linear(0.9, 0.9, 0.9)))
+                .object(ball(0.4, 0.5, -0.2, 0.35), Material.Glass.of(linear(1, 1, 1), 1.5));
+    }
+
+    private static SceneBuilder foggy() {
+        return furnished()
+                .shading(MediaScenes.in(MediaScenes.medium(Rgb.gray(0.4), Rgb.gray(0.05), 0.3), OptionalInt.of(6), 0));
     }
 
     private static SceneBuilder furnished() {

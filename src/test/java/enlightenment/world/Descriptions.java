@@ -83,10 +83,12 @@ public final class Descriptions {
                             DisplayRgb.WHITE),
                     new Light.Point(ExactPoint.of(0, 0, 4), DisplayRgb.WHITE),
                     new Light.Spot(
+                            ExactPoint.of(0, 0, 4), new Vec3(0, 0, -2), 30, 20, DisplayRgb.WHITE, Emission.INTENSITY_1),
+                    new Light.Ies(
                             ExactPoint.of(0, 0, 4),
+                            Path.of("lamp.ies"),
                             new Vec3(0, 0, -2),
                             30,
-                            20,
                             DisplayRgb.WHITE,
                             Emission.INTENSITY_1)));
 

@@ -6,7 +6,7 @@ import java.util.Optional;
 
 /** How the text of a scene calls the files that belong to it. */
 public interface FileNames {
-    /** The name of a file of an image, or of one that a mesh was read from. */
+    /** The name of a file of an image or of intensities, or of one that a mesh was read from. */
     String of(Path file);
 
     /** The name of a file that holds a mesh just as it is; empty to name the file that it was read from, and what was made of it. */

@@ -138,7 +138,7 @@ final class JsonObjectBuilder {
         return amount instanceof Amount.Constant c ? numberUnless(usual, key, c.value()) : amount(key, amount);
     }
 
-    JsonObjectBuilder imageFile(String key, Path file) {
+    JsonObjectBuilder file(String key, Path file) {
         return text(key, names.of(file));
     }
 

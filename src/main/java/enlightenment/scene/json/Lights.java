@@ -3,10 +3,14 @@ package enlightenment.scene.json;
 import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
+import enlightenment.file.FileFailure;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.photometry.IesFile;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -30,7 +34,15 @@ final class Lights {
                     "spot",
                     Light.Spot.class,
                     "position direction angle color | innerAngle intensity power ultraviolet",
-                    notOfPoints("spot"));
+                    notOfPoints("spot"))
+            .with(
+                    "ies",
+                    Light.Ies.class,
+                    "position file color | direction rotation intensity power ultraviolet",
+                    notOfPoints("ies"));
+
+    /** The direction of lights that have none. */
+    private static final Vec3 DOWN = Vec3.of(0, -1, 0);
 
     private Lights() {}
 
@@ -76,6 +88,7 @@ final class Lights {
             case "rectangle" -> rectangle(f);
             case "point" -> point(f);
             case "spot" -> spot(f);
+            case "ies" -> ies(f);
             default -> throw Family.unknown(type);
         };
     }
@@ -97,6 +110,13 @@ final class Lights {
                     .vector("direction", q.direction())
                     .number("angle", q.angle())
                     .numberUnless(0, "innerAngle", q.innerAngle())
+                    .color("color", q.color());
+            write(q.emission(), Emission.INTENSITY_1, p);
+        } else if (value instanceof Light.Ies q) {
+            p.point("position", q.position())
+                    .file("file", q.file())
+                    .vectorUnless(DOWN, "direction", q.direction())
+                    .numberUnless(0, "rotation", q.rotation())
                     .color("color", q.color());
             write(q.emission(), Emission.INTENSITY_1, p);
         } else {
@@ -143,12 +163,39 @@ final class Lights {
 
     private static Light spot(Fields f) {
         ExactPoint position = f.point("position");
-        Vec3 direction = f.direction("direction", Vec3.Y.negated());
+        Vec3 direction = f.direction("direction", DOWN);
         double angle = f.number("angle");
         double innerAngle = f.number("innerAngle", 0);
         Color color = color(f);
         Emission emission = emission(f, Emission.INTENSITY_1);
         return f.make(() -> new Light.Spot(position, direction, angle, innerAngle, color, emission));
+    }
+
+    private static Light ies(Fields f) {
+        ExactPoint position = f.point("position");
+        String written = f.text("file", "the path of an IES file");
+        Path file = written == null ? null : Meshes.path(f, written);
+        if (file != null) {
+            checkTable(f, file, written);
+        }
+        Vec3 direction = f.direction("direction", DOWN);
+        double rotation = f.number("rotation", 0);
+        Color color = color(f);
+        Emission emission = emission(f, Emission.INTENSITY_1);
+        return f.make(() -> new Light.Ies(position, file, direction, rotation, color, emission));
+    }
+
+    private static void checkTable(Fields f, Path file, String written) {
+        Map<String, byte[]> contents = f.values().library().contents;
+        try {
+            if (contents == null) {
+                IesFile.read(file);
+            } else {
+                IesFile.of(contents.get(written));
+            }
+        } catch (IOException e) {
+            f.problem("file", FileFailure.described(e));
+        }
     }
 
     private static Color color(Fields f) {

@@ -89,7 +89,8 @@ final class Meshes {
         }
     }
 
-    private static Path path(Fields f, String written) {
+    /** The file that a text means, beside the scene or among the files in memory; null after a problem. */
+    static Path path(Fields f, String written) {
         Library library = f.values().library();
         if (library.contents != null) {
             if (!library.contents.containsKey(written)) {

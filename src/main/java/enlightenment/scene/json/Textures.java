@@ -44,7 +44,7 @@ final class Textures {
 
     private static void write(Texture value, JsonObjectBuilder p) {
         if (value instanceof Texture.File t) {
-            p.imageFile("file", t.file())
+            p.file("file", t.file())
                     .wordUnless(Texture.Filter.BILINEAR, "filter", t.filter())
                     .wordUnless(Texture.Encoding.SRGB, "encoding", t.encoding());
         } else if (value instanceof Texture.Checker c) {

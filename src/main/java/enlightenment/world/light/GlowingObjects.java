@@ -5,6 +5,7 @@ import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.IntensityProfile;
 import enlightenment.emitter.SpotProfile;
+import enlightenment.emitter.TableProfile;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
@@ -16,6 +17,7 @@ import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
+import enlightenment.photometry.IntensityTable;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneException.Problem;
@@ -34,6 +36,8 @@ import java.util.Map;
 public final class GlowingObjects {
     private static final String ULTRAVIOLET = "ultraviolet";
 
+    private final SceneImages files;
+
     /** The objects of the scene, then those that lights are. */
     public final List<SceneObject> objects;
 
@@ -43,8 +47,14 @@ public final class GlowingObjects {
     /** The lights without extent, in an order that does not depend on that in the scene. */
     public final List<PhysicalLight> points = new ArrayList<>();
 
-    /** @throws SceneException with all lights that are too much for their size or that of the scene */
-    public GlowingObjects(Scene scene, SceneFrame frame) {
+    /**
+     * Those of a scene.
+     *
+     * @param files has the files of lights; null to leave out lights with files
+     * @throws SceneException with all lights that are too much for their size or that of the scene, or whose file cannot be used
+     */
+    public GlowingObjects(Scene scene, SceneFrame frame, SceneImages files) {
+        this.files = files;
         List<SceneObject> all = new ArrayList<>();
         List<Problem> problems = new ArrayList<>();
         for (int i = 0; i < scene.lights().size(); i++) {
@@ -52,6 +62,8 @@ public final class GlowingObjects {
                 add(scene.lights().get(i), i, frame, all);
             } catch (InvalidValueException e) {
                 problems.addAll(SceneException.of(e).problems());
+            } catch (SceneException e) {
+                problems.addAll(e.problems());
             }
         }
         if (!problems.isEmpty()) {
@@ -84,12 +96,23 @@ public final class GlowingObjects {
             double sides = q.twoSided() ? 2 : 1;
             all.add(object(light, i, 1 / (sides * Math.PI * area(q)), q.twoSided(), shape));
         } else if (light instanceof Light.Point p) {
-            add(point(p, null, 1 / (4 * Math.PI), i, frame));
+            add(point(p, null, 1 / (4 * Math.PI), 1, i, frame));
         } else if (light instanceof Light.Spot s) {
             SpotProfile profile = new SpotProfile(s.direction().normalized(), s.angle(), s.innerAngle());
-            add(point(s, profile, 1 / profile.solidAngle(), i, frame));
+            add(point(s, profile, 1 / profile.solidAngle(), 1, i, frame));
+        } else if (light instanceof Light.Ies s) {
+            addLuminaire(s, i, frame);
         } else {
             throw new AssertionError("no physical form of the light " + light.type());
+        }
+    }
+
+    private void addLuminaire(Light.Ies light, int i, SceneFrame frame) {
+        IntensityTable table = files == null ? null : files.of(light, i);
+        if (table != null && table.largest() > 0) {
+            TableProfile profile = new TableProfile(table, light.direction().normalized(), light.rotation());
+            // Relative to the largest candela is what the profile is.
+            add(point(light, profile, 1 / profile.solidAngle(), table.largest(), i, frame));
         }
     }
 
@@ -152,12 +175,14 @@ public final class GlowingObjects {
     /**
      * Intensity is power per solid angle: seen in another unit of length, as many times the square of it arrive.
      *
-     * @param ofPower the intensity of one unit of power
+     * @param ofPower the largest intensity of one unit of power
+     * @param ofIntensity the largest intensity of one unit of intensity
      */
-    private static PhysicalLight point(Light p, IntensityProfile profile, double ofPower, int index, SceneFrame frame) {
+    private static PhysicalLight point(
+            Light p, IntensityProfile profile, double ofPower, double ofIntensity, int index, SceneFrame frame) {
         boolean isPower = p.emission().quantity() == Emission.Quantity.POWER;
         Rgb c = p.emitted();
-        double perPower = isPower ? ofPower : 1;
+        double perPower = isPower ? ofPower : ofIntensity;
         Vec3 position = frame.toFrame(p.anchors().get(0));
         String key = p.emission().quantity().key();
         return PhysicalLight.point(

@@ -1,6 +1,9 @@
 package enlightenment.world.light;
 
+import enlightenment.light.Light;
 import enlightenment.material.Texture;
+import enlightenment.photometry.IesFile;
+import enlightenment.photometry.IntensityTable;
 import enlightenment.scene.Background;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -19,6 +22,8 @@ import java.util.function.Function;
 public final class SceneImages {
     private final Function<Path, byte[]> files;
     private final Map<Key, ImageTexture> images = new HashMap<>();
+
+    private final Map<Path, IntensityTable> tables = new HashMap<>();
 
     /** The last surroundings, and what they were made of. */
     private Surroundings surroundings;
@@ -66,6 +71,28 @@ public final class SceneImages {
             images.put(key, image);
         }
         return image;
+    }
+
+    /**
+     * The intensities in a file, which are kept as images are.
+     *
+     * @param index of the light among the scene's
+     * @throws SceneException at the place of the light, if the file cannot be used
+     */
+    synchronized IntensityTable of(Light.Ies light, int index) {
+        IntensityTable table = tables.get(light.file());
+        if (table == null) {
+            byte[] content = files.apply(light.file());
+            try {
+                table = content == null ? IesFile.read(light.file()) : IesFile.of(content);
+            } catch (IOException e) {
+                throw SceneException.of(
+                        "/lights/" + index + "/file",
+                        content == null ? e.getMessage() : "cannot read " + light.file() + ": " + e.getMessage());
+            }
+            tables.put(light.file(), table);
+        }
+        return table;
     }
 
     /** Whether there is any already. */

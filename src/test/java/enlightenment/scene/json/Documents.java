@@ -119,11 +119,14 @@ final class Documents {
                 + " \"height\": 5}, \"objects\": [" + objects + "]}";
     }
 
-    /** Puts what begins like an image, and a mesh, where {@link #EVERYTHING} looks for them. */
+    /** Puts what begins like an image, a mesh, and the intensities of a lamp where {@link #EVERYTHING} looks for them. */
     static Path withImage(Path folder) {
         try {
             Files.write(folder.resolve("ice.png"), PNG_START);
             Files.writeString(folder.resolve("gem.obj"), GEM);
+            Files.writeString(
+                    folder.resolve("lamp.ies"),
+                    "IESNA:LM-63-2002\nTILT=NONE\n1 -1 2 2 1 1 2 0 0 0 1 1 9\n0 90 0 8 4\n");
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

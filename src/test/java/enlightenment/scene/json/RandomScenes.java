@@ -349,7 +349,7 @@ final class RandomScenes {
         ExactPoint o = point();
         Vec3 u = vector();
         Vec3 v = vector();
-        switch (random.nextInt(isPhysical ? 4 : 3)) {
+        switch (random.nextInt(isPhysical ? 5 : 3)) {
             case 0:
                 return new Light.Sphere(o, positive(), lightColor(), emission(Emission.RADIANCE_1));
             case 1:
@@ -365,6 +365,14 @@ final class RandomScenes {
                 double angle = 180 * unit();
                 double inner = random.nextBoolean() ? 0 : angle * random.nextDouble();
                 return new Light.Spot(o, u, angle, inner, lightColor(), emission(Emission.INTENSITY_1));
+            case 4:
+                return new Light.Ies(
+                        o,
+                        imageFolder.resolve("lamp.ies"),
+                        random.nextBoolean() ? Vec3.of(0, -1, 0) : u,
+                        random.nextBoolean() ? 0 : number(),
+                        lightColor(),
+                        emission(Emission.INTENSITY_1));
             default:
                 return new Light.Point(o, lightColor(), emission(Emission.INTENSITY_1));
         }

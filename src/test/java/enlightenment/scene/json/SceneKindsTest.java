@@ -52,7 +52,7 @@ class SceneKindsTest {
     @BeforeAll
     static void makeScenes() {
         RandomScenes scenes = new RandomScenes(5, Documents.withImage(folder));
-        for (int i = 0; i < 100; i++) {
+        for (int i = 0; i < 200; i++) {
             SCENES.add(scenes.next());
         }
     }

@@ -6,7 +6,7 @@ import enlightenment.math.Vec3;
  * How the radiant intensity of a light without extent depends on direction, relative to its largest value: 0..1 by band. Directions are unit vectors
  * away from the light, in the frame of a render (which scales and moves scenes, and does not turn them). Immutable, shared by threads.
  */
-public sealed interface IntensityProfile permits SpotProfile, TableProfile {
+public sealed interface IntensityProfile permits SpotProfile, TableProfile, PictureProfile {
     /**
      * The relative intensity of a direction, by band.
      *

@@ -108,7 +108,7 @@ public final class SpotProfile implements IntensityProfile {
     private static double falloff(double w) {
         double low = 0;
         double high = 1;
-        double t = Math.min(Math.max(0.5 * w + 0.25, 0), 1);
+        double t = 0.5;
         for (int k = 0; k < STEPS && low < high; k++) {
             double over = t * t * t * (2 - t) - w;
             if (over > 0) {

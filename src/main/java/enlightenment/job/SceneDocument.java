@@ -7,7 +7,6 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
-import enlightenment.light.Light;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
@@ -117,18 +116,8 @@ public final class SceneDocument {
         return bytes.toByteArray();
     }
 
-    /** The index of the first light whose intensities a file holds; -1 if there is none. */
-    private static int luminaire(Path file, Scene scene) {
-        for (int i = 0; i < scene.lights().size(); i++) {
-            if (scene.lights().get(i) instanceof Light.Ies light && light.file().equals(file)) {
-                return i;
-            }
-        }
-        return -1;
-    }
-
     private static byte[] read(Path file, Scene scene) {
-        int light = luminaire(file, scene);
+        int light = scene.lightOf(file);
         if (light >= 0) {
             try {
                 return InputFile.bytes(file);

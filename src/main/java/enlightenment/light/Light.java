@@ -4,6 +4,7 @@ import enlightenment.check.Check;
 import enlightenment.color.Color;
 import enlightenment.color.Rgb;
 import enlightenment.frame.Parallelograms;
+import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.nio.file.Path;
@@ -18,7 +19,8 @@ import java.util.Objects;
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
  * of range or a degenerate light, and {@link NullPointerException} for a missing value.
  */
-public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point, Light.Spot, Light.Ies {
+public sealed interface Light
+        permits Light.Sphere, Light.Rectangle, Light.Point, Light.Spot, Light.Projector, Light.Ies {
 
     /** The light's colour: in classic shading, what a viewer looking straight at it sees. */
     Color color();
@@ -262,6 +264,72 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.Point
         @Override
         public String type() {
             return "ies";
+        }
+
+        @Override
+        public boolean hasSurface() {
+            return false;
+        }
+
+        @Override
+        public boolean isForClassicShading() {
+            return false;
+        }
+
+        @Override
+        public List<ExactPoint> anchors() {
+            return List.of(position);
+        }
+
+        @Override
+        public double reach() {
+            return 0;
+        }
+    }
+
+    /**
+     * A point that projects a picture; it cannot be seen. Where a direction meets the picture its intensity is multiplied by that, as linear light;
+     * elsewhere it is 0. Seen along {@code direction} the picture is upright and not mirrored. For physical shading.
+     *
+     * @param position where it is
+     * @param picture the picture; white is the full intensity
+     * @param direction through the middle of the picture, of any length
+     * @param up points to the picture's upper edge; not parallel to {@code direction}
+     * @param fieldOfView across the picture's width, in degrees: above 0, below 180
+     * @param color its colour
+     * @param emission intensity of white, or power: of all bands together, by luminance
+     */
+    record Projector(
+            ExactPoint position,
+            Texture.File picture,
+            Vec3 direction,
+            Vec3 up,
+            double fieldOfView,
+            Color color,
+            Emission emission)
+            implements Light {
+        /** Validates the components, as {@link Light} states. */
+        public Projector {
+            Objects.requireNonNull(position, "position");
+            Objects.requireNonNull(picture, "picture");
+            Objects.requireNonNull(direction, "direction");
+            Objects.requireNonNull(up, "up");
+            Check.direction("direction", direction);
+            Check.direction("up", up);
+            Check.that(
+                    direction.normalized().cross(up.normalized()).maxAbs() > 0,
+                    "up",
+                    "must not be parallel to \"direction\"");
+            Check.that(
+                    fieldOfView > 0 && fieldOfView < 180,
+                    "fieldOfView",
+                    "must be above 0 and below 180 degrees, not " + fieldOfView);
+            Emissions.checkPoint("projector", color, emission);
+        }
+
+        @Override
+        public String type() {
+            return "projector";
         }
 
         @Override

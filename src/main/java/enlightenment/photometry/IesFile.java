@@ -95,7 +95,7 @@ public final class IesFile {
         return new IntensityTable(vertical, planes.angles(), planes.all(candela));
     }
 
-    /** Passes over all up to the numbers: the name of the standard, keywords, and what is told of tilted lamps. */
+    /** Passes over all up to the numbers: the name of the standard, keywords, and the factors for tilted lamps. */
     private void header() throws IOException {
         String line = text.line();
         if (line.startsWith("IES")) {

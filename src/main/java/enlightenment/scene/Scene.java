@@ -8,6 +8,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.mesh.TriangleMesh;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
@@ -165,6 +166,16 @@ public record Scene(
             }
         }
         return meshes;
+    }
+
+    /** The index of the first light whose intensities a file holds; −1 if there is none. */
+    public int lightOf(Path file) {
+        for (int i = 0; i < lights.size(); i++) {
+            if (lights.get(i) instanceof Light.Ies light && light.file().equals(file)) {
+                return i;
+            }
+        }
+        return -1;
     }
 
     /** The same scene, pictures of which are the mean over these moments. */

@@ -283,6 +283,7 @@ class ArchitectureTest {
                     "scene",
                     "json",
                     "importer",
+                    "photometry",
                     "engine",
                     "render",
                     "listen",

@@ -231,6 +231,11 @@ class FloatingLiteralsTest {
             new Explained(
                     "emitter/LightWeights.java", "4", "ratio of distance to size that chooses between two weights"),
             new Explained("emitter/LightWeights.java", "0x1p-10", "share of a weight whose sign is certain"),
+            new Explained(
+                    "emitter/PictureProfile.java", "0.125", "share of a neighbour's brightness in a cell's weight"),
+            new Explained("emitter/PictureProfile.java", "0.2126", "luminance"),
+            new Explained("emitter/PictureProfile.java", "0.7152", "luminance"),
+            new Explained("emitter/PictureProfile.java", "0.0722", "luminance"),
             new Explained("emitter/NormalCone.java", "0x1p-24", "angle: more than what the arc cosine is off by"),
             new Explained(
                     "emitter/ParallelogramLight.java", "1e-3", "solid angle that chooses between two ways of sampling"),

@@ -11,6 +11,7 @@ import enlightenment.sampling.Hash;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,8 +35,76 @@ class IntensityProfileTest {
                         table("0 45 90 180", "0 45 90", "1 5 2 0 1 9 3 1 1 4 0 0"),
                         new Vec3(0.3, -0.5, 0.7).normalized(),
                         33),
-                new TableProfile(
-                        table("90 135 180", "0 90 180 270 360", "0 3 9 0 6 9 0 1 9 0 0 9 0 3 9"), Vec3.Z, -20));
+                new TableProfile(table("90 135 180", "0 90 180 270 360", "0 3 9 0 6 9 0 1 9 0 0 9 0 3 9"), Vec3.Z, -20),
+                new PictureProfile(new Tiles(2, 2, true), Vec3.Z, Vec3.Y, 70),
+                new PictureProfile(new Tiles(5, 3, false), Vec3.X.negated(), Vec3.Z, 130),
+                new PictureProfile(new Tiles(1, 4, false), Vec3.Y, Vec3.X, 20));
+    }
+
+    /** Texels of which some are dark, others coloured. */
+    record Tiles(int width, int height, boolean isNearest) implements PictureProfile.Picture {
+        private double texel(int x, int y, int band) {
+            int column = Math.min(Math.max(x, 0), width - 1);
+            int row = Math.min(Math.max(y, 0), height - 1);
+            int k = row * width + column;
+            return k % 3 == 1 ? 0 : (1 + (k * 7 + band * 3) % 5) / 5.0;
+        }
+
+        @Override
+        public void lookUp(double u, double v, double[] rgb) {
+            double x = u * width - (isNearest ? 0 : 0.5);
+            double y = v * height - (isNearest ? 0 : 0.5);
+            int left = (int) Math.floor(x);
+            int top = (int) Math.floor(y);
+            double fx = isNearest ? 0 : x - left;
+            double fy = isNearest ? 0 : y - top;
+            for (int band = 0; band < 3; band++) {
+                double above = (1 - fx) * texel(left, top, band) + fx * texel(left + 1, top, band);
+                double below = (1 - fx) * texel(left, top + 1, band) + fx * texel(left + 1, top + 1, band);
+                rgb[band] = (1 - fy) * above + fy * below;
+            }
+        }
+
+        @Override
+        public double[] identity() {
+            return new double[] {width, height};
+        }
+    }
+
+    /** One texel of four is lit: seen along the axis, with y up, that at the top left lies towards −x and +y where the axis is z. */
+    @Test
+    void aPictureStandsUprightAndIsNotMirrored() {
+        PictureProfile.Picture lit = new PictureProfile.Picture() {
+            @Override
+            public int width() {
+                return 2;
+            }
+
+            @Override
+            public int height() {
+                return 2;
+            }
+
+            @Override
+            public void lookUp(double u, double v, double[] rgb) {
+                Arrays.fill(rgb, u < 0.5 && v < 0.5 ? 1 : 0);
+            }
+
+            @Override
+            public double[] identity() {
+                return new double[0];
+            }
+        };
+        IntensityProfile profile = new PictureProfile(lit, Vec3.Z, Vec3.Y, 90);
+        double third = 1 / Math.sqrt(3);
+        double inside = 1 / Math.sqrt(1.5);
+        assertEquals(1, profile.luminance(-0.5 * inside, 0.5 * inside, inside), 1e-12);
+        assertEquals(0, profile.luminance(0.5 * inside, 0.5 * inside, inside));
+        assertEquals(0, profile.luminance(-0.5 * inside, -0.5 * inside, inside));
+        assertEquals(0, profile.luminance(third, -third, -third));
+        assertEquals(0, profile.luminance(-0.8, 0.36, 0.48));
+        // A square of a quarter of a face of the cube around it.
+        assertEquals(4 * Math.PI / 24, profile.solidAngle(), 2e-6);
     }
 
     private static IntensityTable table(String vertical, String horizontal, String candela) {

@@ -7,9 +7,13 @@ import static enlightenment.physical.PhysicalScenes.room;
 
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Scene;
@@ -39,7 +43,31 @@ final class DirectedLights {
     /** Wide, with a waist, dark above; the same to the left and to the right. */
     private static final Path LAMP = lamp();
 
+    private static final Path PICTURE = picture();
+
     private DirectedLights() {}
+
+    private static Light projector(ExactPoint at, Vec3 direction, double fieldOfView, Emission emission) {
+        Texture.File picture = new Texture.File(PICTURE, Texture.Filter.BILINEAR, Texture.Encoding.LINEAR);
+        return new Light.Projector(at, picture, direction, Vec3.Z, fieldOfView, Rgb.WHITE, emission);
+    }
+
+    /** Grey, so that power is that of each band. */
+    private static Path picture() {
+        try {
+            Path file = Files.createTempFile("picture", ".png");
+            file.toFile().deleteOnExit();
+            float[] grey = {1, 0, 0.4f, 0.8f, 0, 0, 1, 0.1f, 0.5f, 1, 0, 0.2f};
+            float[] rgb = new float[3 * grey.length];
+            for (int i = 0; i < rgb.length; i++) {
+                rgb[i] = grey[i / 3];
+            }
+            ImageFiles.writePng(new Image(4, 3, rgb), file);
+            return file;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
 
     private static Path lamp() {
         String text =
@@ -68,6 +96,7 @@ final class DirectedLights {
         Map<String, Light> lights = new LinkedHashMap<>();
         lights.put("spot", new Light.Spot(at(0.1, 0, 0.05), new Vec3(0, -2, 0.1), 60, 30, Rgb.WHITE, WATTS));
         lights.put("ies", new Light.Ies(at(0.1, 0, 0.05), LAMP, new Vec3(0.1, -1, 0), 40, Rgb.WHITE, WATTS));
+        lights.put("projector", projector(at(0.1, 0, 0.05), new Vec3(0.1, -1, 0), 80, WATTS));
         return lights;
     }
 
@@ -108,6 +137,20 @@ final class DirectedLights {
         scenes.put(
                 "luminaire in fog",
                 foggy().light(new Light.Ies(at(0.1, 1.5, -0.4), LAMP, new Vec3(-0.2, -1, 0.3), 0, Rgb.WHITE, WATTS))
+                        .build());
+        scenes.put(
+                "projector in a room",
+                furnished()
+                        .light(projector(at(0.2, 1.7, -0.9), new Vec3(-0.2, -0.7, 1), 60, WATTS))
+                        .build());
+        scenes.put(
+                "projector on mirror and glass",
+                specular()
+                        .light(projector(at(0.1, 1.9, -0.4), new Vec3(0, -1, 0.2), 90, WATTS))
+                        .build());
+        scenes.put(
+                "projector in fog",
+                foggy().light(projector(at(0.1, 1.5, -0.4), new Vec3(-0.2, -1, 0.3), 50, WATTS))
                         .build());
         SceneBuilder many = furnished();
         for (int k = 0; k < 24; k++) {

@@ -84,6 +84,14 @@ public final class Descriptions {
                     new Light.Point(ExactPoint.of(0, 0, 4), DisplayRgb.WHITE),
                     new Light.Spot(
                             ExactPoint.of(0, 0, 4), new Vec3(0, 0, -2), 30, 20, DisplayRgb.WHITE, Emission.INTENSITY_1),
+                    new Light.Projector(
+                            ExactPoint.of(0, 0, 4),
+                            new Texture.File(Path.of("picture.png"), Texture.Filter.BILINEAR, Texture.Encoding.SRGB),
+                            new Vec3(0, 0, -2),
+                            Vec3.Y,
+                            30,
+                            DisplayRgb.WHITE,
+                            Emission.INTENSITY_1),
                     new Light.Ies(
                             ExactPoint.of(0, 0, 4),
                             Path.of("lamp.ies"),

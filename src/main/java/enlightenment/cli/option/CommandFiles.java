@@ -4,6 +4,7 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.StandardStreams;
 import enlightenment.file.FilePlace;
 import enlightenment.file.TemporaryFile;
+import enlightenment.light.Light;
 import enlightenment.material.Texture;
 import enlightenment.scene.Scene;
 import java.io.IOException;
@@ -42,7 +43,7 @@ public final class CommandFiles {
         return this;
     }
 
-    /** The command reads this scene, with the image files of its textures. */
+    /** The command reads this scene, with the image files of its textures and the IES files of its lights. */
     public CommandFiles reads(Path file, Scene scene) {
         reads("the scene", file);
         scene.textures().forEach((name, texture) -> {
@@ -50,6 +51,11 @@ public final class CommandFiles {
                 reads("the image of texture \"" + name + "\"", image.file());
             }
         });
+        for (Light light : scene.lights()) {
+            if (light instanceof Light.Ies luminaire) {
+                reads("the IES file of a light", luminaire.file());
+            }
+        }
         return this;
     }
 

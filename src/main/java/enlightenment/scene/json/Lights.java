@@ -6,6 +6,7 @@ import enlightenment.color.Rgb;
 import enlightenment.file.FileFailure;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.photometry.IesFile;
@@ -35,6 +36,11 @@ final class Lights {
                     Light.Spot.class,
                     "position direction angle color | innerAngle intensity power ultraviolet",
                     notOfPoints("spot"))
+            .with(
+                    "projector",
+                    Light.Projector.class,
+                    "position texture direction fieldOfView color | up intensity power ultraviolet",
+                    notOfPoints("projector"))
             .with(
                     "ies",
                     Light.Ies.class,
@@ -88,6 +94,7 @@ final class Lights {
             case "rectangle" -> rectangle(f);
             case "point" -> point(f);
             case "spot" -> spot(f);
+            case "projector" -> projector(f);
             case "ies" -> ies(f);
             default -> throw Family.unknown(type);
         };
@@ -110,6 +117,14 @@ final class Lights {
                     .vector("direction", q.direction())
                     .number("angle", q.angle())
                     .numberUnless(0, "innerAngle", q.innerAngle())
+                    .color("color", q.color());
+            write(q.emission(), Emission.INTENSITY_1, p);
+        } else if (value instanceof Light.Projector q) {
+            p.point("position", q.position())
+                    .textureName("texture", q.picture())
+                    .vector("direction", q.direction())
+                    .vectorUnless(Vec3.Y, "up", q.up())
+                    .number("fieldOfView", q.fieldOfView())
                     .color("color", q.color());
             write(q.emission(), Emission.INTENSITY_1, p);
         } else if (value instanceof Light.Ies q) {
@@ -169,6 +184,22 @@ final class Lights {
         Color color = color(f);
         Emission emission = emission(f, Emission.INTENSITY_1);
         return f.make(() -> new Light.Spot(position, direction, angle, innerAngle, color, emission));
+    }
+
+    private static Light projector(Fields f) {
+        ExactPoint position = f.point("position");
+        Texture texture = f.has("texture") ? Textures.ofSurface(f) : null;
+        Vec3 direction = f.direction("direction", DOWN);
+        Vec3 up = f.direction("up", Vec3.Y);
+        double fieldOfView = f.number("fieldOfView");
+        Color color = color(f);
+        Emission emission = emission(f, Emission.INTENSITY_1);
+        if (texture != null && !(texture instanceof Texture.File)) {
+            f.problem("texture", "must name an image file: projectors have no other textures");
+        }
+        return texture instanceof Texture.File picture
+                ? f.make(() -> new Light.Projector(position, picture, direction, up, fieldOfView, color, emission))
+                : null;
     }
 
     private static Light ies(Fields f) {

@@ -1,5 +1,6 @@
 package enlightenment.scene.json;
 
+import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.mesh.TriangleMesh;
@@ -36,6 +37,11 @@ final class Names {
         for (SceneObject object : scene.objects()) {
             nameTexture(object.material());
             object.faces().forEach(this::nameTexture);
+        }
+        for (Light light : scene.lights()) {
+            if (light instanceof Light.Projector projector) {
+                nameTexture(projector.picture());
+            }
         }
         if (scene.shading() instanceof PhysicalShading shading
                 && shading.background() instanceof Background.Picture surroundings) {

@@ -94,7 +94,7 @@ final class Textures {
                 && f.values().library().lightFiles.contains(file.file())) {
             f.problem(
                     "texture",
-                    "is a file of floats, which only a background can have: surfaces take "
+                    "is a file of floats, which only a background can have: surfaces and projectors take "
                             + ImageFormat.names(ImageFormat.textures(), "and"));
             return null;
         }

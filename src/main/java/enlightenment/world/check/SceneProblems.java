@@ -1,5 +1,6 @@
 package enlightenment.world.check;
 
+import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
@@ -112,7 +113,7 @@ public final class SceneProblems {
         problems.add(new Problem("", 0, 0, "/textures/" + SceneException.escaped(texture) + "/file", problem));
     }
 
-    /** The textures of surfaces: compiling reads them. */
+    /** The textures of surfaces and of projectors: compiling reads them. */
     private Set<Texture> needed() {
         Set<Material> materials = Collections.newSetFromMap(new IdentityHashMap<>());
         scene.objects().forEach(object -> {
@@ -120,6 +121,11 @@ public final class SceneProblems {
             materials.add(object.material());
         });
         Set<Texture> textures = new HashSet<>();
+        for (Light light : scene.lights()) {
+            if (light instanceof Light.Projector projector) {
+                textures.add(projector.picture());
+            }
+        }
         materials.forEach(material -> addTextures(material, textures));
         return textures;
     }

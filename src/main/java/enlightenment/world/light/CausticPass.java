@@ -2,6 +2,7 @@ package enlightenment.world.light;
 
 import enlightenment.emitter.IntensityProfile;
 import enlightenment.math.Vec3;
+import enlightenment.numeric.Scale;
 import enlightenment.surroundings.Sun;
 import enlightenment.world.parts.CompiledPrimitives;
 import enlightenment.world.parts.SceneBall;
@@ -25,9 +26,6 @@ public final class CausticPass {
 
     /** Of flat lights that a thing is seen from at an angle, the least cosine that is reckoned with. */
     private static final double LEAST_COSINE = 0.05;
-
-    /** More than what an angle between unit vectors is off by, in radians. */
-    private static final double SLACK = 0x1p-24;
 
     /** The least scattering events of a caustic: one at a mirror, one where it is seen. */
     private static final int LEAST_BOUNCES = 2;
@@ -193,7 +191,7 @@ public final class CausticPass {
     }
 
     /**
-     * The same of a point light with a profile: at most the whole of its light, and 0 where its cone misses the ball of the thing.
+     * About how much of a point light with a profile goes to a thing: at most all of it, and 0 where its cone misses the ball of the thing.
      *
      * @param d the distance of the ball's centre
      * @param angle the solid angle of the ball
@@ -201,13 +199,13 @@ public final class CausticPass {
     private double angle(IntensityProfile profile, int l, int s, double d, double angle) {
         double r = ballRadius[s];
         if (d > r) {
+            Vec3 way = new Vec3(ballX[s] - lights[l].ballX, ballY[s] - lights[l].ballY, ballZ[s] - lights[l].ballZ)
+                    .normalized();
             Vec3 axis = profile.axis();
-            double x = ballX[s] - lights[l].ballX;
-            double y = ballY[s] - lights[l].ballY;
-            double z = ballZ[s] - lights[l].ballZ;
-            double along = axis.x() * x + axis.y() * y + axis.z() * z;
-            double between = StrictMath.acos(Math.min(Math.max(along / d, -1), 1));
-            if (between - SLACK > profile.coneAngle() + StrictMath.asin(r / d)) {
+            double between = 2
+                    * StrictMath.atan2(way.minus(axis).length(), way.plus(axis).length());
+            double ofBall = StrictMath.atan2(r, Math.sqrt((d - r) * (d + r)));
+            if (between > (profile.coneAngle() + ofBall) * (1 + Scale.gamma(64))) {
                 return 0;
             }
         }

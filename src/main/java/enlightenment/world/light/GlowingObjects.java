@@ -4,6 +4,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.IntensityProfile;
+import enlightenment.emitter.PictureProfile;
 import enlightenment.emitter.SpotProfile;
 import enlightenment.emitter.TableProfile;
 import enlightenment.frame.SceneFrame;
@@ -36,6 +37,7 @@ import java.util.Map;
 public final class GlowingObjects {
     private static final String ULTRAVIOLET = "ultraviolet";
 
+    private final Scene scene;
     private final SceneImages files;
 
     /** The objects of the scene, then those that lights are. */
@@ -54,6 +56,7 @@ public final class GlowingObjects {
      * @throws SceneException with all lights that are too much for their size or that of the scene, or whose file cannot be used
      */
     public GlowingObjects(Scene scene, SceneFrame frame, SceneImages files) {
+        this.scene = scene;
         this.files = files;
         List<SceneObject> all = new ArrayList<>();
         List<Problem> problems = new ArrayList<>();
@@ -102,6 +105,8 @@ public final class GlowingObjects {
             add(point(s, profile, 1 / profile.solidAngle(), 1, i, frame));
         } else if (light instanceof Light.Ies s) {
             addLuminaire(s, i, frame);
+        } else if (light instanceof Light.Projector s) {
+            addProjector(s, i, frame);
         } else {
             throw new AssertionError("no physical form of the light " + light.type());
         }
@@ -113,6 +118,19 @@ public final class GlowingObjects {
             TableProfile profile = new TableProfile(table, light.direction().normalized(), light.rotation());
             // Relative to the largest candela is what the profile is.
             add(point(light, profile, 1 / profile.solidAngle(), table.largest(), i, frame));
+        }
+    }
+
+    private void addProjector(Light.Projector light, int i, SceneFrame frame) {
+        if (files == null) {
+            return;
+        }
+        Vec3 axis = light.direction().normalized();
+        Vec3 across = light.up().normalized().cross(axis).normalized();
+        Projection picture = Projection.of(light.picture(), files.of(light.picture(), true, scene));
+        PictureProfile profile = new PictureProfile(picture, axis, axis.cross(across), light.fieldOfView());
+        if (profile.solidAngle() > 0) {
+            add(point(light, profile, 1 / profile.solidAngle(), 1, i, frame));
         }
     }
 

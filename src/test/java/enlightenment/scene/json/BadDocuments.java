@@ -128,7 +128,7 @@ final class BadDocuments {
             edit("\"type\": \"mirror\"", "\"type\": \"miror\"", "/materials/chrome/type", "did you mean \"mirror\"?"),
             edit(
                     "\"type\": \"point\"",
-                    "\"type\": \"spot\"",
+                    "\"type\": \"laser\"",
                     "/lights/2/type",
                     "expected one of \"sphere\", \"rectangle\", \"point\""),
             edit("\"type\": \"checker\"", "\"type\": \"noise\"", "/textures/checks/type", "expected one of"),

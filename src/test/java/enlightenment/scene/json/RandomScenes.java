@@ -349,7 +349,7 @@ final class RandomScenes {
         ExactPoint o = point();
         Vec3 u = vector();
         Vec3 v = vector();
-        switch (random.nextInt(isPhysical ? 5 : 3)) {
+        switch (random.nextInt(isPhysical ? 6 : 3)) {
             case 0:
                 return new Light.Sphere(o, positive(), lightColor(), emission(Emission.RADIANCE_1));
             case 1:
@@ -371,6 +371,15 @@ final class RandomScenes {
                         imageFolder.resolve("lamp.ies"),
                         random.nextBoolean() ? Vec3.of(0, -1, 0) : u,
                         random.nextBoolean() ? 0 : number(),
+                        lightColor(),
+                        emission(Emission.INTENSITY_1));
+            case 5:
+                return new Light.Projector(
+                        o,
+                        (Texture.File) withName(file()),
+                        u,
+                        random.nextBoolean() ? Vec3.Y : v,
+                        180 * unit(),
                         lightColor(),
                         emission(Emission.INTENSITY_1));
             default:

@@ -164,24 +164,30 @@ final class Documents {
         }
     }
 
-    private static List<Path> shippedMeshes() throws IOException {
-        try (var files = Files.list(projectFolder().resolve("scenes/meshes"))) {
+    /** The folders in {@code scenes}, of files that scenes name. */
+    private static final List<String> FOLDERS = List.of("meshes", "luminaires");
+
+    private static List<Path> shippedFiles(String folder) throws IOException {
+        try (var files = Files.list(projectFolder().resolve("scenes").resolve(folder))) {
             return files.toList();
         }
     }
 
     /** Copies the shipped scenes to {@code folder/scenes}, with images of no content in {@code folder/textures}. */
     static Path shippedScenes(Path folder) {
-        List<String> images = List.of("ice", "fire", "wall-back", "wall-right", "wall-left", "floor", "sky", "earth");
+        List<String> images =
+                List.of("ice", "fire", "wall-back", "wall-right", "wall-left", "floor", "sky", "earth", "orientation");
         try {
             Path scenes = Files.createDirectories(folder.resolve("scenes"));
             Path textures = Files.createDirectories(folder.resolve("textures"));
             for (String image : images) {
                 Files.write(textures.resolve(image + ".png"), PNG_START);
             }
-            Path meshes = Files.createDirectories(scenes.resolve("meshes"));
-            for (Path mesh : shippedMeshes()) {
-                Files.copy(mesh, meshes.resolve(mesh.getFileName()));
+            for (String of : FOLDERS) {
+                Path copies = Files.createDirectories(scenes.resolve(of));
+                for (Path file : shippedFiles(of)) {
+                    Files.copy(file, copies.resolve(file.getFileName()));
+                }
             }
             for (String name : shippedNames()) {
                 Files.copy(projectFolder().resolve("scenes").resolve(name), scenes.resolve(name));

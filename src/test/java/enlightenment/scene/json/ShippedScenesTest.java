@@ -29,6 +29,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -245,7 +246,10 @@ class ShippedScenesTest {
         Scene room = read("lamp-room.json");
         assertEquals(
                 Set.copyOf(Lights.FAMILY.types()),
-                room.lights().stream().map(Light::type).collect(Collectors.toSet()));
+                Stream.of(room, read("stage.json"))
+                        .flatMap(scene -> scene.lights().stream())
+                        .map(Light::type)
+                        .collect(Collectors.toSet()));
         assertEquals(
                 Set.of("sphere", "disk", "rectangle", "triangle"),
                 room.objects().stream()

@@ -88,7 +88,7 @@ public final class SceneCompiler {
         CompiledSurroundings.check(scene, images);
     }
 
-    /** The same, surroundings and lights with files aside as well. */
+    /** Checks a scene but for surroundings, and for lights and textures that stand in files. */
     public static void check(Scene scene) {
         checkObjects(scene, null);
     }

@@ -1,8 +1,10 @@
 package enlightenment.importer.support;
 
+import enlightenment.check.Check;
 import enlightenment.geometry.Transform;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import java.math.BigDecimal;
 
 /**
  * An affine map p → (x·p, y·p, z·p) + offset of foreign coordinates, in doubles. A value.
@@ -129,8 +131,13 @@ public record Affine(Vec3 x, Vec3 y, Vec3 z, Vec3 offset) {
         return equals(IDENTITY) ? Transform.IDENTITY : Transform.of(new Transform.Matrix(x, y, z, exact(offset)));
     }
 
-    /** A point of the scene with just these coordinates. */
+    /**
+     * A point of the scene with these coordinates, each the shortest decimal that reads as the same double.
+     *
+     * @throws enlightenment.math.InvalidValueException for a coordinate that is infinite or NaN
+     */
     public static ExactPoint exact(Vec3 p) {
-        return ExactPoint.of(p.x(), p.y(), p.z());
+        Check.that(p.isFinite(), "matrix", "must have finite entries");
+        return new ExactPoint(BigDecimal.valueOf(p.x()), BigDecimal.valueOf(p.y()), BigDecimal.valueOf(p.z()));
     }
 }

@@ -61,11 +61,7 @@ public final class BandSensitivities {
         for (int k = 0; k < STEPS; k++) {
             double wavelength = SHORTEST + k + 0.5;
             for (int c = 0; c < BANDS; c++) {
-                double s = 0;
-                for (int j = 0; j < BANDS; j++) {
-                    s += TO_RGB[c][j] * matching(LOBES[j], wavelength);
-                }
-                sensitivities[BANDS * k + c] = s * daylight(wavelength);
+                sensitivities[BANDS * k + c] = matching(wavelength, c) * daylight(wavelength);
                 sums[c] += sensitivities[BANDS * k + c];
             }
         }
@@ -106,6 +102,23 @@ public final class BandSensitivities {
             sum += lobes[k] * StrictMath.exp(-0.5 * x * x);
         }
         return sum;
+    }
+
+    /**
+     * The colour-matching function of band 0, 1 or 2 at a wavelength in nanometres: what light of one wavelength and of radiance 1 per nanometre adds to
+     * linear sRGB, without regard to any white. Negative where no screen shows a pure spectral colour.
+     */
+    public static double matching(double wavelength, int band) {
+        double sum = 0;
+        for (int j = 0; j < BANDS; j++) {
+            sum += TO_RGB[band][j] * matching(LOBES[j], wavelength);
+        }
+        return sum;
+    }
+
+    /** The component of band 0, 1 or 2 of a colour of the CIE 1931 system, in linear sRGB: below 0 or above 1 outside of its gamut. */
+    public static double ofXyz(double x, double y, double z, int band) {
+        return TO_RGB[band][0] * x + TO_RGB[band][1] * y + TO_RGB[band][2] * z;
     }
 
     /** The sensitivity of band 0, 1 or 2 at a wavelength in the visible range, per nanometre. */

@@ -1,6 +1,7 @@
 package enlightenment.importer;
 
 import enlightenment.camera.Camera;
+import enlightenment.importer.mitsuba.MitsubaReader;
 import enlightenment.importer.model.ModelReader;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
@@ -18,8 +19,8 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Reads scenes and models of other programs: by the end of the name models ({@code .ply}, {@code .obj}, {@code .stl}, {@code .serialized}) and Eric
- * Haines' NFF ({@code .nff}).
+ * Reads scenes and models of other programs: by the end of the name models ({@code .ply}, {@code .obj}, {@code .stl}, {@code .serialized}), scenes
+ * of Mitsuba ({@code .xml}) and Eric Haines' NFF ({@code .nff}).
  *
  * <p>A file without a camera is seen from three quarters, a file without light stands in a studio: on a ground that catches its shadow, under a
  * soft light.
@@ -34,7 +35,7 @@ public final class SceneImporter {
     /** Whether the end of the file's name is one of a format that is read here. */
     public static boolean reads(Path file) {
         String ending = ending(file);
-        return MODELS.contains(ending) || ending.equals("nff");
+        return MODELS.contains(ending) || ending.equals("xml") || ending.equals("nff");
     }
 
     /**
@@ -66,7 +67,10 @@ public final class SceneImporter {
         if (MODELS.contains(ending)) {
             return ModelReader.read(file);
         }
-        throw ImportFailure.at(file, 0, "is of no format that can be imported: " + String.join(", ", MODELS) + ", nff");
+        if (ending.equals("xml")) {
+            return MitsubaReader.read(file);
+        }
+        throw ImportFailure.at(file, 0, "is of no format that can be imported: " + String.join(", ", MODELS) + ", xml, nff");
     }
 
     private static Scene finished(ImportDraft draft, String name, ImportOptions options) {

@@ -55,6 +55,25 @@ public record ImportView(Vec3 eye, Vec3 forward, Vec3 up, Vec3 right) {
                 0);
     }
 
+    /**
+     * A pinhole camera whose picture need not lie around the direction of view: each side is the tangent of its angle from there, negative to the left
+     * and downwards.
+     */
+    public Camera window(double left, double right, double bottom, double top) {
+        Vec3 f = forward.normalized();
+        Vec3 across = f.cross(up).normalized();
+        Vec3 toRight = across.dot(this.right) < 0 ? across.times(-1) : across;
+        Vec3 toTop = across.cross(f);
+        double distance = forward.scaledBy(NEAR).length();
+        Vec3 middle = f.times(distance);
+        Vec3 l = middle.plus(toRight.times(left * distance));
+        Vec3 r = middle.plus(toRight.times(right * distance));
+        Vec3 b = toTop.times(bottom * distance);
+        Vec3 t = toTop.times(top * distance);
+        return new Camera.Window(
+                Affine.exact(eye), corner(l.plus(b)), corner(l.plus(t)), corner(r.plus(t)), corner(r.plus(b)), 0);
+    }
+
     private ExactPoint corner(Vec3 offset) {
         ExactPoint e = Affine.exact(eye);
         return new ExactPoint(

@@ -1,0 +1,243 @@
+package enlightenment.importer.mitsuba;
+
+import enlightenment.color.Rgb;
+import enlightenment.geometry.Mesh;
+import enlightenment.geometry.Rectangle;
+import enlightenment.geometry.Shape;
+import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.PlacedShapes;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.InvalidValueException;
+import enlightenment.math.Vec3;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+
+/** Reads shapes, with what they are made of and what they emit. */
+final class ShapeReader {
+    private static final int MOST_DEPTH = 16;
+
+    private final SceneIndex scene;
+    private final Affine world;
+    private final BsdfReader bsdfs;
+    private final EmissionReader emissions;
+    private final MeshShapes meshes;
+    private final PlacedShapes placed;
+
+    /** @param world from the coordinates of the file to those of the scene */
+    ShapeReader(SceneIndex scene, Affine world) {
+        this.scene = scene;
+        this.world = world;
+        bsdfs = new BsdfReader(scene);
+        emissions = new EmissionReader(scene);
+        meshes = new MeshShapes(scene);
+        placed = new PlacedShapes(scene.notes(), true);
+    }
+
+    /** Adds a shape of the scene to it. */
+    void add(XmlElement shape) throws IOException {
+        add(shape, world, 0);
+    }
+
+    private void add(XmlElement e, Affine outer, int depth) throws IOException {
+        if (depth > MOST_DEPTH) {
+            throw e.failure("is an instance inside of itself");
+        }
+        try {
+            switch (e.type()) {
+                case "shapegroup" -> {
+                    // Only its instances are seen.
+                }
+                case "instance" -> addInstance(e, outer, depth);
+                default -> addShape(e, outer);
+            }
+        } catch (InvalidValueException problem) {
+            throw e.failure(e.described() + ": " + problem.getMessage());
+        }
+    }
+
+    private void addInstance(XmlElement e, Affine outer, int depth) throws IOException {
+        Properties p = new Properties(e);
+        Affine map = outer.after(p.transform("to_world"));
+        List<XmlElement> groups = scene.inside(e, "shape");
+        if (groups.isEmpty()) {
+            throw e.failure("must have a shapegroup inside, or a reference to one");
+        }
+        for (XmlElement group : groups) {
+            for (XmlElement child : group.children()) {
+                if (child.tag().equals("shape")) {
+                    add(child, map, depth + 1);
+                }
+            }
+        }
+        scene.noteUnused(p);
+    }
+
+    private void addShape(XmlElement e, Affine outer) throws IOException {
+        Properties p = new Properties(e);
+        Affine map = outer.after(p.transform("to_world"));
+        Surface surface = scene.inside(e, "bsdf").stream().findFirst().map(bsdfs::surface).orElse(BsdfReader.usual());
+        for (String inside : List.of("medium", "volume")) {
+            if (!scene.inside(e, inside).isEmpty()) {
+                scene.note(e, "a " + inside + " inside of a shape is left out");
+            }
+        }
+        p.ignore("id", "interior", "exterior");
+        Optional<Rgb> radiance = emissions.area(e);
+        if (surface.material().isEmpty() && radiance.isEmpty()) {
+            return;
+        }
+        boolean isFlipped = p.flag("flip_normals", false);
+        List<Shape> shapes = shapes(p, map, surface);
+        scene.noteUnused(p);
+        if (radiance.isPresent()) {
+            addEmitter(p, shapes, map, isFlipped, surface, radiance.get());
+        } else {
+            for (Shape shape : shapes) {
+                scene.draft().object(e.attribute("id"), shape, fitting(p, surface, shape));
+            }
+        }
+    }
+
+    private List<Shape> shapes(Properties p, Affine map, Surface surface) throws IOException {
+        String place = p.element().place();
+        boolean isTextured = surface.isTextured();
+        return switch (p.element().type()) {
+            case "obj", "ply", "serialized" ->
+                meshes.mesh(p, map, surface.map(), isTextured).map(m -> List.<Shape>of(m)).orElse(List.of());
+            case "rectangle" -> List.of(mapped(placed.rectangle(map), surface));
+            case "sphere" -> {
+                Vec3 c = p.point("center", new Vec3(0, 0, 0));
+                double r = p.number("radius", 1);
+                Affine ball = map.after(Affine.translate(c.x(), c.y(), c.z())).after(Affine.scale(r, r, r));
+                yield List.of(mapped(placed.sphere(ball, isTextured, place), surface));
+            }
+            case "disk" -> List.of(mapped(placed.disk(map, isTextured, place), surface));
+            case "cylinder" -> List.of(mapped(placed.cylinder(map.after(cylinder(p)), isTextured, place), surface));
+            case "cube" ->
+                PlacedShapes.cube(map, isTextured, surface.fillsSolid()).stream()
+                        .map(s -> mapped(s, surface))
+                        .toList();
+            default -> {
+                scene.note(p.element(), p.element().described() + " is left out: there is no such shape here");
+                p.element().children().forEach(c -> p.ignore(c.name()));
+                yield List.of();
+            }
+        };
+    }
+
+    /** From the cylinder about z from 0 to 1 to that between two points. */
+    private static Affine cylinder(Properties p) {
+        Vec3 p0 = p.point("p0", new Vec3(0, 0, 0));
+        Vec3 axis = p.point("p1", new Vec3(0, 0, 1)).minus(p0);
+        double r = p.number("radius", 1);
+        if (axis.maxAbs() == 0 || !(r > 0)) {
+            throw p.element().failure("needs two ends that differ, and a radius above 0");
+        }
+        Vec3 d = axis.normalized();
+        Vec3 other = StrictMath.abs(d.x()) < StrictMath.abs(d.y()) ? Vec3.X : Vec3.Y;
+        Vec3 a = axis.equals(new Vec3(0, 0, axis.z())) ? Vec3.X : other.cross(d).normalized();
+        return Affine.ofColumns(a.times(r), d.cross(a).times(r), axis, p0);
+    }
+
+    /** Textures that are scaled or turned need a mesh, whose texture coordinates are changed. */
+    private Shape mapped(Shape shape, Surface surface) {
+        UvMap uv = surface.map();
+        if (!surface.isTextured() || uv.equals(UvMap.IDENTITY)) {
+            return shape;
+        }
+        if (shape instanceof Mesh m) {
+            return new Mesh(uv.mapped(m.triangles(), false), Optional.empty(), m.transform());
+        }
+        return shape instanceof Rectangle r ? Mesh.of(TexturedRectangle.mesh(r, uv)) : shape;
+    }
+
+    /** The material as it can stand on a shape. */
+    private Material fitting(Properties p, Surface surface, Shape shape) {
+        Material m = surface.material().orElseThrow();
+        XmlElement e = p.element();
+        if (m instanceof Material.Glass glass) {
+            boolean isSolid = shape.enclosesVolume();
+            if (surface.isThin() && isSolid) {
+                scene.note(e, "a thin dielectric around a volume becomes solid glass");
+            } else if (!surface.isThin() && !isSolid) {
+                scene.note(e, "a dielectric on a surface that encloses no volume becomes a thin pane");
+            }
+            return isSolid ? glass : glass.withRoughness(0);
+        }
+        return m;
+    }
+
+    private void addEmitter(
+            Properties p, List<Shape> shapes, Affine map, boolean isFlipped, Surface surface, Rgb radiance) {
+        XmlElement e = p.element();
+        boolean isCube = e.type().equals("cube");
+        for (Shape shape : shapes) {
+            Optional<Rectangle> flat = flat(shape, map);
+            if (flat.isPresent()) {
+                Vec3 out = isCube ? outwards(flat.get(), map) : front(shape, map);
+                noteBlack(e, surface);
+                scene.draft().light(PlacedShapes.oneSided(flat.get(), isFlipped ? out.times(-1) : out, radiance));
+                continue;
+            }
+            if (!shape.enclosesVolume() || isFlipped) {
+                scene.note(e, e.described() + " that emits to one side emits to both");
+            }
+            scene.draft().object(e.attribute("id"), shape, glowing(e, surface, radiance));
+        }
+    }
+
+    private Optional<Rectangle> flat(Shape shape, Affine map) {
+        if (shape instanceof Rectangle r) {
+            return Optional.of(r);
+        }
+        return shape instanceof Mesh m && m.origin().isPresent()
+                ? MeshShapes.parallelogram(m.triangles()).map(q -> placed.rectangle(map.after(q)))
+                : Optional.empty();
+    }
+
+    /** Where the front of a flat shape looks: what was outside before a map is outside after it. */
+    private static Vec3 front(Shape shape, Affine map) {
+        Vec3 before = shape instanceof Mesh m ? m.triangles().areaNormal(0) : Vec3.Z;
+        Vec3 after = cofactors(map, before);
+        return map.determinant() < 0 ? after.times(-1) : after;
+    }
+
+    /** The cofactor matrix of the linear part times a vector. */
+    private static Vec3 cofactors(Affine map, Vec3 v) {
+        Vec3 a = map.column(0);
+        Vec3 b = map.column(1);
+        Vec3 c = map.column(2);
+        return b.cross(c).times(v.x()).plus(c.cross(a).times(v.y())).plus(a.cross(b).times(v.z()));
+    }
+
+    private static Vec3 outwards(Rectangle face, Affine map) {
+        Vec3 middle = face.lowerLeft().toVec3().plus(face.upperRight().toVec3()).times(0.5);
+        return middle.minus(map.offset());
+    }
+
+    private void noteBlack(XmlElement e, Surface surface) {
+        boolean isBlack = surface.material()
+                .filter(m -> m instanceof Material.Matte matte && matte.color().equals(Texture.of(Rgb.BLACK)))
+                .isPresent();
+        if (!isBlack && surface.material().isPresent()) {
+            scene.note(e, "a flat lamp emits to its front, and reflects nothing");
+        }
+    }
+
+    private Material glowing(XmlElement e, Surface surface, Rgb radiance) {
+        Material m = surface.material().orElse(Material.Matte.of(Texture.of(Rgb.BLACK)));
+        if (m instanceof Material.Matte matte) {
+            return matte.withRadiance(radiance);
+        } else if (m instanceof Material.Mirror mirror) {
+            return new Material.Mirror(mirror.color(), true, radiance);
+        } else if (m instanceof Material.Glossy g) {
+            return new Material.Glossy(g.color(), g.roughness(), g.conductor(), g.multipleScattering(), radiance, 0);
+        } else if (m instanceof Material.Coated c) {
+            return new Material.Coated(c.color(), c.roughness(), c.indexOfRefraction(), c.nonlinear(), radiance, 0);
+        }
+        scene.note(e, "what emits is " + m.type() + " besides, which is left out");
+        return new Material.Matte(Texture.of(Rgb.BLACK), true, 0, radiance);
+    }
+}

@@ -18,12 +18,16 @@ import java.util.Optional;
 final class ShapeReader {
     private static final int MOST_DEPTH = 16;
 
+    /** Of all shapes, those of instances counted each time: groups of instances of groups multiply. */
+    private static final int MOST_SHAPES = 1_000_000;
+
     private final SceneIndex scene;
     private final Affine world;
     private final BsdfReader bsdfs;
     private final EmissionReader emissions;
     private final MeshShapes meshes;
     private final PlacedShapes placed;
+    private int count;
 
     /** @param world from the coordinates of the file to those of the scene */
     ShapeReader(SceneIndex scene, Affine world) {
@@ -43,6 +47,9 @@ final class ShapeReader {
     private void add(XmlElement e, Affine outer, int depth) throws IOException {
         if (depth > MOST_DEPTH) {
             throw e.failure("is an instance inside of itself");
+        }
+        if (++count > MOST_SHAPES) {
+            throw e.failure("makes the scene have more than " + MOST_SHAPES + " shapes");
         }
         try {
             switch (e.type()) {

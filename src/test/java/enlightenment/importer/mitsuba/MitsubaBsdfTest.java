@@ -1,0 +1,206 @@
+package enlightenment.importer.mitsuba;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.color.Rgb;
+import enlightenment.importer.support.ImportDraft;
+import enlightenment.material.Bump;
+import enlightenment.material.Mask;
+import enlightenment.material.Material;
+import enlightenment.material.Metal;
+import enlightenment.material.Mix;
+import enlightenment.material.NormalMap;
+import enlightenment.material.Texture;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class MitsubaBsdfTest {
+    @TempDir
+    Path folder;
+
+    private MitsubaScenes scenes;
+
+    @BeforeEach
+    void scenes() {
+        scenes = new MitsubaScenes(folder);
+    }
+
+    private static String bsdf(String type, String inside) {
+        return "<bsdf type=\"" + type + "\">" + inside + "</bsdf>";
+    }
+
+    @Test
+    void diffuseIsMatteOfItsLinearReflectance() throws IOException {
+        Material m = scenes.material(bsdf("diffuse", "<rgb name=\"reflectance\" value=\"0.1 0.2, 0.3\"/>"));
+        assertEquals(Material.Matte.of(Texture.of(new Rgb(0.1, 0.2, 0.3))), m);
+    }
+
+    @Test
+    void shapesWithoutBsdfAreMatteHalfGrey() throws IOException {
+        assertEquals(Material.Matte.of(Texture.of(Rgb.gray(0.5))), scenes.material(""));
+    }
+
+    @Test
+    void alphaIsTheSquareOfOurRoughness() throws IOException {
+        Material.Glossy m = (Material.Glossy) scenes.material(bsdf(
+                "roughconductor",
+                "<float name=\"alpha\" value=\"0.09\"/><string name=\"distribution\" value=\"ggx\"/>"
+                        + "<string name=\"material\" value=\"Au\"/>"));
+        assertEquals(0.3, m.roughness(), 1e-15);
+        assertEquals(Metal.GOLD.conductor(), m.conductor().orElseThrow());
+    }
+
+    @Test
+    void roughSurfacesHaveNoMultipleScatteringAsInMitsuba() throws IOException {
+        String ggx = "<string name=\"distribution\" value=\"ggx\"/>";
+        assertFalse(((Material.Glossy) scenes.material(bsdf("roughconductor", ggx))).multipleScattering());
+        assertFalse(((Material.Glass) scenes.material(bsdf("roughdielectric", ggx))).multipleScattering());
+    }
+
+    @Test
+    void anisotropyBecomesTheGeometricMeanAndBeckmannGgxWithANote() throws IOException {
+        ImportDraft draft = scenes.read("<shape type=\"sphere\">"
+                + bsdf(
+                        "roughconductor",
+                        "<float name=\"alpha_u\" value=\"0.04\"/><float name=\"alpha_v\" value=\"0.25\"/>")
+                + "</shape>");
+        Material.Glossy m = (Material.Glossy) draft.objects().get(0).material();
+        assertEquals(0.1, m.roughness() * m.roughness(), 1e-15);
+        String notes = String.join("\n", draft.notes().list());
+        assertTrue(notes.contains("beckmann") && notes.contains("anisotropic"), notes);
+    }
+
+    @Test
+    void smoothConductorWithoutMaterialIsAMirror() throws IOException {
+        assertInstanceOf(Material.Mirror.class, scenes.material(bsdf("conductor", "")));
+    }
+
+    @Test
+    void conductorsTakeEtaAndK() throws IOException {
+        Material.Glossy m = (Material.Glossy) scenes.material(bsdf(
+                "conductor", "<rgb name=\"eta\" value=\"1, 2, 3\"/><rgb name=\"k\" value=\"4, 5, 6\"/>"));
+        assertEquals(new Rgb(1, 2, 3), m.conductor().orElseThrow().eta());
+        assertEquals(new Rgb(4, 5, 6), m.conductor().orElseThrow().k());
+        assertEquals(0, m.roughness());
+    }
+
+    @Test
+    void dielectricIsRelativeToAir() throws IOException {
+        Material.Glass usual = (Material.Glass) scenes.material(bsdf("dielectric", ""));
+        assertEquals(1.5046 / 1.000277, usual.indexOfRefraction(), 1e-15);
+        Material.Glass water = (Material.Glass) scenes.material(bsdf(
+                "dielectric",
+                "<string name=\"int_ior\" value=\"water\"/><float name=\"ext_ior\" value=\"1\"/>"));
+        assertEquals(1.333, water.indexOfRefraction(), 1e-15);
+    }
+
+    @Test
+    void plasticIsCoatedWithItsFlag() throws IOException {
+        Material.Coated m = (Material.Coated) scenes.material(bsdf(
+                "roughplastic",
+                "<string name=\"distribution\" value=\"ggx\"/><float name=\"alpha\" value=\"0.16\"/>"
+                        + "<float name=\"int_ior\" value=\"1.6\"/><float name=\"ext_ior\" value=\"1\"/>"
+                        + "<boolean name=\"nonlinear\" value=\"true\"/><rgb name=\"diffuse_reflectance\" value=\"0.7\"/>"));
+        assertEquals(new Material.Coated(Texture.of(Rgb.gray(0.7)), 0.4, 1.6, true, Rgb.BLACK, 0), m);
+    }
+
+    @Test
+    void smoothPlasticHasASmoothCoat() throws IOException {
+        Material.Coated m = (Material.Coated) scenes.material(bsdf("plastic", ""));
+        assertEquals(0, m.roughness());
+        assertEquals(1.49 / 1.000277, m.indexOfRefraction(), 1e-15);
+    }
+
+    @Test
+    void twosidedIsUnwrapped() throws IOException {
+        assertInstanceOf(Material.Coated.class, scenes.material(bsdf("twosided", bsdf("plastic", ""))));
+    }
+
+    @Test
+    void nullIsNothing() throws IOException {
+        assertTrue(scenes.read("<shape type=\"sphere\">" + bsdf("null", "") + "</shape>")
+                .objects()
+                .isEmpty());
+    }
+
+    @Test
+    void maskAndBlendBecomeMaskAndMix() throws IOException {
+        Mask mask = (Mask) scenes.material(
+                bsdf("mask", "<float name=\"opacity\" value=\"0.25\"/>" + bsdf("diffuse", "")));
+        assertEquals(Texture.of(Rgb.gray(0.25)), mask.map());
+        Mix mix = (Mix) scenes.material(
+                bsdf("blendbsdf", "<float name=\"weight\" value=\"0.75\"/>" + bsdf("plastic", "") + bsdf("diffuse", "")));
+        assertInstanceOf(Material.Coated.class, mix.first());
+        assertInstanceOf(Material.Matte.class, mix.second());
+        assertEquals(Texture.of(Rgb.gray(0.75)), mix.weight());
+    }
+
+    @Test
+    void reliefsTakeTheirPictures() throws IOException {
+        scenes.write("h.png", "");
+        String texture = "<texture type=\"bitmap\" name=\"%s\"><string name=\"filename\" value=\"h.png\"/>"
+                + "<boolean name=\"raw\" value=\"true\"/></texture>";
+        Bump bump = (Bump) scenes.material(bsdf(
+                "bumpmap",
+                texture.formatted("arbitrary") + "<float name=\"scale\" value=\"2\"/>" + bsdf("diffuse", "")));
+        assertEquals(2, bump.height());
+        NormalMap normals = (NormalMap)
+                scenes.material(bsdf("normalmap", texture.formatted("normalmap") + bsdf("diffuse", "")));
+        assertEquals(Texture.Encoding.LINEAR, ((Texture.File) normals.map()).encoding());
+    }
+
+    @Test
+    void unknownModelsAndParametersAreNoted() throws IOException {
+        ImportDraft draft = scenes.read("<shape type=\"sphere\">" + bsdf("hair", "") + "</shape>\n<shape type=\"sphere\">"
+                + bsdf("diffuse", "<float name=\"sparkle\" value=\"1\"/>") + "</shape>");
+        List<String> notes = draft.notes().list();
+        assertEquals(2, notes.size(), notes::toString);
+        assertTrue(notes.get(0).startsWith("line 2: ") && notes.get(0).contains("hair"), notes::toString);
+        assertTrue(notes.get(1).startsWith("line 3: ") && notes.get(1).contains("sparkle"), notes::toString);
+    }
+
+    @Test
+    void namesOfMitsuba06MeanTheSame() throws IOException {
+        ImportDraft draft = scenes.read(
+                "0.6.0",
+                "<shape type=\"sphere\"><bsdf type=\"roughplastic\"><string name=\"distribution\" value=\"ggx\"/>"
+                        + "<float name=\"intIOR\" value=\"2\"/><float name=\"extIOR\" value=\"1\"/>"
+                        + "<spectrum name=\"diffuseReflectance\" value=\"0.3\"/></bsdf></shape>");
+        Material.Coated m = (Material.Coated) draft.objects().get(0).material();
+        assertEquals(2, m.indexOfRefraction());
+        assertEquals(Texture.of(Rgb.gray(0.3)), m.color());
+        assertEquals(List.of(), draft.notes().list());
+    }
+
+    @Test
+    void rawBitmapsAreLinearAndOthersEncoded() throws IOException {
+        scenes.write("a.png", "");
+        String bitmap = "<texture type=\"bitmap\" name=\"reflectance\"><string name=\"filename\" value=\"a.png\"/>%s</texture>";
+        Texture.File usual =
+                (Texture.File) scenes.material(bsdf("diffuse", bitmap.formatted(""))).color();
+        assertEquals(Texture.Encoding.SRGB, usual.encoding());
+        Texture.File raw = (Texture.File) scenes.material(
+                        bsdf("diffuse", bitmap.formatted("<boolean name=\"raw\" value=\"true\"/>")))
+                .color();
+        assertEquals(Texture.Encoding.LINEAR, raw.encoding());
+    }
+
+    @Test
+    void aSpectrumOfOneEverywhereIsWhiteAsAReflectance() throws IOException {
+        Rgb flat = ((Material.Matte) scenes.material(bsdf(
+                        "diffuse", "<spectrum name=\"reflectance\" value=\"300:0.5, 900:0.5\"/>")))
+                .color() instanceof Texture.Solid s
+                ? s.color().linear()
+                : Rgb.BLACK;
+        assertEquals(0.5, flat.r(), 1e-12);
+        assertEquals(0.5, flat.g(), 1e-12);
+        assertEquals(0.5, flat.b(), 1e-12);
+    }
+}

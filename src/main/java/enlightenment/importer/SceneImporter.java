@@ -70,7 +70,8 @@ public final class SceneImporter {
         if (ending.equals("xml")) {
             return MitsubaReader.read(file);
         }
-        throw ImportFailure.at(file, 0, "is of no format that can be imported: " + String.join(", ", MODELS) + ", xml, nff");
+        throw ImportFailure.at(
+                file, 0, "is of no format that can be imported: " + String.join(", ", MODELS) + ", xml, nff");
     }
 
     private static Scene finished(ImportDraft draft, String name, ImportOptions options) {

@@ -93,8 +93,10 @@ final class BsdfReader {
         private Optional<Material> opaque(Properties p, XmlElement part, int depth) {
             Optional<Material> m = material(part, depth + 1);
             if (m.isPresent() && (m.get() instanceof Material.Glass || m.get() instanceof Material.Scattering)) {
-                scene.note(part, part.described() + " inside of " + p.element().described() + " stands alone: only opaque"
-                        + " surfaces can be parts of others");
+                scene.note(
+                        part,
+                        part.described() + " inside of " + p.element().described() + " stands alone: only opaque"
+                                + " surfaces can be parts of others");
             }
             return m;
         }
@@ -164,8 +166,8 @@ final class BsdfReader {
                 if (file.encoding() != Texture.Encoding.LINEAR) {
                     scene.note(p.element(), "a normal map without raw is read as linear numbers");
                 }
-                return Optional.of(new NormalMap(
-                        of.get(), new Texture.File(file.file(), file.filter(), Texture.Encoding.LINEAR)));
+                return Optional.of(
+                        new NormalMap(of.get(), new Texture.File(file.file(), file.filter(), Texture.Encoding.LINEAR)));
             }
             return of;
         }

@@ -135,7 +135,8 @@ final class ColorValue {
         if (!(kelvin > 0) || scale < 0) {
             throw e.failure("must have a temperature above 0 kelvin, and no negative scale");
         }
-        return emitted(w -> scale * FIRST_CONSTANT / StrictMath.pow(w, 5) / StrictMath.expm1(SECOND_CONSTANT / (w * kelvin)));
+        return emitted(
+                w -> scale * FIRST_CONSTANT / StrictMath.pow(w, 5) / StrictMath.expm1(SECOND_CONSTANT / (w * kelvin)));
     }
 
     /** Light of this spectrum: its luminance is the mean over the eye's sensitivity. */

@@ -56,7 +56,8 @@ final class MeshShapes {
             triangles = isChanged ? map.mapped(triangles, isVDown) : triangles;
             meshes.put(key, triangles);
         }
-        return Optional.of(new Mesh(triangles, isChanged ? Optional.empty() : Optional.of(origin), toWorld.transform()));
+        return Optional.of(
+                new Mesh(triangles, isChanged ? Optional.empty() : Optional.of(origin), toWorld.transform()));
     }
 
     private MeshFile read(Path file) throws IOException {
@@ -73,7 +74,8 @@ final class MeshShapes {
         if (p.flag("face_normals", false)) {
             return MeshOrigin.Normals.FLAT;
         }
-        TriangleMesh mesh = new MeshOrigin(file, part, MeshOrigin.Normals.FILE, 180).of(read(file).parts());
+        TriangleMesh mesh = new MeshOrigin(file, part, MeshOrigin.Normals.FILE, 180)
+                .of(read(file).parts());
         return mesh.hasNormals() ? MeshOrigin.Normals.FILE : MeshOrigin.Normals.SMOOTH;
     }
 
@@ -91,7 +93,9 @@ final class MeshShapes {
                     mesh.position(mesh.vertex(1, 1)),
                     mesh.position(mesh.vertex(1, 2)));
             Vec3 d = b.plus(c).minus(a);
-            boolean isOne = second.contains(b) && second.contains(c) && second.stream().anyMatch(q -> isClose(q, d, b.minus(c)));
+            boolean isOne = second.contains(b)
+                    && second.contains(c)
+                    && second.stream().anyMatch(q -> isClose(q, d, b.minus(c)));
             if (isOne && mesh.areaNormal(0).dot(mesh.areaNormal(1)) > 0) {
                 Vec3 u = b.minus(a).times(0.5);
                 Vec3 v = c.minus(a).times(0.5);

@@ -15,8 +15,20 @@ import java.util.Set;
  */
 public final class MitsubaReader {
     private static final Set<String> INTEGRATORS = Set.of(
-            "path", "volpath", "volpathmis", "volpath_simple", "ptracer", "bdpt", "photonmapper", "pssmlt", "mlt", "erpt",
-            "prb", "prb_basic", "prbvolpath", "prb_projective");
+            "path",
+            "volpath",
+            "volpathmis",
+            "volpath_simple",
+            "ptracer",
+            "bdpt",
+            "photonmapper",
+            "pssmlt",
+            "mlt",
+            "erpt",
+            "prb",
+            "prb_basic",
+            "prbvolpath",
+            "prb_projective");
 
     private final SceneIndex scene;
     private final List<XmlElement> elements;

@@ -11,8 +11,20 @@ import java.util.stream.Stream;
 
 /** The properties of a plugin by name; remembers which were asked for, so that the others can be noted. */
 final class Properties {
-    private static final Set<String> VALUES =
-            Set.of("float", "integer", "boolean", "string", "vector", "point", "transform", "rgb", "srgb", "spectrum", "blackbody", "ref", "texture");
+    private static final Set<String> VALUES = Set.of(
+            "float",
+            "integer",
+            "boolean",
+            "string",
+            "vector",
+            "point",
+            "transform",
+            "rgb",
+            "srgb",
+            "spectrum",
+            "blackbody",
+            "ref",
+            "texture");
 
     private final XmlElement element;
     private final Set<String> known = new HashSet<>();
@@ -60,7 +72,9 @@ final class Properties {
         }
         double v = number(e.get(), e.get().attribute("value"));
         if (v != StrictMath.rint(v) || StrictMath.abs(v) > Integer.MAX_VALUE) {
-            throw e.get().failure("must be a whole number, not " + Plain.quoted(e.get().attribute("value")));
+            throw e.get()
+                    .failure("must be a whole number, not "
+                            + Plain.quoted(e.get().attribute("value")));
         }
         return (int) v;
     }
@@ -73,7 +87,10 @@ final class Properties {
         return switch (e.get().attribute("value").strip().toLowerCase(java.util.Locale.ROOT)) {
             case "true" -> true;
             case "false" -> false;
-            default -> throw e.get().failure("must be true or false, not " + Plain.quoted(e.get().attribute("value")));
+            default ->
+                throw e.get()
+                        .failure("must be true or false, not "
+                                + Plain.quoted(e.get().attribute("value")));
         };
     }
 
@@ -132,6 +149,8 @@ final class Properties {
         if (stripped.isEmpty()) {
             throw e.failure("must be numbers, not \"\"");
         }
-        return Stream.of(stripped.split("[\\s,]+")).mapToDouble(t -> number(e, t)).toArray();
+        return Stream.of(stripped.split("[\\s,]+"))
+                .mapToDouble(t -> number(e, t))
+                .toArray();
     }
 }

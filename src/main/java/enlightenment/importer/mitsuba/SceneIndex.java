@@ -83,7 +83,8 @@ final class SceneIndex {
     List<XmlElement> inside(XmlElement parent, String tag) {
         List<XmlElement> found = new ArrayList<>();
         for (XmlElement child : parent.children()) {
-            if (child.tag().equals(tag) || child.tag().equals("ref") && target(child).tag().equals(tag)) {
+            if (child.tag().equals(tag)
+                    || child.tag().equals("ref") && target(child).tag().equals(tag)) {
                 found.add(resolved(child));
             }
         }

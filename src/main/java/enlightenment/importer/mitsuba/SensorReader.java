@@ -45,8 +45,7 @@ final class SensorReader {
         p.ignore("near_clip", "far_clip", "shutter_open", "shutter_close", "srf", "id");
         Film film = film(sensor);
         scene.draft().size(film.cropWidth(), film.cropHeight());
-        ImportView view =
-                ImportView.of(world.after(p.transform("to_world")), Vec3.Z, Vec3.Y, Vec3.X.times(-1));
+        ImportView view = ImportView.of(world.after(p.transform("to_world")), Vec3.Z, Vec3.Y, Vec3.X.times(-1));
         switch (sensor.type()) {
             case "perspective" -> scene.draft().camera(perspective(p, view, film));
             case "thinlens" -> {
@@ -123,8 +122,7 @@ final class SensorReader {
             case "diagonal" -> ofDiagonal(t, aspect);
             case "smaller" -> aspect > 1 ? t * aspect : t;
             case "larger" -> aspect > 1 ? t : t * aspect;
-            default ->
-                throw e.failure("fov_axis must be x, y, diagonal, smaller or larger, not " + Plain.quoted(axis));
+            default -> throw e.failure("fov_axis must be x, y, diagonal, smaller or larger, not " + Plain.quoted(axis));
         };
     }
 

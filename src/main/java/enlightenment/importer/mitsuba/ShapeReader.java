@@ -84,7 +84,8 @@ final class ShapeReader {
     private void addShape(XmlElement e, Affine outer) throws IOException {
         Properties p = new Properties(e);
         Affine map = outer.after(p.transform("to_world"));
-        Surface surface = scene.inside(e, "bsdf").stream().findFirst().map(bsdfs::surface).orElse(BsdfReader.usual());
+        Surface surface =
+                scene.inside(e, "bsdf").stream().findFirst().map(bsdfs::surface).orElse(BsdfReader.usual());
         for (String inside : List.of("medium", "volume")) {
             if (!scene.inside(e, inside).isEmpty()) {
                 scene.note(e, "a " + inside + " inside of a shape is left out");
@@ -112,7 +113,9 @@ final class ShapeReader {
         boolean isTextured = surface.isTextured();
         return switch (p.element().type()) {
             case "obj", "ply", "serialized" ->
-                meshes.mesh(p, map, surface.map(), isTextured).map(m -> List.<Shape>of(m)).orElse(List.of());
+                meshes.mesh(p, map, surface.map(), isTextured)
+                        .map(m -> List.<Shape>of(m))
+                        .orElse(List.of());
             case "rectangle" -> List.of(mapped(placed.rectangle(map), surface));
             case "sphere" -> {
                 Vec3 c = p.point("center", new Vec3(0, 0, 0));
@@ -216,7 +219,10 @@ final class ShapeReader {
         Vec3 a = map.column(0);
         Vec3 b = map.column(1);
         Vec3 c = map.column(2);
-        return b.cross(c).times(v.x()).plus(c.cross(a).times(v.y())).plus(a.cross(b).times(v.z()));
+        return b.cross(c)
+                .times(v.x())
+                .plus(c.cross(a).times(v.y()))
+                .plus(a.cross(b).times(v.z()));
     }
 
     private static Vec3 outwards(Rectangle face, Affine map) {

@@ -123,7 +123,9 @@ final class SurfaceModels {
     private static Rgb divided(Rgb c, double by) {
         double least = 0x1p-30;
         return new Rgb(
-                StrictMath.max(c.r() / by, least), StrictMath.max(c.g() / by, least), StrictMath.max(c.b() / by, least));
+                StrictMath.max(c.r() / by, least),
+                StrictMath.max(c.g() / by, least),
+                StrictMath.max(c.b() / by, least));
     }
 
     private Material plastic(Properties p) {
@@ -144,7 +146,8 @@ final class SurfaceModels {
         double metallic = textures.number(p, "metallic", 0);
         double transmission = textures.number(p, "spec_trans", 0);
         double specular = p.number("specular", 0.5);
-        double index = p.number("eta", 2 / (1 - StrictMath.sqrt(0.08 * StrictMath.min(StrictMath.max(specular, 0), 1))) - 1);
+        double index =
+                p.number("eta", 2 / (1 - StrictMath.sqrt(0.08 * StrictMath.min(StrictMath.max(specular, 0), 1))) - 1);
         note(p, p.element().type() + " becomes the nearest of glossy, glass and coated");
         p.ignore("anisotropic", "sheen", "sheen_tint", "flatness", "spec_tint", "clearcoat", "clearcoat_gloss");
         p.ignore("main_specular_sampling_rate", "clearcoat_sampling_rate", "diffuse_reflectance_sampling_rate");

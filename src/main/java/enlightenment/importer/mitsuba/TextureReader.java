@@ -118,7 +118,8 @@ final class TextureReader {
         use(e, uvMap(p));
         try {
             Path file = scene.file(p.text("filename", ""));
-            return new Texture.File(file, filter, isLinear || isOfFloats(file) ? Texture.Encoding.LINEAR : Texture.Encoding.SRGB);
+            return new Texture.File(
+                    file, filter, isLinear || isOfFloats(file) ? Texture.Encoding.LINEAR : Texture.Encoding.SRGB);
         } catch (IOException problem) {
             scene.note(e, "a texture is left out: " + problem.getMessage());
             return Texture.of(Rgb.gray(0.5));

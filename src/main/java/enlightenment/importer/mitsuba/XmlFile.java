@@ -143,7 +143,9 @@ final class XmlFile {
                 }
                 if (to == from) {
                     throw ImportFailure.at(
-                            file, line, Plain.quoted(value.substring(i, end)) + " has no value: no default gives it one");
+                            file,
+                            line,
+                            Plain.quoted(value.substring(i, end)) + " has no value: no default gives it one");
                 }
                 out.append(parameters.get(value.substring(from, to)));
                 end = to;

@@ -66,8 +66,9 @@ final class ShapeMeshes {
             double radius = ring == 0 || ring == RINGS ? 0 : StrictMath.sin(angle);
             float z = (float) (ring == 0 ? 1 : ring == RINGS ? -1 : StrictMath.cos(angle));
             for (int i = 0; i <= AROUND; i++) {
-                float x = (float) (radius * cos(i));
-                float y = (float) (radius * sin(i));
+                // Adding 0 makes a 0 of −0: poles are one place.
+                float x = (float) (radius * cos(i) + 0.0);
+                float y = (float) (radius * sin(i) + 0.0);
                 mesh.vertex(x, y, z);
                 mesh.normal(x, y, z);
                 mesh.uv((double) i / AROUND, 1 - (double) ring / RINGS);
@@ -89,12 +90,6 @@ final class ShapeMeshes {
                 if (!hasPoles || row > 0) {
                     mesh.triangle(a, below + 1, a + 1);
                 }
-            }
-        }
-        if (hasPoles) {
-            int last = (rows - 1) * (AROUND + 1);
-            for (int i = 0; i < AROUND; i++) {
-                mesh.triangle(last + i, last + AROUND + 1 + i, last + i + 1);
             }
         }
     }

@@ -84,8 +84,8 @@ class MitsubaBsdfTest {
 
     @Test
     void conductorsTakeEtaAndK() throws IOException {
-        Material.Glossy m = (Material.Glossy) scenes.material(bsdf(
-                "conductor", "<rgb name=\"eta\" value=\"1, 2, 3\"/><rgb name=\"k\" value=\"4, 5, 6\"/>"));
+        Material.Glossy m = (Material.Glossy) scenes.material(
+                bsdf("conductor", "<rgb name=\"eta\" value=\"1, 2, 3\"/><rgb name=\"k\" value=\"4, 5, 6\"/>"));
         assertEquals(new Rgb(1, 2, 3), m.conductor().orElseThrow().eta());
         assertEquals(new Rgb(4, 5, 6), m.conductor().orElseThrow().k());
         assertEquals(0, m.roughness());
@@ -95,9 +95,8 @@ class MitsubaBsdfTest {
     void dielectricIsRelativeToAir() throws IOException {
         Material.Glass usual = (Material.Glass) scenes.material(bsdf("dielectric", ""));
         assertEquals(1.5046 / 1.000277, usual.indexOfRefraction(), 1e-15);
-        Material.Glass water = (Material.Glass) scenes.material(bsdf(
-                "dielectric",
-                "<string name=\"int_ior\" value=\"water\"/><float name=\"ext_ior\" value=\"1\"/>"));
+        Material.Glass water = (Material.Glass) scenes.material(
+                bsdf("dielectric", "<string name=\"int_ior\" value=\"water\"/><float name=\"ext_ior\" value=\"1\"/>"));
         assertEquals(1.333, water.indexOfRefraction(), 1e-15);
     }
 
@@ -105,9 +104,10 @@ class MitsubaBsdfTest {
     void plasticIsCoatedWithItsFlag() throws IOException {
         Material.Coated m = (Material.Coated) scenes.material(bsdf(
                 "roughplastic",
-                "<string name=\"distribution\" value=\"ggx\"/><float name=\"alpha\" value=\"0.16\"/>"
-                        + "<float name=\"int_ior\" value=\"1.6\"/><float name=\"ext_ior\" value=\"1\"/>"
-                        + "<boolean name=\"nonlinear\" value=\"true\"/><rgb name=\"diffuse_reflectance\" value=\"0.7\"/>"));
+                "<string name=\"distribution\" value=\"ggx\"/><float name=\"alpha\""
+                        + " value=\"0.16\"/><float name=\"int_ior\" value=\"1.6\"/><float name=\"ext_ior\""
+                        + " value=\"1\"/><boolean name=\"nonlinear\" value=\"true\"/><rgb"
+                        + " name=\"diffuse_reflectance\" value=\"0.7\"/>"));
         assertEquals(new Material.Coated(Texture.of(Rgb.gray(0.7)), 0.4, 1.6, true, Rgb.BLACK, 0), m);
     }
 
@@ -132,11 +132,11 @@ class MitsubaBsdfTest {
 
     @Test
     void maskAndBlendBecomeMaskAndMix() throws IOException {
-        Mask mask = (Mask) scenes.material(
-                bsdf("mask", "<float name=\"opacity\" value=\"0.25\"/>" + bsdf("diffuse", "")));
+        Mask mask =
+                (Mask) scenes.material(bsdf("mask", "<float name=\"opacity\" value=\"0.25\"/>" + bsdf("diffuse", "")));
         assertEquals(Texture.of(Rgb.gray(0.25)), mask.map());
-        Mix mix = (Mix) scenes.material(
-                bsdf("blendbsdf", "<float name=\"weight\" value=\"0.75\"/>" + bsdf("plastic", "") + bsdf("diffuse", "")));
+        Mix mix = (Mix) scenes.material(bsdf(
+                "blendbsdf", "<float name=\"weight\" value=\"0.75\"/>" + bsdf("plastic", "") + bsdf("diffuse", "")));
         assertInstanceOf(Material.Coated.class, mix.first());
         assertInstanceOf(Material.Matte.class, mix.second());
         assertEquals(Texture.of(Rgb.gray(0.75)), mix.weight());
@@ -151,15 +151,16 @@ class MitsubaBsdfTest {
                 "bumpmap",
                 texture.formatted("arbitrary") + "<float name=\"scale\" value=\"2\"/>" + bsdf("diffuse", "")));
         assertEquals(2, bump.height());
-        NormalMap normals = (NormalMap)
-                scenes.material(bsdf("normalmap", texture.formatted("normalmap") + bsdf("diffuse", "")));
+        NormalMap normals =
+                (NormalMap) scenes.material(bsdf("normalmap", texture.formatted("normalmap") + bsdf("diffuse", "")));
         assertEquals(Texture.Encoding.LINEAR, ((Texture.File) normals.map()).encoding());
     }
 
     @Test
     void unknownModelsAndParametersAreNoted() throws IOException {
-        ImportDraft draft = scenes.read("<shape type=\"sphere\">" + bsdf("hair", "") + "</shape>\n<shape type=\"sphere\">"
-                + bsdf("diffuse", "<float name=\"sparkle\" value=\"1\"/>") + "</shape>");
+        ImportDraft draft =
+                scenes.read("<shape type=\"sphere\">" + bsdf("hair", "") + "</shape>\n<shape type=\"sphere\">"
+                        + bsdf("diffuse", "<float name=\"sparkle\" value=\"1\"/>") + "</shape>");
         List<String> notes = draft.notes().list();
         assertEquals(2, notes.size(), notes::toString);
         assertTrue(notes.get(0).startsWith("line 2: ") && notes.get(0).contains("hair"), notes::toString);
@@ -182,21 +183,23 @@ class MitsubaBsdfTest {
     @Test
     void rawBitmapsAreLinearAndOthersEncoded() throws IOException {
         scenes.write("a.png", "");
-        String bitmap = "<texture type=\"bitmap\" name=\"reflectance\"><string name=\"filename\" value=\"a.png\"/>%s</texture>";
-        Texture.File usual =
-                (Texture.File) scenes.material(bsdf("diffuse", bitmap.formatted(""))).color();
+        String bitmap =
+                "<texture type=\"bitmap\" name=\"reflectance\"><string name=\"filename\" value=\"a.png\"/>%s</texture>";
+        Texture.File usual = (Texture.File)
+                scenes.material(bsdf("diffuse", bitmap.formatted(""))).color();
         assertEquals(Texture.Encoding.SRGB, usual.encoding());
-        Texture.File raw = (Texture.File) scenes.material(
-                        bsdf("diffuse", bitmap.formatted("<boolean name=\"raw\" value=\"true\"/>")))
-                .color();
+        Texture.File raw = (Texture.File)
+                scenes.material(bsdf("diffuse", bitmap.formatted("<boolean name=\"raw\" value=\"true\"/>")))
+                        .color();
         assertEquals(Texture.Encoding.LINEAR, raw.encoding());
     }
 
     @Test
     void aSpectrumOfOneEverywhereIsWhiteAsAReflectance() throws IOException {
-        Rgb flat = ((Material.Matte) scenes.material(bsdf(
-                        "diffuse", "<spectrum name=\"reflectance\" value=\"300:0.5, 900:0.5\"/>")))
-                .color() instanceof Texture.Solid s
+        Rgb flat = ((Material.Matte) scenes.material(
+                                        bsdf("diffuse", "<spectrum name=\"reflectance\" value=\"300:0.5, 900:0.5\"/>")))
+                                .color()
+                        instanceof Texture.Solid s
                 ? s.color().linear()
                 : Rgb.BLACK;
         assertEquals(0.5, flat.r(), 1e-12);

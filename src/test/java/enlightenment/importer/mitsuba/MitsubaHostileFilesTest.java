@@ -32,22 +32,21 @@ class MitsubaHostileFilesTest {
     void documentTypesAndEntitiesAreRefused() throws IOException {
         String bomb = "<!DOCTYPE scene [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;\">]>\n";
         assertRefused(bomb + "<scene version=\"3.0.0\">&b;</scene>", "scene.xml:1", "document type");
-        assertRefused(
-                "<!DOCTYPE scene SYSTEM \"file:///etc/passwd\">\n<scene version=\"3.0.0\"/>", "document type");
+        assertRefused("<!DOCTYPE scene SYSTEM \"file:///etc/passwd\">\n<scene version=\"3.0.0\"/>", "document type");
         assertRefused("<scene version=\"3.0.0\">\n&b;</scene>", "scene.xml:2");
     }
 
     @Test
     void includesStayInTheFolder() throws IOException {
         Files.writeString(folder.resolve("outside.xml"), "<scene version=\"3.0.0\"/>");
-        for (String name : new String[] {"../outside.xml", folder.resolve("outside.xml").toString()}) {
+        for (String name :
+                new String[] {"../outside.xml", folder.resolve("outside.xml").toString()}) {
             assertRefused(
                     "<scene version=\"3.0.0\">\n<include filename=\"" + name + "\"/></scene>",
                     "scene.xml:2",
                     "leads out of the folder");
         }
-        assertRefused(
-                "<scene version=\"3.0.0\"><include filename=\"http://example.org/a.xml\"/></scene>", "is a URL");
+        assertRefused("<scene version=\"3.0.0\"><include filename=\"http://example.org/a.xml\"/></scene>", "is a URL");
     }
 
     @Test
@@ -79,8 +78,8 @@ class MitsubaHostileFilesTest {
                         + "<shape type=\"sphere\"><ref id=\"a\"/></shape></scene>",
                 "inside of itself");
         assertRefused(
-                "<scene version=\"3.0.0\"><shape type=\"shapegroup\" id=\"g\"><shape type=\"instance\"><ref id=\"g\"/></shape>"
-                        + "</shape><shape type=\"instance\"><ref id=\"g\"/></shape></scene>",
+                "<scene version=\"3.0.0\"><shape type=\"shapegroup\" id=\"g\"><shape type=\"instance\"><ref"
+                        + " id=\"g\"/></shape></shape><shape type=\"instance\"><ref id=\"g\"/></shape></scene>",
                 "inside of itself");
     }
 
@@ -92,23 +91,28 @@ class MitsubaHostileFilesTest {
         assertRefused(sphere.formatted("<ref id=\"gone\"/>"), ":3", "\"gone\"");
         assertRefused(sphere.formatted("<float name=\"radius\" value=\"$r\"/>"), ":3", "\"$r\"");
         assertRefused(
-                sphere.formatted("<transform name=\"to_world\"><matrix value=\"1 2 3\"/></transform>"), ":3", "16 numbers");
+                sphere.formatted("<transform name=\"to_world\"><matrix value=\"1 2 3\"/></transform>"),
+                ":3",
+                "16 numbers");
         assertRefused(sphere.formatted("<bsdf type=\"mask\"/>"), ":3", "needs 1 bsdf");
     }
 
     @Test
     void controlCharactersOfAFileAreNotPrinted() throws IOException {
         String message = scenes.refused(scenes.write(
-                "scene.xml", "<scene version=\"3.0.0\"><shape type=\"sphere\"><ref id=\"a&#x202E;b\"/></shape></scene>"));
+                "scene.xml",
+                "<scene version=\"3.0.0\"><shape type=\"sphere\"><ref id=\"a&#x202E;b\"/></shape></scene>"));
         assertEquals(-1, message.indexOf('\u202e'), message);
     }
 
     @Test
     void exponentialInstancesAreRefused() throws IOException {
-        StringBuilder xml = new StringBuilder("<scene version=\"3.0.0\"><shape type=\"shapegroup\" id=\"g0\"><shape type=\"sphere\"/></shape>");
+        StringBuilder xml = new StringBuilder(
+                "<scene version=\"3.0.0\"><shape type=\"shapegroup\" id=\"g0\"><shape type=\"sphere\"/></shape>");
         for (int i = 1; i < 15; i++) {
             xml.append("<shape type=\"shapegroup\" id=\"g").append(i).append("\">");
-            xml.append(("<shape type=\"instance\"><ref id=\"g" + (i - 1) + "\"/></shape>").repeat(10)).append("</shape>");
+            xml.append(("<shape type=\"instance\"><ref id=\"g" + (i - 1) + "\"/></shape>").repeat(10))
+                    .append("</shape>");
         }
         xml.append("<shape type=\"instance\"><ref id=\"g14\"/></shape></scene>");
         assertRefused(xml.toString(), "more than");

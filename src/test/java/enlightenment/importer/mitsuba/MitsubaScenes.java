@@ -25,7 +25,10 @@ record MitsubaScenes(Path folder) {
 
     /** The material of a sphere with this bsdf. */
     Material material(String bsdf) throws IOException {
-        return read("<shape type=\"sphere\">" + bsdf + "</shape>").objects().get(0).material();
+        return read("<shape type=\"sphere\">" + bsdf + "</shape>")
+                .objects()
+                .get(0)
+                .material();
     }
 
     /** The only line by which a file is refused. */

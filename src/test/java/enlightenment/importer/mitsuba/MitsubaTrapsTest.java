@@ -162,7 +162,9 @@ class MitsubaTrapsTest {
         Light.Rectangle usual = lamp("");
         assertFalse(usual.twoSided());
         assertEquals(Vec3.Z, front(usual));
-        assertEquals(-1, front(lamp("<boolean name=\"flip_normals\" value=\"true\"/>")).z());
+        assertEquals(
+                -1,
+                front(lamp("<boolean name=\"flip_normals\" value=\"true\"/>")).z());
         String turned = "<transform name=\"to_world\"><rotate x=\"1\" angle=\"90\"/></transform>";
         assertEquals(1, front(lamp(turned)).dot(Vec3.Y.negated()), 1e-12);
         String mirrored = "<transform name=\"to_world\"><scale x=\"-2\"/></transform>";
@@ -185,8 +187,9 @@ class MitsubaTrapsTest {
 
     @Test
     void openLampsThatShineToBothSidesAreNoted() throws IOException {
-        ImportDraft draft = scenes.read("<shape type=\"disk\"><emitter type=\"area\"><rgb name=\"radiance\" value=\"3\"/>"
-                + "</emitter></shape>");
+        ImportDraft draft =
+                scenes.read("<shape type=\"disk\"><emitter type=\"area\"><rgb name=\"radiance\" value=\"3\"/>"
+                        + "</emitter></shape>");
         assertEquals(Rgb.gray(3), draft.objects().get(0).material().radiance());
         assertTrue(draft.notes().list().get(0).contains("emits to both"));
     }
@@ -230,10 +233,11 @@ class MitsubaTrapsTest {
 
     @Test
     void checkersBeginWithTheirFirstColourAtTheUpperLeft() throws IOException {
-        ImportDraft draft = scenes.read("<shape type=\"rectangle\"><bsdf type=\"diffuse\">"
-                + "<texture type=\"checkerboard\" name=\"reflectance\"><rgb name=\"color0\" value=\"0.9\"/>"
-                + "<rgb name=\"color1\" value=\"0.1\"/><transform name=\"to_uv\"><scale value=\"3\"/></transform></texture>"
-                + "</bsdf></shape>");
+        ImportDraft draft = scenes.read(
+                "<shape type=\"rectangle\"><bsdf type=\"diffuse\"><texture type=\"checkerboard\""
+                    + " name=\"reflectance\"><rgb name=\"color0\" value=\"0.9\"/><rgb name=\"color1\""
+                    + " value=\"0.1\"/><transform name=\"to_uv\"><scale"
+                    + " value=\"3\"/></transform></texture></bsdf></shape>");
         Texture.Checker c = (Texture.Checker) draft.objects().get(0).material().color();
         assertEquals(6, c.scale());
         assertEquals(Rgb.gray(0.9), c.colors().get(0));
@@ -319,8 +323,8 @@ class MitsubaTrapsTest {
                 + transform + "</emitter><emitter type=\"point\"><point name=\"position\" value=\"" + local + "\"/>"
                 + transform + "</emitter>" + BALL);
         Background.Picture sky = (Background.Picture) draft.background();
-        Surroundings around = Surroundings.read(
-                picture, sky.radiance(), sky.rotation(), new Surroundings.Texels(true, true));
+        Surroundings around =
+                Surroundings.read(picture, sky.radiance(), sky.rotation(), new Surroundings.Texels(true, true));
         Vec3 d = ((Light.Point) draft.lights().get(0)).position().toVec3();
         double[] rgb = new double[3];
         around.radiance(d.x(), d.y(), d.z(), rgb);
@@ -346,9 +350,10 @@ class MitsubaTrapsTest {
     @Test
     void picturesAroundMirrorTheSceneWithItsCamera() throws IOException {
         Files.write(folder.resolve("sky.pfm"), pfm(2, 2));
-        ImportDraft draft = scenes.read("<emitter type=\"envmap\"><string name=\"filename\" value=\"sky.pfm\"/></emitter>"
-                + "<sensor type=\"perspective\"><float name=\"fov\" value=\"90\"/></sensor>"
-                + "<shape type=\"sphere\"><point name=\"center\" x=\"1\" y=\"0\" z=\"1\"/></shape>");
+        ImportDraft draft =
+                scenes.read("<emitter type=\"envmap\"><string name=\"filename\" value=\"sky.pfm\"/></emitter>"
+                        + "<sensor type=\"perspective\"><float name=\"fov\" value=\"90\"/></sensor>"
+                        + "<shape type=\"sphere\"><point name=\"center\" x=\"1\" y=\"0\" z=\"1\"/></shape>");
         Camera.Window w = (Camera.Window) draft.camera().orElseThrow();
         // What is at +x stays at the left.
         Vec3 center = draft.objects().get(0).shape().anchors().get(0).toVec3();
@@ -357,17 +362,16 @@ class MitsubaTrapsTest {
 
     @Test
     void orthographicViewsShowXAtTheLeft() throws IOException {
-        ImportDraft draft = scenes.read("<sensor type=\"orthographic\"><transform name=\"to_world\"><scale value=\"3\"/>"
-                + "</transform><film type=\"hdrfilm\"><integer name=\"width\" value=\"200\"/>"
-                + "<integer name=\"height\" value=\"100\"/></film></sensor>" + BALL);
+        ImportDraft draft =
+                scenes.read("<sensor type=\"orthographic\"><transform name=\"to_world\"><scale value=\"3\"/>"
+                        + "</transform><film type=\"hdrfilm\"><integer name=\"width\" value=\"200\"/>"
+                        + "<integer name=\"height\" value=\"100\"/></film></sensor>" + BALL);
         assertEquals(3, ((Camera.Orthographic) draft.camera().orElseThrow()).height(), 1e-12);
         assertTrue(draft.notes().list().isEmpty(), draft.notes().list()::toString);
     }
 
     @Test
     void twosidedIsNotNeededForWhatIsOneSidedInMitsuba() throws IOException {
-        assertEquals(
-                Material.Matte.of(Texture.of(Rgb.gray(0.5))),
-                scenes.material("<bsdf type=\"diffuse\"/>"));
+        assertEquals(Material.Matte.of(Texture.of(Rgb.gray(0.5))), scenes.material("<bsdf type=\"diffuse\"/>"));
     }
 }

@@ -20,8 +20,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class PlacedShapesTest {
-    private static final Affine TURNED =
-            Affine.translate(1, 2, 3).after(Affine.rotate(new Vec3(1, 2, 3), 40)).after(Affine.scale(2, 2, 2));
+    private static final Affine TURNED = Affine.translate(1, 2, 3)
+            .after(Affine.rotate(new Vec3(1, 2, 3), 40))
+            .after(Affine.scale(2, 2, 2));
 
     private static final Affine STRETCHED = Affine.rotate(new Vec3(3, 1, 2), 70).after(Affine.scale(1, 2, 3));
 
@@ -109,7 +110,8 @@ class PlacedShapesTest {
         }
         assertTrue(corners.size() >= 8);
         java.util.Set<ExactPoint> exact = new java.util.HashSet<>();
-        for (Shape face : PlacedShapes.cube(Affine.rotate(Vec3.Z, 90).after(Affine.scale(0.1, 0.7, 0.3)), true, false)) {
+        for (Shape face :
+                PlacedShapes.cube(Affine.rotate(Vec3.Z, 90).after(Affine.scale(0.1, 0.7, 0.3)), true, false)) {
             exact.addAll(face.anchors());
         }
         assertEquals(8, exact.size());

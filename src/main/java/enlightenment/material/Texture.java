@@ -32,7 +32,7 @@ public sealed interface Texture permits Texture.Solid, Texture.Checker, Texture.
     }
 
     /**
-     * A checkerboard in texture coordinates.
+     * A checkerboard in texture coordinates; it goes on beyond 0..1.
      *
      * @param colors two colours; the first one fills the square at the top left
      * @param scale the number of squares along each texture coordinate, greater than 0

@@ -124,8 +124,11 @@ public final class TextureLookup {
     }
 
     private boolean odd(double coordinate) {
-        // The far edge belongs to the last square.
-        double square = Math.min(Math.floor(coordinate * checks), Math.ceil(checks) - 1);
+        // The far edge belongs to the last square; beyond it the squares go on.
+        double square = Math.floor(coordinate * checks);
+        if (coordinate <= 1) {
+            square = Math.min(square, Math.ceil(checks) - 1);
+        }
         return ((long) square & 1) != 0;
     }
 

@@ -233,11 +233,11 @@ class MitsubaTrapsTest {
 
     @Test
     void checkersBeginWithTheirFirstColourAtTheUpperLeft() throws IOException {
-        ImportDraft draft = scenes.read(
-                "<shape type=\"rectangle\"><bsdf type=\"diffuse\"><texture type=\"checkerboard\""
-                    + " name=\"reflectance\"><rgb name=\"color0\" value=\"0.9\"/><rgb name=\"color1\""
-                    + " value=\"0.1\"/><transform name=\"to_uv\"><scale"
-                    + " value=\"3\"/></transform></texture></bsdf></shape>");
+        ImportDraft draft =
+                scenes.read("<shape type=\"rectangle\"><bsdf type=\"diffuse\"><texture type=\"checkerboard\""
+                        + " name=\"reflectance\"><rgb name=\"color0\" value=\"0.9\"/><rgb name=\"color1\""
+                        + " value=\"0.1\"/><transform name=\"to_uv\"><scale"
+                        + " value=\"3\"/></transform></texture></bsdf></shape>");
         Texture.Checker c = (Texture.Checker) draft.objects().get(0).material().color();
         assertEquals(6, c.scale());
         assertEquals(Rgb.gray(0.9), c.colors().get(0));

@@ -585,7 +585,15 @@ class ArchitectureTest {
             .resideOutsideOfPackage("enlightenment.measure.chart")
             .should()
             .dependOnClassesThat()
-            .resideInAnyPackage("org.knowm..", "org.apache.batik..", "org.w3c.dom..", "javax.xml..");
+            .resideInAnyPackage("org.knowm..", "org.apache.batik..", "org.w3c.dom..");
+
+    @ArchTest
+    static final ArchRule onlyChartsAndTheReaderOfMitsubasScenesUseXml = noClasses()
+            .that()
+            .resideOutsideOfPackages("enlightenment.measure.chart", "enlightenment.importer.mitsuba")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("javax.xml..");
 
     @ArchTest
     static final ArchRule onlyReadingImagesChartsAndTheWindowUseAwt = noClasses()

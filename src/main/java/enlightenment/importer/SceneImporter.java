@@ -3,6 +3,8 @@ package enlightenment.importer;
 import enlightenment.camera.Camera;
 import enlightenment.importer.mitsuba.MitsubaReader;
 import enlightenment.importer.model.ModelReader;
+import enlightenment.importer.pbrt.PbrtReader;
+import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
 import enlightenment.math.InvalidValueException;
@@ -20,7 +22,7 @@ import java.util.Set;
 
 /**
  * Reads scenes and models of other programs: by the end of the name models ({@code .ply}, {@code .obj}, {@code .stl}, {@code .serialized}), scenes
- * of Mitsuba ({@code .xml}) and Eric Haines' NFF ({@code .nff}).
+ * of Mitsuba ({@code .xml}) and of pbrt-v4 ({@code .pbrt}), and Eric Haines' NFF ({@code .nff}).
  *
  * <p>A file without a camera is seen from three quarters, a file without light stands in a studio: on a ground that catches its shadow, under a
  * soft light.
@@ -35,7 +37,10 @@ public final class SceneImporter {
     /** Whether the end of the file's name is one of a format that is read here. */
     public static boolean reads(Path file) {
         String ending = ending(file);
-        return MODELS.contains(ending) || ending.equals("xml") || ending.equals("nff");
+        return MODELS.contains(ending)
+                || ending.equals("xml")
+                || ending.equals("pbrt")
+                || ending.equals("nff");
     }
 
     /**
@@ -51,7 +56,7 @@ public final class SceneImporter {
             return new ImportedScene(nff.scene(), nff.notes());
         }
         try {
-            ImportDraft draft = draft(file, ending);
+            ImportDraft draft = draft(file, ending, options);
             return new ImportedScene(
                     finished(draft, name(file), options), draft.notes().list());
         } catch (InvalidValueException e) {
@@ -63,15 +68,18 @@ public final class SceneImporter {
         }
     }
 
-    private static ImportDraft draft(Path file, String ending) throws IOException {
+    private static ImportDraft draft(Path file, String ending, ImportOptions options) throws IOException {
         if (MODELS.contains(ending)) {
             return ModelReader.read(file);
         }
         if (ending.equals("xml")) {
             return MitsubaReader.read(file);
         }
+        if (ending.equals("pbrt")) {
+            return PbrtReader.read(file, new ExtractedFiles(options.extracted()));
+        }
         throw ImportFailure.at(
-                file, 0, "is of no format that can be imported: " + String.join(", ", MODELS) + ", xml, nff");
+                file, 0, "is of no format that can be imported: " + String.join(", ", MODELS) + ", xml, pbrt, nff");
     }
 
     private static Scene finished(ImportDraft draft, String name, ImportOptions options) {

@@ -91,7 +91,8 @@ final class Lexer implements Closeable {
     private void escape(Place place) throws IOException {
         int of = "nrtbf\\\"'".indexOf(next);
         if (of < 0 || next == END) {
-            throw place.failure("a string has an escape that pbrt does not know; it has \\n \\r \\t \\b \\f \\\\ \\\" \\'");
+            throw place.failure(
+                    "a string has an escape that pbrt does not know; it has \\n \\r \\t \\b \\f \\\\ \\\" \\'");
         }
         text.append("\n\r\t\b\f\\\"'".charAt(of));
         advance();

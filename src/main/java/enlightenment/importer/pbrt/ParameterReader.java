@@ -11,8 +11,22 @@ final class ParameterReader {
     private static final int MOST_WORDS = 1_000_000;
 
     private static final Set<String> TYPES = Set.of(
-            "float", "integer", "point", "point2", "point3", "vector", "vector2", "vector3", "normal", "normal3", "rgb",
-            "spectrum", "blackbody", "bool", "string", "texture");
+            "float",
+            "integer",
+            "point",
+            "point2",
+            "point3",
+            "vector",
+            "vector2",
+            "vector3",
+            "normal",
+            "normal3",
+            "rgb",
+            "spectrum",
+            "blackbody",
+            "bool",
+            "string",
+            "texture");
 
     private ParameterReader() {}
 

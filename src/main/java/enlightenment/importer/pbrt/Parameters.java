@@ -97,7 +97,8 @@ final class Parameters {
         if (p == null) {
             return usual;
         }
-        String word = p.type().equals("bool") && p.words().size() == 1 ? p.words().get(0) : "";
+        String word =
+                p.type().equals("bool") && p.words().size() == 1 ? p.words().get(0) : "";
         if (!word.equals("true") && !word.equals("false")) {
             throw wrong(p, "true or false");
         }
@@ -149,7 +150,9 @@ final class Parameters {
         if (p == null) {
             return new double[0];
         }
-        if (!TUPLES.contains(p.type()) || p.numbers().length % each != 0 || !p.words().isEmpty()) {
+        if (!TUPLES.contains(p.type())
+                || p.numbers().length % each != 0
+                || !p.words().isEmpty()) {
             throw wrong(p, "numbers, " + each + " for each " + (each == 2 ? "pair" : "point"));
         }
         return p.numbers();

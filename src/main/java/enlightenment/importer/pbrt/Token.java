@@ -12,6 +12,8 @@ record Token(Kind kind, String text, Place place) {
         WORD,
         STRING,
         OPEN,
-        CLOSE
+        CLOSE,
+        /** The end of an imported file. */
+        FILE_END
     }
 }

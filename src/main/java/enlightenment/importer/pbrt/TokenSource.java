@@ -8,8 +8,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.Iterator;
 import java.util.Locale;
+import java.util.Set;
 
 /** The tokens of a file and of those that it includes, in one sequence. */
 final class TokenSource implements Closeable {
@@ -21,6 +23,10 @@ final class TokenSource implements Closeable {
 
     private final InputFolder folder;
     private final Deque<Lexer> open = new ArrayDeque<>();
+
+    /** Those of the open files whose end is a token. */
+    private final Set<Lexer> imported = new HashSet<>();
+
     private Token peeked;
     private Place last;
     private long closedCharacters;
@@ -64,13 +70,17 @@ final class TokenSource implements Closeable {
             Lexer lexer = open.peek();
             Token token = lexer.next();
             if (closedCharacters + lexer.characters() > LARGEST) {
-                throw lexer.place().failure("the scene is longer than " + LARGEST + " characters with what it includes");
+                throw lexer.place()
+                        .failure("the scene is longer than " + LARGEST + " characters with what it includes");
             }
             if (token != null) {
                 return token;
             }
             closedCharacters += lexer.characters();
             open.pop().close();
+            if (imported.remove(lexer)) {
+                return new Token(Token.Kind.FILE_END, "the end of an imported file", lexer.place());
+            }
         }
         return null;
     }
@@ -79,7 +89,8 @@ final class TokenSource implements Closeable {
     Token expect(Token.Kind kind, String what) throws IOException {
         Token token = peek();
         if (token == null || token.kind() != kind) {
-            throw last.failure("expected " + what + ", not " + (token == null ? "the end" : Plain.quoted(token.text())));
+            throw last.failure(
+                    "expected " + what + ", not " + (token == null ? "the end" : Plain.quoted(token.text())));
         }
         return next();
     }
@@ -114,19 +125,23 @@ final class TokenSource implements Closeable {
      * Goes on with the tokens of another file.
      *
      * @param name as it stands in the scene
+     * @param hasEnd whether its end is a token
      */
-    void include(String name) throws IOException {
+    void include(String name, boolean hasEnd) throws IOException {
         Place place = last;
         Path file = file(name, place);
         boolean isOpen = open.stream().anyMatch(l -> l.file().toAbsolutePath().equals(file.toAbsolutePath()));
         if (isOpen || open.size() > DEEPEST) {
-            throw place.failure(
-                    (isOpen ? "files include each other in a circle: " : "files are included too deep: ") + chain(file));
+            throw place.failure((isOpen ? "files include each other in a circle: " : "files are included too deep: ")
+                    + chain(file));
         }
         if (peeked != null) {
             throw place.failure("an include must not stand inside of a list");
         }
         open.push(new Lexer(file, false));
+        if (hasEnd) {
+            imported.add(open.peek());
+        }
     }
 
     private String chain(Path file) {
@@ -145,7 +160,8 @@ final class TokenSource implements Closeable {
      */
     Path file(String name, Place place) {
         if (name.toLowerCase(Locale.ROOT).endsWith(".gz")) {
-            throw place.failure(Plain.quoted(name) + " is compressed by gzip, which is not read; unpack it with gunzip");
+            throw place.failure(
+                    Plain.quoted(name) + " is compressed by gzip, which is not read; unpack it with gunzip");
         }
         try {
             return folder.file(name);

@@ -1,0 +1,186 @@
+package enlightenment.importer.pbrt;
+
+import enlightenment.camera.Camera;
+import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.ImportDraft;
+import enlightenment.importer.support.ImportNotes;
+import enlightenment.importer.support.ImportView;
+import enlightenment.math.Vec3;
+import enlightenment.text.Plain;
+
+/** The camera and the film: which rays there are, and how bright they show. */
+final class Views {
+    private static final int USUAL_WIDTH = 1280;
+    private static final int USUAL_HEIGHT = 720;
+    private static final int LARGEST = 1 << 16;
+    private static final double USUAL_FIELD = 90;
+
+    /** Of a camera whose lenses are not read: about that of a normal lens. */
+    private static final double REALISTIC_FIELD = 40;
+
+    private final ImportNotes notes;
+    private String type = "";
+    private Parameters camera;
+    private Affine toWorld;
+    private Parameters film;
+
+    Views(ImportNotes notes) {
+        this.notes = notes;
+    }
+
+    /** @param toCamera the current transformation matrix where the camera stands */
+    void camera(String kind, Parameters parameters, Affine toCamera) {
+        type = kind;
+        camera = parameters;
+        try {
+            toWorld = toCamera.inverse();
+        } catch (IllegalArgumentException e) {
+            throw parameters.place().failure("the camera's transformation: " + e.getMessage());
+        }
+    }
+
+    void film(Parameters parameters) {
+        film = parameters;
+    }
+
+    /** From the camera's coordinates to those of the world; the identity before there is a camera. */
+    Affine cameraToWorld() {
+        return toWorld == null ? Affine.IDENTITY : toWorld;
+    }
+
+    /** Gives the scene its size, camera and exposure. */
+    void addTo(ImportDraft draft, Place start) {
+        Parameters f = film == null ? new Parameters(start) : film;
+        Parameters c = camera == null ? new Parameters(start) : camera;
+        int width = f.integer("xresolution", USUAL_WIDTH, 1, LARGEST);
+        int height = f.integer("yresolution", USUAL_HEIGHT, 1, LARGEST);
+        double[] crop = crop(f, width, height);
+        int x0 = (int) StrictMath.ceil(width * crop[0]);
+        int x1 = (int) StrictMath.ceil(width * crop[1]);
+        int y0 = (int) StrictMath.ceil(height * crop[2]);
+        int y1 = (int) StrictMath.ceil(height * crop[3]);
+        if (x1 <= x0 || y1 <= y0) {
+            throw f.place().failure("the film's crop window holds no pixel");
+        }
+        draft.size(x1 - x0, y1 - y0);
+        expose(draft, f, c);
+        double aspect = c.number("frameaspectratio", (double) width / height);
+        double[] screen = screen(c, aspect);
+        double[] window = {
+            mix(screen, 0, (double) x0 / width),
+            mix(screen, 0, (double) x1 / width),
+            mix(screen, 2, 1 - (double) y1 / height),
+            mix(screen, 2, 1 - (double) y0 / height)
+        };
+        draft.camera(placed(c, window));
+    }
+
+    private static double mix(double[] screen, int first, double t) {
+        return t == 1 ? screen[first + 1] : screen[first] + t * (screen[first + 1] - screen[first]);
+    }
+
+    /** Shares of the picture: left, right, top, bottom. */
+    private static double[] crop(Parameters f, int width, int height) {
+        double[] shares = {0, 1, 0, 1};
+        if (f.has("cropwindow")) {
+            shares = f.tuples("cropwindow", 4).clone();
+        } else if (f.has("pixelbounds")) {
+            int[] b = f.integers("pixelbounds");
+            shares = b.length == 4
+                    ? new double[] {
+                        (double) b[0] / width, (double) b[1] / width, (double) b[2] / height, (double) b[3] / height
+                    }
+                    : new double[0];
+        }
+        if (shares.length != 4) {
+            throw f.place().failure("a crop must be four numbers: x from, x to, y from, y to");
+        }
+        for (int i = 0; i < shares.length; i++) {
+            shares[i] = Math.min(1, Math.max(0, shares[i]));
+        }
+        return shares;
+    }
+
+    /** Left, right, bottom and top of the picture in pbrt's screen space, whose shorter side reaches from −1 to 1. */
+    private static double[] screen(Parameters c, double aspect) {
+        if (c.has("screenwindow")) {
+            double[] s = c.tuples("screenwindow", 4);
+            if (s.length != 4 || !(s[1] > s[0]) || !(s[3] > s[2])) {
+                throw c.place().failure("a screen window must be four numbers: x from, x to, y from, y to");
+            }
+            return s;
+        }
+        if (!(aspect > 0) || aspect == Double.POSITIVE_INFINITY) {
+            throw c.place().failure("an aspect ratio must be greater than 0, not " + aspect);
+        }
+        return aspect > 1 ? new double[] {-aspect, aspect, -1, 1} : new double[] {-1, 1, -1 / aspect, 1 / aspect};
+    }
+
+    /** The imaging ratio of the film's sensor: exposure time times ISO / 100. */
+    private void expose(ImportDraft draft, Parameters f, Parameters c) {
+        double time = c.number("shutterclose", 1) - c.number("shutteropen", 0);
+        double ratio = time * f.positive("iso", 100) / 100;
+        if (!(ratio > 0)) {
+            throw c.place().failure("the shutter must close after it opens");
+        }
+        if (ratio != 1) {
+            draft.exposure(StrictMath.log(ratio) / StrictMath.log(2));
+        }
+        if (!f.string("sensor", "cie1931").equals("cie1931")) {
+            notes.add(
+                    f.place().shown(),
+                    "the film's sensor " + Plain.quoted(f.string("sensor", "")) + " is replaced by that of CIE 1931");
+        }
+        if (f.number("whitebalance", 0) != 0) {
+            notes.add(f.place().shown(), "the white balance is left out");
+        }
+    }
+
+    private Camera placed(Parameters c, double[] window) {
+        // The camera's coordinates: x to the right, y up, z along the view.
+        ImportView view = ImportView.of(cameraToWorld(), Vec3.Z, Vec3.Y, Vec3.X);
+        double half = 1;
+        switch (type) {
+            case "perspective", "":
+                half = tangent(c, USUAL_FIELD);
+                if (c.number("lensradius", 0) > 0) {
+                    notes.add(c.place().shown(), "the blur of a lens is left out");
+                }
+                break;
+            case "realistic":
+                notes.add(c.place().shown(), "a realistic camera becomes a pinhole of 40 degrees");
+                half = StrictMath.tan(StrictMath.toRadians(REALISTIC_FIELD / 2));
+                break;
+            case "spherical":
+                notes.add(c.place().shown(), "a spherical camera becomes a perspective one of 90 degrees");
+                break;
+            case "orthographic":
+                return orthographic(c, view, window);
+            default:
+                throw c.place().failure("pbrt-v4 has no camera of the kind " + Plain.quoted(type));
+        }
+        return view.window(half * window[0], half * window[1], half * window[2], half * window[3]);
+    }
+
+    private static double tangent(Parameters c, double usual) {
+        double degrees = c.number("fov", usual);
+        if (!(degrees > 0 && degrees < 180)) {
+            throw c.place().failure("a field of view must be an angle between 0 and 180 degrees, not " + degrees);
+        }
+        return StrictMath.tan(StrictMath.toRadians(degrees / 2));
+    }
+
+    private Camera orthographic(Parameters c, ImportView view, double[] window) {
+        Affine map = cameraToWorld();
+        if (map.determinant() < 0) {
+            notes.add(c.place().shown(), "the picture of an orthographic camera is mirrored");
+        }
+        Vec3 middle = new Vec3((window[0] + window[1]) / 2, (window[2] + window[3]) / 2, 0);
+        Vec3 eye = map.point(middle);
+        return new Camera.Orthographic(
+                Affine.exact(eye),
+                Affine.exact(eye.plus(view.forward())),
+                view.up(),
+                map.vector(new Vec3(0, window[3] - window[2], 0)).length());
+    }
+}

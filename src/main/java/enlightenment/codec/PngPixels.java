@@ -2,6 +2,7 @@ package enlightenment.codec;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 import java.util.zip.DataFormatException;
@@ -19,9 +20,14 @@ final class PngPixels {
     private final PngReader png;
     private final Iterator<ByteBuffer> data;
 
-    PngPixels(PngReader png, List<ByteBuffer> data) {
+    /** Says how opaque pixels are, if that is asked for; null for their colours. */
+    private final PngAlpha alpha;
+
+    /** @param alpha for how opaque pixels are; null for their colours */
+    PngPixels(PngReader png, List<ByteBuffer> data, PngAlpha alpha) {
         this.png = png;
         this.data = data.iterator();
+        this.alpha = alpha;
     }
 
     Raster decode() throws IOException {
@@ -60,7 +66,9 @@ final class PngPixels {
                 throw new IOException("it is damaged: there is no filter " + type[0]);
             }
             filter.undo(type[0], row, above);
-            if (png.depth == 16) {
+            if (alpha != null) {
+                storeAlpha(row, pixelBytes, y * png.width + firstX, stepX, columns, raster);
+            } else if (png.depth == 16) {
                 storeDeep(row, 3 * (y * png.width + firstX), 3 * stepX, columns, raster.deep());
             } else {
                 storePacked(row, pixelBytes, y * png.width + firstX, stepX, columns, raster.packed());
@@ -109,9 +117,28 @@ final class PngPixels {
         }
     }
 
+    private void storeAlpha(byte[] row, int from, int firstPixel, int step, int columns, Raster raster)
+            throws IOException {
+        for (int x = 0, pixel = firstPixel; x < columns; x++, pixel += step) {
+            int opacity = alpha.of(row, from, x);
+            if (raster.deep() == null) {
+                raster.packed()[pixel] = 0x010101 * opacity;
+            } else {
+                Arrays.fill(raster.deep(), 3 * pixel, 3 * pixel + 3, (char) opacity);
+            }
+        }
+    }
+
     /** Sample number n of a row whose samples have at most 8 bits each. */
     private int sample(byte[] row, int from, int n) {
-        int depth = png.depth;
+        return sample(row, from, n, png.depth);
+    }
+
+    /** Sample number n of a row whose samples have of some bits each, at most 16. */
+    static int sample(byte[] row, int from, int n, int depth) {
+        if (depth == 16) {
+            return sampleOf16(row, from + 2 * n);
+        }
         long bit = (long) n * depth;
         int value = row[from + (int) (bit >>> 3)] & 255;
         return value >>> 8 - depth - (int) (bit & 7) & (1 << depth) - 1;

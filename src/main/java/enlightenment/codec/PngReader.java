@@ -4,10 +4,11 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Reads the structure of PNG files of all kinds (W3C PNG specification, second edition): chunks, checksums, header. What is
- * said about transparency and colour spaces is not applied: the numbers are taken as they are.
+ * said about transparency and colour spaces is not applied to colours: the numbers are taken as they are.
  *
  * <p>Why not ImageIO: it starts several times slower, and makes grey pictures brighter on the way to RGB.
  */
@@ -31,6 +32,9 @@ final class PngReader {
     /** The palette, 0xRRGGBB each; null without one. */
     int[] palette;
 
+    /** What the chunk tRNS says: opacities of the palette, or the samples of the colour that is transparent; null without one. */
+    private byte[] transparency;
+
     private PngReader(byte[] file) {
         chunks = new PngChunks(file);
     }
@@ -39,7 +43,21 @@ final class PngReader {
     static Raster read(byte[] file) throws IOException {
         PngReader reader = new PngReader(file);
         reader.readChunks();
-        return new PngPixels(reader, reader.data).decode();
+        return new PngPixels(reader, reader.data, null).decode();
+    }
+
+    /**
+     * How opaque the pixels of a whole file are, three equal components each.
+     *
+     * @return empty if it does not say
+     */
+    static Optional<Raster> readAlpha(byte[] file) throws IOException {
+        PngReader reader = new PngReader(file);
+        reader.readChunks();
+        Optional<PngAlpha> alpha = PngAlpha.of(reader, reader.transparency);
+        return alpha.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new PngPixels(reader, reader.data, alpha.get()).decode());
     }
 
     /** Samples per pixel in the file. */
@@ -78,6 +96,10 @@ final class PngReader {
                     break;
                 case "PLTE":
                     readPalette(content);
+                    break;
+                case "tRNS":
+                    transparency = new byte[content.remaining()];
+                    content.get(transparency);
                     break;
                 case "IDAT":
                     data.add(content);

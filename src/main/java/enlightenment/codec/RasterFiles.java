@@ -6,6 +6,7 @@ import enlightenment.text.WordList;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Optional;
 
 /** Reads picture files of every kind. */
 public final class RasterFiles {
@@ -44,5 +45,17 @@ public final class RasterFiles {
         } catch (IOException e) {
             throw new IOException("cannot read " + file + ": " + FileFailure.reason(e), e);
         }
+    }
+
+    /**
+     * How opaque the pixels of a file are, three equal components each, whose kind its first bytes tell.
+     *
+     * @return empty if all of it is opaque: kinds other than PNG are
+     * @throws IOException with the reason
+     */
+    public static Optional<Raster> decodeAlpha(byte[] bytes) throws IOException {
+        return RasterDecoder.of(bytes).filter(d -> d == RasterDecoder.PNG).isPresent()
+                ? PngReader.readAlpha(bytes)
+                : Optional.empty();
     }
 }

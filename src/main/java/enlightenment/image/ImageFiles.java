@@ -10,6 +10,7 @@ import enlightenment.file.WholeFile;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /**
  * Pictures on disk. A file that is written appears as a whole or not at all, and its bytes depend on nothing but the
@@ -137,6 +138,23 @@ public final class ImageFiles {
                 throw new IOException("it holds no linear light, but whole numbers for a screen");
             }
             return new Image(raster.width(), raster.height(), raster.components(), encoding);
+        });
+    }
+
+    /**
+     * Reads how opaque the pixels of a file are: 0 (not there) to 1, three equal components each, as they stand in the file.
+     *
+     * @return empty if the file says nothing of it, as formats other than PNG never do
+     */
+    public static Optional<Image> readAlpha(Path file) throws IOException {
+        return RasterFiles.read(file, bytes -> {
+            Optional<Raster> alpha = RasterFiles.decodeAlpha(bytes);
+            return alpha.isEmpty()
+                    ? Optional.empty()
+                    : Optional.of(new Image(
+                            alpha.get().width(),
+                            alpha.get().height(),
+                            alpha.get().components()));
         });
     }
 }

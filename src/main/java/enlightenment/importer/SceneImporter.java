@@ -1,6 +1,7 @@
 package enlightenment.importer;
 
 import enlightenment.camera.Camera;
+import enlightenment.importer.gltf.GltfReader;
 import enlightenment.importer.mitsuba.MitsubaReader;
 import enlightenment.importer.model.ModelReader;
 import enlightenment.importer.pbrt.PbrtReader;
@@ -18,11 +19,14 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.Set;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeSet;
 
 /**
  * Reads scenes and models of other programs: by the end of the name models ({@code .ply}, {@code .obj}, {@code .stl}, {@code .serialized}), scenes
- * of Mitsuba ({@code .xml}) and of pbrt-v4 ({@code .pbrt}), and Eric Haines' NFF ({@code .nff}).
+ * of Mitsuba ({@code .xml}), of pbrt-v4 ({@code .pbrt}) and in glTF 2.0 ({@code .gltf}, {@code .glb}), and Eric Haines' NFF ({@code .nff}).
  *
  * <p>A file without a camera is seen from three quarters, a file without light stands in a studio: on a ground that catches its shadow, under a
  * soft light.
@@ -30,17 +34,30 @@ import java.util.Set;
  * <p>Files are not trusted: files that they name must lie in their folder or below it, and what is broken is refused with its place.
  */
 public final class SceneImporter {
-    private static final Set<String> MODELS = Set.of("ply", "obj", "stl", "serialized");
+    private static final Map<String, Format> FORMATS = Map.of(
+            "ply", Format.MODEL,
+            "obj", Format.MODEL,
+            "stl", Format.MODEL,
+            "serialized", Format.MODEL,
+            "gltf", Format.GLTF,
+            "glb", Format.GLTF,
+            "xml", Format.MITSUBA,
+            "pbrt", Format.PBRT,
+            "nff", Format.NFF);
+
+    private enum Format {
+        MODEL,
+        GLTF,
+        MITSUBA,
+        PBRT,
+        NFF
+    }
 
     private SceneImporter() {}
 
     /** Whether the end of the file's name is one of a format that is read here. */
     public static boolean reads(Path file) {
-        String ending = ending(file);
-        return MODELS.contains(ending)
-                || ending.equals("xml")
-                || ending.equals("pbrt")
-                || ending.equals("nff");
+        return FORMATS.containsKey(ending(file));
     }
 
     /**
@@ -50,13 +67,20 @@ public final class SceneImporter {
      * @throws IOException if it cannot be read
      */
     public static ImportedScene read(Path file, ImportOptions options) throws IOException {
-        String ending = ending(file);
-        if (ending.equals("nff")) {
+        Format format = FORMATS.get(ending(file));
+        if (format == null) {
+            throw ImportFailure.at(
+                    file,
+                    0,
+                    "is of no format that can be imported: "
+                            + String.join(", ", new TreeSet<>(FORMATS.keySet())));
+        }
+        if (format == Format.NFF) {
             NffReader.Result nff = NffReader.read(file);
             return new ImportedScene(nff.scene(), nff.notes());
         }
         try {
-            ImportDraft draft = draft(file, ending, options);
+            ImportDraft draft = draft(file, format, options);
             return new ImportedScene(
                     finished(draft, name(file), options), draft.notes().list());
         } catch (InvalidValueException e) {
@@ -64,22 +88,17 @@ public final class SceneImporter {
         } catch (FileSystemException e) {
             throw e;
         } catch (IOException e) {
-            throw new SceneException(java.util.List.of(new SceneException.Problem("", 0, 0, "", e.getMessage())));
+            throw new SceneException(List.of(new SceneException.Problem("", 0, 0, "", e.getMessage())));
         }
     }
 
-    private static ImportDraft draft(Path file, String ending, ImportOptions options) throws IOException {
-        if (MODELS.contains(ending)) {
-            return ModelReader.read(file);
-        }
-        if (ending.equals("xml")) {
-            return MitsubaReader.read(file);
-        }
-        if (ending.equals("pbrt")) {
-            return PbrtReader.read(file, new ExtractedFiles(options.extracted()));
-        }
-        throw ImportFailure.at(
-                file, 0, "is of no format that can be imported: " + String.join(", ", MODELS) + ", xml, pbrt, nff");
+    private static ImportDraft draft(Path file, Format format, ImportOptions options) throws IOException {
+        return switch (format) {
+            case GLTF -> GltfReader.read(file, options.extracted(), options.camera());
+            case MITSUBA -> MitsubaReader.read(file);
+            case PBRT -> PbrtReader.read(file, new ExtractedFiles(options.extracted()));
+            default -> ModelReader.read(file);
+        };
     }
 
     private static Scene finished(ImportDraft draft, String name, ImportOptions options) {
@@ -99,7 +118,7 @@ public final class SceneImporter {
                 .name(name)
                 .size(width, height)
                 .camera(camera)
-                .shading(new PhysicalShading(draft.maxBounces(), draft.background(), java.util.Optional.empty()))
+                .shading(new PhysicalShading(draft.maxBounces(), draft.background(), Optional.empty()))
                 .display(new Display(draft.exposure(), Display.DEFAULT.tone()));
         draft.materials().forEach(scene::material);
         draft.lights().forEach(scene::light);

@@ -117,7 +117,7 @@ final class Studio {
         Vec3 away = towards(AZIMUTH, ELEVATION);
         Vec3 forward = away.times(-radius() / StrictMath.sin(narrow));
         return new ImportView(middle().minus(forward), forward, up(), forward.cross(up()))
-                .pinhole(FIELD_OF_VIEW, aspect);
+                .pinhole(FIELD_OF_VIEW);
     }
 
     /**

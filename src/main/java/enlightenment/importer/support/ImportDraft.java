@@ -9,6 +9,7 @@ import enlightenment.scene.Animation;
 import enlightenment.scene.Background;
 import enlightenment.scene.SceneObject;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -26,6 +27,10 @@ public final class ImportDraft {
     private final List<Light> lights = new ArrayList<>();
     private final List<SceneObject> objects = new ArrayList<>();
     private final Set<String> names = new HashSet<>();
+
+    /** By name that is taken: the first number behind it that may be free. */
+    private final Map<String, Integer> numbers = new HashMap<>();
+
     private int width;
     private int height;
     private Camera camera;
@@ -107,10 +112,11 @@ public final class ImportDraft {
         if (name.isEmpty() || names.add(name)) {
             return name;
         }
-        int n = 2;
+        int n = numbers.getOrDefault(name, 2);
         while (!names.add(name + " " + n)) {
             n++;
         }
+        numbers.put(name, n + 1);
         return name + " " + n;
     }
 

@@ -1,6 +1,7 @@
 package enlightenment.importer.support;
 
 import enlightenment.camera.Camera;
+import enlightenment.camera.Handedness;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.math.BigDecimal;
@@ -34,25 +35,14 @@ public record ImportView(Vec3 eye, Vec3 forward, Vec3 up, Vec3 right) {
      * A pinhole camera.
      *
      * @param verticalDegrees the vertical angle of view
-     * @param aspect width of the picture divided by its height
      */
-    public Camera pinhole(double verticalDegrees, double aspect) {
-        Vec3 f = forward.normalized();
-        Vec3 across = f.cross(up).normalized();
-        Vec3 r = across.dot(right) < 0 ? across.times(-1) : across;
-        Vec3 top = across.cross(f);
-        double distance = forward.scaledBy(NEAR).length();
-        double half = distance * StrictMath.tan(StrictMath.toRadians(verticalDegrees / 2));
-        Vec3 middle = f.times(distance);
-        Vec3 a = r.times(half * aspect);
-        Vec3 u = top.times(half);
-        return new Camera.Window(
-                Affine.exact(eye),
-                corner(middle.minus(a).minus(u)),
-                corner(middle.minus(a).plus(u)),
-                corner(middle.plus(a).plus(u)),
-                corner(middle.plus(a).minus(u)),
-                0);
+    public Camera.Perspective pinhole(double verticalDegrees) {
+        return new Camera.Perspective(Affine.exact(eye), Affine.exact(eye.plus(forward)), up, verticalDegrees)
+                .withHandedness(handedness());
+    }
+
+    private Handedness handedness() {
+        return forward.cross(up).dot(right) < 0 ? Handedness.LEFT : Handedness.RIGHT;
     }
 
     /**
@@ -72,6 +62,16 @@ public record ImportView(Vec3 eye, Vec3 forward, Vec3 up, Vec3 right) {
         Vec3 t = toTop.times(top * distance);
         return new Camera.Window(
                 Affine.exact(eye), corner(l.plus(b)), corner(l.plus(t)), corner(r.plus(t)), corner(r.plus(b)), 0);
+    }
+
+    /**
+     * A camera of parallel rays that start in the plane through the eye.
+     *
+     * @param height of the picture, in units of the scene
+     */
+    public Camera parallel(double height) {
+        return new Camera.Orthographic(
+                Affine.exact(eye), Affine.exact(eye.plus(forward)), up, height, handedness());
     }
 
     private ExactPoint corner(Vec3 offset) {

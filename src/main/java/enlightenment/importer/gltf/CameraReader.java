@@ -1,0 +1,73 @@
+package enlightenment.importer.gltf;
+
+import enlightenment.camera.Camera;
+import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.ImportDraft;
+import enlightenment.importer.support.ImportView;
+import enlightenment.math.InvalidValueException;
+import enlightenment.math.Vec3;
+import java.io.IOException;
+
+/** The camera that the scene is seen through, looking along -z with y upwards; it says how wide the picture is, for its height. */
+final class CameraReader {
+    private static final int LONG_SIDE = 960;
+    private static final double USUAL_ASPECT = 4.0 / 3;
+
+    private final GltfElement document;
+    private final ImportDraft draft;
+
+    /** The number of the camera. */
+    private final int wanted;
+
+    CameraReader(GltfElement document, ImportDraft draft, int wanted) {
+        this.document = document;
+        this.draft = draft;
+        this.wanted = wanted;
+    }
+
+    /** Takes the camera of a node, if it is the one that is wanted and the first node with it. */
+    void look(GltfElement node, Affine toScene) throws IOException {
+        int count = document.size("cameras");
+        if (node.index("camera", count).orElse(-1) != wanted || draft.camera().isPresent()) {
+            return;
+        }
+        GltfElement camera = document.item("cameras", wanted);
+        ImportView view = ImportView.of(toScene, new Vec3(0, 0, -1), Vec3.Y, Vec3.X);
+        try {
+            draft.camera(camera.has("orthographic") ? parallel(camera, view, toScene) : pinhole(camera, view));
+        } catch (InvalidValueException e) {
+            throw camera.failure("gives no picture: " + e.getMessage());
+        }
+    }
+
+    private Camera pinhole(GltfElement camera, ImportView view) throws IOException {
+        GltfElement p = camera.get("perspective");
+        double height = p.number("yfov", 0);
+        if (!(height > 0 && height < StrictMath.PI)) {
+            throw camera.failure("must have a yfov between 0 and pi");
+        }
+        return view.pinhole(StrictMath.toDegrees(height), sized(camera, p.number("aspectRatio", USUAL_ASPECT)));
+    }
+
+    private Camera parallel(GltfElement camera, ImportView view, Affine toScene) throws IOException {
+        GltfElement o = camera.get("orthographic");
+        double width = Math.abs(o.number("xmag", 1));
+        double height = Math.abs(o.number("ymag", 1));
+        if (width == 0 || height == 0) {
+            throw camera.failure("must have an xmag and a ymag other than 0");
+        }
+        double unit = toScene.vector(Vec3.Y).length();
+        return view.parallel(2 * height * unit, sized(camera, width / height));
+    }
+
+    /** Sets the size of the picture; returns the ratio of its sides in pixels. */
+    private double sized(GltfElement camera, double aspect) throws IOException {
+        if (!(aspect >= 1.0 / LONG_SIDE && aspect <= LONG_SIDE)) {
+            throw camera.failure("must have an aspect ratio between 1/" + LONG_SIDE + " and " + LONG_SIDE);
+        }
+        int width = aspect >= 1 ? LONG_SIDE : (int) Math.max(1, Math.round(LONG_SIDE * aspect));
+        int height = aspect >= 1 ? (int) Math.max(1, Math.round(LONG_SIDE / aspect)) : LONG_SIDE;
+        draft.size(width, height);
+        return (double) width / height;
+    }
+}

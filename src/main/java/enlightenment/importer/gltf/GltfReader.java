@@ -1,0 +1,196 @@
+package enlightenment.importer.gltf;
+
+import enlightenment.geometry.Mesh;
+import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.ExtractedFiles;
+import enlightenment.importer.support.ImportDraft;
+import enlightenment.importer.support.ImportFailure;
+import enlightenment.importer.support.InputFolder;
+import enlightenment.math.InvalidValueException;
+import enlightenment.mesh.TriangleMesh;
+import enlightenment.text.Plain;
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.Set;
+
+/** Reads glTF 2.0 (Khronos Group, ISO/IEC 12113): one object for each primitive of each node with a mesh. */
+public final class GltfReader {
+    private static final int MOST_OBJECTS = 2_000_000;
+    private static final String INSTANCING = "EXT_mesh_gpu_instancing";
+
+    /** Extensions that change what is seen, and are read or noted where they are used. */
+    private static final Set<String> READ = Set.of(
+            "KHR_mesh_quantization",
+            "KHR_texture_transform",
+            "KHR_lights_punctual",
+            "KHR_materials_anisotropy",
+            "KHR_materials_clearcoat",
+            "KHR_materials_diffuse_transmission",
+            "KHR_materials_dispersion",
+            "KHR_materials_emissive_strength",
+            "KHR_materials_ior",
+            "KHR_materials_iridescence",
+            "KHR_materials_pbrSpecularGlossiness",
+            "KHR_materials_sheen",
+            "KHR_materials_specular",
+            "KHR_materials_transmission",
+            "KHR_materials_unlit",
+            "KHR_materials_variants",
+            "KHR_materials_volume",
+            INSTANCING);
+
+    private final GltfElement document;
+    private final ImportDraft draft = new ImportDraft();
+    private final NodeTree nodes;
+    private final GltfAccessors accessors;
+    private final PrimitiveReader primitives;
+    private final MaterialSet materials;
+    private final PunctualLights lights;
+    private final CameraReader cameras;
+
+    private GltfReader(GltfContainer file, InputFolder folder, ExtractedFiles extracted, int camera)
+            throws IOException {
+        document = file.document();
+        requireReadable();
+        GltfBuffers buffers = new GltfBuffers(file, folder);
+        ImageStore images = new ImageStore(document, buffers, folder, extracted);
+        nodes = new NodeTree(document);
+        accessors = new GltfAccessors(document, buffers);
+        primitives = new PrimitiveReader(accessors, buffers, draft.notes());
+        materials = new MaterialSet(document, new GltfTextures(document, images, draft.notes()), draft);
+        lights = new PunctualLights(document, draft);
+        cameras = new CameraReader(document, draft, camera);
+    }
+
+    /**
+     * Reads a {@code .gltf} or {@code .glb} file.
+     *
+     * @param extracted where pictures go that the file holds inside; empty for a temporary folder
+     * @param camera the number of the camera in the file, from 0; without meaning where it has none
+     * @throws enlightenment.scene.SceneException with the place in the file, for what is no such file, or needs what is not read here
+     * @throws IOException if a file cannot be read or written
+     */
+    public static ImportDraft read(Path file, Optional<Path> extracted, int camera) throws IOException {
+        try {
+            GltfContainer container = GltfContainer.read(file);
+            GltfReader reader = new GltfReader(container, new InputFolder(file), new ExtractedFiles(extracted), camera);
+            reader.readNodes();
+            return reader.draft;
+        } catch (FileSystemException e) {
+            throw e;
+        } catch (IOException | InvalidValueException e) {
+            throw ImportFailure.at(file, 0, e.getMessage());
+        }
+    }
+
+    private void requireReadable() throws IOException {
+        String version = document.get("asset").text("version", "");
+        if (!version.startsWith("2.")) {
+            throw document.failure("asset/version: must be 2.0, not " + Plain.quoted(version));
+        }
+        for (String extension : document.texts("extensionsRequired")) {
+            if (!READ.contains(extension)) {
+                throw document.failure("extensionsRequired: the file needs " + Plain.quoted(extension)
+                        + ", which cannot be read: export without it");
+            }
+        }
+        noteLosses();
+    }
+
+    private void noteLosses() throws IOException {
+        if (document.extensions().contains("EXT_lights_image_based")) {
+            draft.notes().add("", "EXT_lights_image_based is left out");
+        }
+        if (document.size("animations") > 0) {
+            draft.notes().add("animations", "they are left out: nodes stand where they stand at rest");
+        }
+    }
+
+    private void readNodes() throws IOException {
+        for (int index : nodes.nodes()) {
+            GltfElement node = nodes.node(index);
+            Affine toScene = nodes.toScene(index);
+            cameras.look(node, toScene);
+            lights.add(node, toScene);
+            int meshes = document.size("meshes");
+            if (node.has("mesh")) {
+                readMesh(
+                        node, document.item("meshes", node.index("mesh", meshes).orElseThrow()), toScene);
+            }
+        }
+    }
+
+    private void readMesh(GltfElement node, GltfElement mesh, Affine toScene) throws IOException {
+        if (node.has("skin")) {
+            draft.notes().add(node.place(), "its skin is left out: the mesh has the shape that it is bound in");
+        }
+        String name = Plain.excerpt(node.text("name", mesh.text("name", "")));
+        GltfElement instancing = node.extension(INSTANCING);
+        for (GltfElement primitive : mesh.items("primitives")) {
+            Optional<TriangleMesh> triangles = primitives.mesh(primitive, materials.frame(primitive));
+            if (triangles.isEmpty()) {
+                continue;
+            }
+            if (instancing.isPresent()) {
+                readInstances(node, instancing.get("attributes"), name, primitive, triangles.get(), toScene);
+            } else {
+                place(node, name, primitive, triangles.get(), toScene);
+            }
+        }
+    }
+
+    private void place(GltfElement node, String name, GltfElement primitive, TriangleMesh triangles, Affine toScene)
+            throws IOException {
+        if (draft.objects().size() >= MOST_OBJECTS) {
+            throw node.failure("is one mesh too many: there are " + MOST_OBJECTS + " already");
+        }
+        try {
+            draft.object(name, Mesh.of(triangles, toScene.transform()), materials.material(primitive, triangles));
+        } catch (InvalidValueException e) {
+            draft.notes().add(node.place(), "its mesh is left out: it is scaled to nothing, or beyond all numbers");
+        }
+    }
+
+    /** The instances of EXT_mesh_gpu_instancing: each is scaled, turned and moved within its node. */
+    private void readInstances(
+            GltfElement node,
+            GltfElement attributes,
+            String name,
+            GltfElement primitive,
+            TriangleMesh triangles,
+            Affine toScene)
+            throws IOException {
+        int count = -1;
+        for (String key : attributes.keys()) {
+            if (!key.startsWith("_")) {
+                int n = accessors.numbers(attributes, key, "VEC3", "VEC4").count();
+                if (count >= 0 && n != count) {
+                    throw attributes.failure("has attributes of different numbers of elements");
+                }
+                count = n;
+            }
+        }
+        for (int i = 0; i < count; i++) {
+            NodeTree.Placing placing = new NodeTree.Placing(
+                    element(attributes, "TRANSLATION", "VEC3", i, 0, 0, 0),
+                    element(attributes, "ROTATION", "VEC4", i, 0, 0, 0, 1),
+                    element(attributes, "SCALE", "VEC3", i, 1, 1, 1));
+            place(node, name, primitive, triangles, toScene.after(placing.affine()));
+        }
+    }
+
+    private double[] element(GltfElement attributes, String key, String type, int index, double... otherwise)
+            throws IOException {
+        if (!attributes.has(key)) {
+            return otherwise;
+        }
+        GltfAccessors.Numbers numbers = accessors.numbers(attributes, key, type);
+        double[] v = new double[otherwise.length];
+        for (int c = 0; c < v.length; c++) {
+            v[c] = numbers.values()[index * v.length + c];
+        }
+        return v;
+    }
+}

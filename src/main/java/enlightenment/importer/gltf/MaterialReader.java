@@ -1,0 +1,321 @@
+package enlightenment.importer.gltf;
+
+import enlightenment.color.Rgb;
+import enlightenment.importer.support.ImportNotes;
+import enlightenment.material.Amount;
+import enlightenment.material.Mask;
+import enlightenment.material.Material;
+import enlightenment.material.NormalMap;
+import enlightenment.material.Principled;
+import enlightenment.material.Texture;
+import enlightenment.math.InvalidValueException;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * What a glTF material becomes: principled; with transmission, glass; unlit, matte. Opacity becomes a mask, which lets light pass by chance, and a
+ * normal map stays one. What glows has neither.
+ */
+final class MaterialReader {
+    private static final List<String> LEFT_OUT = List.of(
+            "KHR_materials_sheen",
+            "KHR_materials_iridescence",
+            "KHR_materials_anisotropy",
+            "KHR_materials_diffuse_transmission",
+            "KHR_materials_subsurface",
+            "KHR_materials_volume_scatter");
+    private static final String SPECULAR_GLOSSINESS = "KHR_materials_pbrSpecularGlossiness";
+    private static final double USUAL_INDEX = 1.5;
+    private static final double USUAL_CUTOFF = 0.5;
+
+    private final GltfElement material;
+    private final GltfTextures textures;
+    private final ImportNotes notes;
+
+    /** @param material without a value for that of primitives that name none */
+    MaterialReader(GltfElement material, GltfTextures textures, ImportNotes notes) {
+        this.material = material;
+        this.textures = textures;
+        this.notes = notes;
+    }
+
+    private void note(String message) {
+        notes.add(material.place(), message);
+    }
+
+    private GltfElement metallicRoughness() throws IOException {
+        return material.get("pbrMetallicRoughness");
+    }
+
+    private GltfElement specularGlossiness() throws IOException {
+        return material.extension(SPECULAR_GLOSSINESS);
+    }
+
+    /** Whether its colour is that of the extension for specular and glossiness, for lack of another one. */
+    private boolean isSpecularGlossiness() throws IOException {
+        return specularGlossiness().isPresent() && !metallicRoughness().isPresent();
+    }
+
+    private GltfElement colorTexture() throws IOException {
+        return isSpecularGlossiness()
+                ? specularGlossiness().get("diffuseTexture")
+                : metallicRoughness().get("baseColorTexture");
+    }
+
+    /** The texture coordinates that the mesh needs: those of its first texture, with a note where others have others. */
+    Optional<TextureFrame> frame() throws IOException {
+        Optional<TextureFrame> first = Optional.empty();
+        for (GltfElement info : List.of(
+                colorTexture(), metallicRoughness().get("metallicRoughnessTexture"), material.get("normalTexture"))) {
+            if (info.isPresent()) {
+                TextureFrame frame = TextureFrame.of(info);
+                if (first.isPresent() && !first.get().equals(frame)) {
+                    note(
+                            "its textures have different coordinates or KHR_texture_transform; all have those of the first");
+                }
+                first = first.isPresent() ? first : Optional.of(frame);
+            }
+        }
+        return first;
+    }
+
+    /** Whether all textures repeat beyond 0..1. */
+    boolean repeats() throws IOException {
+        return textures.repeats(colorTexture())
+                && textures.repeats(metallicRoughness().get("metallicRoughnessTexture"))
+                && textures.repeats(material.get("normalTexture"));
+    }
+
+    /**
+     * The material for meshes.
+     *
+     * @param closed whether they are closed, so that glass fills them
+     */
+    Material material(boolean closed) throws IOException {
+        try {
+            double[] factor = baseColor();
+            Rgb tint = new Rgb(factor[0], factor[1], factor[2]);
+            Texture color = textures.color(colorTexture(), tint).orElseGet(() -> Texture.of(tint));
+            noteLosses();
+            double share = transmitted();
+            if (share > 0) {
+                return masked(glass(color, share, closed), factor[3]);
+            }
+            if (material.extension("KHR_materials_unlit").isPresent()) {
+                note("KHR_materials_unlit becomes matte: it is lit as all else is");
+                return masked(Material.Matte.of(color), factor[3]);
+            }
+            return masked(withNormals(principled(color)), factor[3]);
+        } catch (InvalidValueException e) {
+            throw material.failure(e.getMessage());
+        }
+    }
+
+    private double[] baseColor() throws IOException {
+        double[] factor = isSpecularGlossiness()
+                ? specularGlossiness().numbers("diffuseFactor", 1, 1, 1, 1)
+                : metallicRoughness().numbers("baseColorFactor", 1, 1, 1, 1);
+        for (int i = 0; i < factor.length; i++) {
+            factor[i] = limited("the base colour", factor[i]);
+        }
+        return factor;
+    }
+
+    private double limited(String what, double v) {
+        if (v < 0 || v > 1) {
+            note(what + " is limited to 0..1");
+        }
+        return Math.min(Math.max(v, 0), 1);
+    }
+
+    private double share(GltfElement of, String key, double otherwise) throws IOException {
+        return limited(key, of.number(key, otherwise));
+    }
+
+    private void noteLosses() throws IOException {
+        for (String extension : LEFT_OUT) {
+            if (material.extension(extension).isPresent()) {
+                note(extension + " is left out");
+            }
+        }
+        if (isSpecularGlossiness()) {
+            note(SPECULAR_GLOSSINESS
+                    + " becomes its diffuse colour under a coat: the colour of highlights is left out");
+        }
+    }
+
+    private void noteTexture(GltfElement of, String key) throws IOException {
+        if (of.has(key)) {
+            note(key + " is left out: the factor holds everywhere");
+        }
+    }
+
+    /** The share that is transmitted: metal lets nothing through. */
+    private double transmitted() throws IOException {
+        GltfElement transmission = material.extension("KHR_materials_transmission");
+        if (!transmission.isPresent()) {
+            return 0;
+        }
+        boolean isTextured = metallicRoughness().has("metallicRoughnessTexture");
+        double metallic = isSpecularGlossiness() ? 0 : share(metallicRoughness(), "metallicFactor", 1);
+        double share = share(transmission, "transmissionFactor", 0);
+        if (share == 0 || metallic == 1 && !isTextured) {
+            return 0;
+        }
+        noteTexture(transmission, "transmissionTexture");
+        if (isTextured) {
+            note("metallicRoughnessTexture of what transmits light is left out");
+        }
+        return share * (1 - (isTextured ? 0 : metallic));
+    }
+
+    private Material glass(Texture color, double share, boolean closed) throws IOException {
+        GltfElement volume = material.extension("KHR_materials_volume");
+        if (closed && volume.number("thicknessFactor", 0) == 0) {
+            note("what transmits light and has no thickness is solid, not a thin wall: its mesh is closed");
+        }
+        if (material.has("normalTexture")) {
+            note("normalTexture of what transmits light is left out");
+        }
+        if (!emitted().equals(Rgb.BLACK)) {
+            note("the light of what transmits light is left out");
+        }
+        double roughness = roughnessFactor();
+        if (!closed && roughness > 0) {
+            note("what transmits light is smooth: its mesh is not closed");
+            roughness = 0;
+        }
+        Material.Glass glass = new Material.Glass(color, index(), share, 0, true, roughness, absorption(volume), true);
+        return dispersing(glass);
+    }
+
+    private Material.Glass dispersing(Material.Glass glass) throws IOException {
+        double dispersion = material.extension("KHR_materials_dispersion").number("dispersion", 0);
+        if (dispersion <= 0) {
+            return glass;
+        }
+        try {
+            // KHR_materials_dispersion: 20 / V.
+            return glass.withDispersion(20 / dispersion);
+        } catch (InvalidValueException e) {
+            note("dispersion is left out: " + e.problem());
+            return glass;
+        }
+    }
+
+    /** Of what remains after the attenuation distance: exp(−absorption · distance) is the attenuation colour. */
+    private Rgb absorption(GltfElement volume) throws IOException {
+        double distance = volume.number("attenuationDistance", Double.POSITIVE_INFINITY);
+        double[] color = volume.numbers("attenuationColor", 1, 1, 1);
+        if (!(distance > 0)) {
+            note("attenuationDistance is left out: it must be greater than 0");
+            return Rgb.BLACK;
+        }
+        double[] a = new double[3];
+        for (int i = 0; i < 3; i++) {
+            // Nothing remains of a black band; the least float stands for it, since no coefficient is infinite.
+            double left = Math.max(limited("attenuationColor", color[i]), Float.MIN_VALUE);
+            a[i] = left == 1 ? 0 : -StrictMath.log(left) / distance;
+        }
+        return new Rgb(a[0], a[1], a[2]);
+    }
+
+    private double index() throws IOException {
+        double ior = material.extension("KHR_materials_ior").number("ior", USUAL_INDEX);
+        if (ior < 1 || ior > Material.Coated.LARGEST_INDEX) {
+            note("ior is limited to 1.." + (int) Material.Coated.LARGEST_INDEX);
+        }
+        // 0 stands for a reflectance of 1.
+        return ior == 0 ? Material.Coated.LARGEST_INDEX : Math.min(Math.max(ior, 1), Material.Coated.LARGEST_INDEX);
+    }
+
+    private double roughnessFactor() throws IOException {
+        return isSpecularGlossiness()
+                ? 1 - share(specularGlossiness(), "glossinessFactor", 1)
+                : share(metallicRoughness(), "roughnessFactor", 1);
+    }
+
+    private Principled principled(Texture color) throws IOException {
+        GltfElement specular = material.extension("KHR_materials_specular");
+        GltfElement coat = material.extension("KHR_materials_clearcoat");
+        noteTexture(specular, "specularTexture");
+        if (specular.has("specularColorTexture") || specular.has("specularColorFactor")) {
+            note("the colour of KHR_materials_specular is left out");
+        }
+        for (String key : List.of("clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture")) {
+            noteTexture(coat, key);
+        }
+        double metallic = isSpecularGlossiness() ? 0 : share(metallicRoughness(), "metallicFactor", 1);
+        return new Principled(
+                color,
+                amount(Amount.Channel.BLUE, metallic),
+                amount(Amount.Channel.GREEN, roughnessFactor()),
+                index(),
+                share(specular, "specularFactor", 1),
+                share(coat, "clearcoatFactor", 0),
+                share(coat, "clearcoatRoughnessFactor", 0),
+                emitted(),
+                0);
+    }
+
+    /** A channel of the metallic-roughness texture, if there is one. */
+    private Amount amount(Amount.Channel channel, double factor) throws IOException {
+        GltfElement info = metallicRoughness().get("metallicRoughnessTexture");
+        return factor == 0
+                ? Amount.of(0)
+                : textures.channel(info, channel, factor).orElseGet(() -> Amount.of(factor));
+    }
+
+    /** The radiance of what glows evenly; a texture of more than one colour is left out. */
+    private Rgb emitted() throws IOException {
+        double[] factor = material.numbers("emissiveFactor", 0, 0, 0);
+        double strength = material.extension("KHR_materials_emissive_strength").number("emissiveStrength", 1);
+        if (factor[0] < 0 || factor[1] < 0 || factor[2] < 0 || strength < 0) {
+            throw material.failure("gives less light than none: emissiveFactor and emissiveStrength are at least 0");
+        }
+        Rgb radiance = new Rgb(factor[0] * strength, factor[1] * strength, factor[2] * strength);
+        if (radiance.equals(Rgb.BLACK) || !material.has("emissiveTexture")) {
+            return radiance;
+        }
+        Optional<Rgb> uniform = textures.uniform(material.get("emissiveTexture"));
+        if (uniform.isEmpty()) {
+            note("emissiveTexture is left out, and its light: surfaces glow in one colour");
+        }
+        return uniform.map(radiance::times).orElse(Rgb.BLACK);
+    }
+
+    private Material withNormals(Principled surface) throws IOException {
+        GltfElement info = material.get("normalTexture");
+        if (!info.isPresent()) {
+            return surface;
+        }
+        if (!surface.radiance().equals(Rgb.BLACK)) {
+            note("normalTexture of what glows is left out");
+            return surface;
+        }
+        Optional<Texture> normals = textures.normals(info, info.number("scale", 1));
+        return normals.isPresent() ? new NormalMap(surface, normals.get()) : surface;
+    }
+
+    private Material masked(Material surface, double alpha) throws IOException {
+        String mode = material.text("alphaMode", "OPAQUE");
+        if (mode.equals("OPAQUE")) {
+            return surface;
+        }
+        boolean isCut = mode.equals("MASK");
+        OptionalDouble cutoff =
+                isCut ? OptionalDouble.of(material.number("alphaCutoff", USUAL_CUTOFF)) : OptionalDouble.empty();
+        Optional<Amount> map = textures.opacity(colorTexture(), alpha, cutoff);
+        double constant = !isCut ? alpha : alpha >= cutoff.getAsDouble() ? 1 : 0;
+        if (map.isEmpty() && constant == 1) {
+            return surface;
+        }
+        if (surface instanceof Material.Glass || !surface.radiance().equals(Rgb.BLACK)) {
+            note("the opacity of what glows or transmits light is left out");
+            return surface;
+        }
+        return new Mask(surface, map.orElseGet(() -> Amount.of(constant)));
+    }
+}

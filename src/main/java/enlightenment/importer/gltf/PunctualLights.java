@@ -1,0 +1,54 @@
+package enlightenment.importer.gltf;
+
+import enlightenment.color.Rgb;
+import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.ImportDraft;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
+import enlightenment.math.InvalidValueException;
+import java.io.IOException;
+
+/** The lights of KHR_lights_punctual. Candela and lux are taken for our numbers of intensity and irradiance. */
+final class PunctualLights {
+    private static final String EXTENSION = "KHR_lights_punctual";
+
+    private final GltfElement document;
+    private final ImportDraft draft;
+
+    PunctualLights(GltfElement document, ImportDraft draft) {
+        this.document = document;
+        this.draft = draft;
+    }
+
+    /** Adds the light of a node, if it has one. */
+    void add(GltfElement node, Affine toScene) throws IOException {
+        GltfElement reference = node.extension(EXTENSION);
+        if (!reference.isPresent()) {
+            return;
+        }
+        GltfElement all = document.extension(EXTENSION);
+        int index =
+                reference.index("light", all.size("lights")).orElseThrow(() -> reference.failure("lacks \"light\""));
+        GltfElement light = all.item("lights", index);
+        double[] color = light.numbers("color", 1, 1, 1);
+        double intensity = light.number("intensity", 1);
+        try {
+            Rgb value = new Rgb(color[0] * intensity, color[1] * intensity, color[2] * intensity);
+            if (!value.equals(Rgb.BLACK)) {
+                add(light, value, toScene);
+            }
+        } catch (InvalidValueException e) {
+            throw light.failure(e.getMessage());
+        }
+    }
+
+    private void add(GltfElement light, Rgb value, Affine toScene) throws IOException {
+        String type = light.text("type", "");
+        switch (type) {
+            case "point" ->
+                draft.light(new Light.Point(Affine.exact(toScene.offset()), Rgb.WHITE, Emission.intensity(value)));
+            case "spot", "directional" -> draft.notes().add(light.place(), type + " lights are left out");
+            default -> throw light.failure("must have the type point, spot or directional");
+        }
+    }
+}

@@ -1,0 +1,85 @@
+package enlightenment.importer.gltf;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.Rgb;
+import enlightenment.importer.ImportedScene;
+import enlightenment.light.Emission;
+import enlightenment.light.Light;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
+import enlightenment.scene.Background;
+import enlightenment.scene.PhysicalShading;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What cameras and lights of glTF files become. */
+class GltfViewTest {
+    @TempDir
+    Path folder;
+
+    private static GltfFile square() {
+        GltfFile file = new GltfFile();
+        file.square("");
+        file.add("nodes", "{'mesh':0}");
+        return file;
+    }
+
+    /** The trap "fov axis": yfov is the angle of the picture's height, however wide it is. */
+    @Test
+    void fovAxisIsVertical() throws IOException {
+        GltfFile file = square();
+        file.add("cameras", "{'type':'perspective','perspective':{'yfov':1.2,'aspectRatio':2,'znear':0.1}}");
+        file.add("nodes", "{'camera':0,'translation':[1,2,9]}");
+        ImportedScene imported = file.read(folder);
+        Camera.Window window = (Camera.Window) imported.scene().camera();
+        assertEquals(ExactPoint.of(1, 2, 9), window.eye());
+        Vec3 up = window.lowerLeft().directionTo(window.upperLeft());
+        Vec3 right = window.lowerLeft().directionTo(window.lowerRight());
+        Vec3 toCorner = window.eye().directionTo(window.lowerLeft());
+        assertTrue(up.y() > 0 && Math.abs(up.x()) + Math.abs(up.z()) <= 1e-12 * up.y(), "y points upwards");
+        assertTrue(right.x() > 0, "x points to the right");
+        assertTrue(toCorner.z() < 0, "it looks along -z");
+        assertEquals(Math.tan(0.6), up.y() / 2 / -toCorner.z(), 1e-9);
+        assertEquals(2, right.x() / up.y(), 1e-9);
+        assertEquals(2.0, (double) imported.scene().width() / imported.scene().height());
+    }
+
+    @Test
+    void parallelViewsKeepTheirSize() throws IOException {
+        GltfFile file = square();
+        file.add("cameras", "{'type':'orthographic','orthographic':{'xmag':3,'ymag':2,'zfar':10,'znear':0.1}}");
+        file.add("nodes", "{'camera':0,'translation':[0,0,5]}");
+        Camera.Window window = (Camera.Window) file.read(folder).scene().camera();
+        assertEquals(4, window.lowerLeft().directionTo(window.upperLeft()).y(), 1e-9);
+        assertEquals(6, window.lowerLeft().directionTo(window.lowerRight()).x(), 1e-9);
+        assertEquals(5, window.lowerLeft().toVec3().z(), 1e-9);
+    }
+
+    /** The trap "units of KHR_lights_punctual": candela are numbers of intensity. */
+    @Test
+    void unitsOfPunctualLightsStay() throws IOException {
+        GltfFile file = square().with(
+                        "'extensions':{'KHR_lights_punctual':{'lights':[{'type':'point','color':[1,0.5,0.25],"
+                                + "'intensity':40}]}}");
+        file.add("nodes", "{'translation':[1,2,3],'extensions':{'KHR_lights_punctual':{'light':0}}}");
+        ImportedScene imported = file.read(folder);
+        assertEquals(
+                List.of(new Light.Point(ExactPoint.of(1, 2, 3), Rgb.WHITE, Emission.intensity(new Rgb(40, 20, 10)))),
+                imported.scene().lights());
+        PhysicalShading shading = (PhysicalShading) imported.scene().shading();
+        assertEquals(new Background.Constant(Rgb.BLACK), shading.background(), "a file with a light has no studio");
+    }
+
+    @Test
+    void aModelAloneStandsInAStudio() throws IOException {
+        ImportedScene imported = square().read(folder);
+        assertEquals(2, imported.scene().objects().size(), "the model and the ground");
+        assertEquals(1, imported.scene().lights().size());
+    }
+}

@@ -6,6 +6,7 @@ import enlightenment.importer.support.ImportDraft;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.math.InvalidValueException;
+import enlightenment.math.Vec3;
 import java.io.IOException;
 
 /** The lights of KHR_lights_punctual. Candela and lux are taken for our numbers of intensity and irradiance. */
@@ -47,8 +48,26 @@ final class PunctualLights {
         switch (type) {
             case "point" ->
                 draft.light(new Light.Point(Affine.exact(toScene.offset()), Rgb.WHITE, Emission.intensity(value)));
-            case "spot", "directional" -> draft.notes().add(light.place(), type + " lights are left out");
+            case "spot" -> draft.light(spot(light.get("spot"), value, toScene));
+            case "directional" -> draft.notes().add(light.place(), "directional lights are left out");
             default -> throw light.failure("must have the type point, spot or directional");
         }
+    }
+
+    /** It shines along -z. */
+    private static Light spot(GltfElement cone, Rgb value, Affine toScene) throws IOException {
+        double outer = cone.number("outerConeAngle", StrictMath.PI / 4);
+        double inner = cone.number("innerConeAngle", 0);
+        if (!(inner >= 0 && inner <= outer && outer > 0 && outer <= StrictMath.PI / 2)) {
+            throw cone.failure("must have 0 <= innerConeAngle <= outerConeAngle <= pi / 2");
+        }
+        double angle = StrictMath.toDegrees(outer);
+        return new Light.Spot(
+                Affine.exact(toScene.offset()),
+                toScene.vector(new Vec3(0, 0, -1)),
+                angle,
+                Math.min(StrictMath.toDegrees(inner), angle),
+                Rgb.WHITE,
+                Emission.intensity(value));
     }
 }

@@ -39,9 +39,9 @@ class GltfViewTest {
         ImportedScene imported = file.read(folder);
         Camera.Window window = (Camera.Window) imported.scene().camera();
         assertEquals(ExactPoint.of(1, 2, 9), window.eye());
-        Vec3 up = window.lowerLeft().directionTo(window.upperLeft());
-        Vec3 right = window.lowerLeft().directionTo(window.lowerRight());
-        Vec3 toCorner = window.eye().directionTo(window.lowerLeft());
+        Vec3 up = window.upperLeft().minus(window.lowerLeft());
+        Vec3 right = window.lowerRight().minus(window.lowerLeft());
+        Vec3 toCorner = window.lowerLeft().minus(window.eye());
         assertTrue(up.y() > 0 && Math.abs(up.x()) + Math.abs(up.z()) <= 1e-12 * up.y(), "y points upwards");
         assertTrue(right.x() > 0, "x points to the right");
         assertTrue(toCorner.z() < 0, "it looks along -z");
@@ -56,8 +56,8 @@ class GltfViewTest {
         file.add("cameras", "{'type':'orthographic','orthographic':{'xmag':3,'ymag':2,'zfar':10,'znear':0.1}}");
         file.add("nodes", "{'camera':0,'translation':[0,0,5]}");
         Camera.Window window = (Camera.Window) file.read(folder).scene().camera();
-        assertEquals(4, window.lowerLeft().directionTo(window.upperLeft()).y(), 1e-9);
-        assertEquals(6, window.lowerLeft().directionTo(window.lowerRight()).x(), 1e-9);
+        assertEquals(4, window.upperLeft().minus(window.lowerLeft()).y(), 1e-9);
+        assertEquals(6, window.lowerRight().minus(window.lowerLeft()).x(), 1e-9);
         assertEquals(5, window.lowerLeft().toVec3().z(), 1e-9);
     }
 
@@ -74,6 +74,20 @@ class GltfViewTest {
                 imported.scene().lights());
         PhysicalShading shading = (PhysicalShading) imported.scene().shading();
         assertEquals(new Background.Constant(Rgb.BLACK), shading.background(), "a file with a light has no studio");
+    }
+
+    @Test
+    void spotLightsShineAlongTheirNode() throws IOException {
+        GltfFile file = square().with(
+                        "'extensions':{'KHR_lights_punctual':{'lights':[{'type':'spot','intensity':9,'spot':"
+                                + "{'innerConeAngle':" + Math.PI / 6 + ",'outerConeAngle':" + Math.PI / 3 + "}}]}}");
+        file.add("nodes", "{'rotation':[1,0,0,1],'extensions':{'KHR_lights_punctual':{'light':0}}}");
+        Light.Spot spot = (Light.Spot) file.read(folder).scene().lights().get(0);
+        // A quarter of a turn about x takes -z to y.
+        assertEquals(0, spot.direction().minus(Vec3.Y).length(), 1e-15);
+        assertEquals(60, spot.angle(), 1e-12);
+        assertEquals(30, spot.innerAngle(), 1e-12);
+        assertEquals(Emission.intensity(new Rgb(9, 9, 9)), spot.emission());
     }
 
     @Test

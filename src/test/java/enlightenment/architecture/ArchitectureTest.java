@@ -551,6 +551,7 @@ class ArchitectureTest {
             .that()
             .resideOutsideOfPackages(
                     "enlightenment.scene.json",
+                    "enlightenment.importer.gltf",
                     "enlightenment.json",
                     "enlightenment.net.protocol",
                     "enlightenment.status")

@@ -32,7 +32,8 @@ public final class ConvertCommand extends Subcommand {
             index = "0",
             paramLabel = "IN",
             description = "the file to read: "
-                    + "Mitsuba's XML, PLY, OBJ, STL, Mitsuba's serialized, NFF; - for an NFF file from standard input")
+                    + "Mitsuba's XML, pbrt-v4, glTF, PLY, OBJ, STL, Mitsuba's serialized, NFF; "
+                    + "- for an NFF file from standard input")
     private Path input;
 
     @Parameters(

@@ -122,10 +122,38 @@ public final class GltfReader {
         }
     }
 
-    private void readMesh(GltfElement node, GltfElement mesh, Affine toScene) throws IOException {
-        if (node.has("skin")) {
-            draft.notes().add(node.place(), "its skin is left out: the mesh has the shape that it is bound in");
+    /**
+     * The map of a mesh that is bound to joints, whose own node has no influence: that of its first joint. All joints have the same one as long
+     * as they stand as they did when the mesh was bound to them.
+     */
+    private Affine skinned(GltfElement node) throws IOException {
+        draft.notes().add(node.place(), "its skin is left out: the mesh has the shape that it is bound in");
+        GltfElement skin = document.item(
+                "skins", node.index("skin", document.size("skins")).orElseThrow());
+        int[] joints = skin.indices("joints", document.size("nodes"));
+        if (joints.length == 0) {
+            throw skin.failure("has no joints");
         }
+        Affine joint = nodes.toScene(joints[0]);
+        if (joint == null) {
+            throw skin.failure("has a joint that is not in the scene: node " + joints[0]);
+        }
+        if (!skin.has("inverseBindMatrices")) {
+            return joint;
+        }
+        float[] all = accessors.numbers(skin, "inverseBindMatrices", "MAT4").values();
+        double[] columns = new double[16];
+        for (int i = 0; i < columns.length; i++) {
+            columns[i] = all[i];
+        }
+        try {
+            return joint.after(NodeTree.ofColumns(columns));
+        } catch (IllegalArgumentException e) {
+            throw skin.failure("inverseBindMatrices: " + e.getMessage());
+        }
+    }
+
+    private void readMesh(GltfElement node, GltfElement mesh, Affine toScene) throws IOException {
         String name = Plain.excerpt(node.text("name", mesh.text("name", "")));
         GltfElement instancing = node.extension(INSTANCING);
         for (GltfElement primitive : mesh.items("primitives")) {

@@ -105,15 +105,24 @@ final class NodeTree {
             return placing(node).affine();
         }
         double[] columns = node.numbers("matrix", new double[16]);
+        try {
+            return ofColumns(columns);
+        } catch (IllegalArgumentException e) {
+            throw node.failure(e.getMessage() + "; glTF writes it column by column");
+        }
+    }
+
+    /**
+     * The map of the 16 numbers of a matrix, column by column.
+     *
+     * @throws IllegalArgumentException as {@link Affine#ofRows}
+     */
+    static Affine ofColumns(double[] columns) {
         double[] rows = new double[16];
         for (int i = 0; i < 16; i++) {
             rows[4 * (i % 4) + i / 4] = columns[i];
         }
-        try {
-            return Affine.ofRows(rows);
-        } catch (IllegalArgumentException e) {
-            throw node.failure(e.getMessage() + "; glTF writes it column by column");
-        }
+        return Affine.ofRows(rows);
     }
 
     /** The place of a node without a matrix. */

@@ -303,4 +303,17 @@ class GltfMeshTest {
                 List.of("meshes/0/primitives/0: colours of vertices are left out"),
                 file.read(folder).notes());
     }
+
+    /** What is bound goes with its joints, not with its node. */
+    @Test
+    void boundMeshesStandWhereTheirJointsAre() throws IOException {
+        GltfFile file = new GltfFile();
+        file.square("");
+        int inverse = file.floats("MAT4", 16, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2, 0, 1);
+        file.add("skins", "{'joints':[1],'inverseBindMatrices':" + inverse + "}");
+        file.add("nodes", "{'mesh':0,'skin':0,'translation':[100,0,0]}");
+        file.add("nodes", "{'translation':[0,2,0],'scale':[3,3,3]}");
+        // (0, 1) is at (0, -1) of the joint, which makes it three times as large and stands at (0, 2).
+        assertEquals(new Vec3(0, -1, 0), placed(mesh(file), Vec3.Y));
+    }
 }

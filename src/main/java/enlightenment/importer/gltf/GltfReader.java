@@ -116,8 +116,9 @@ public final class GltfReader {
             lights.add(node, toScene);
             int meshes = document.size("meshes");
             if (node.has("mesh")) {
-                readMesh(
-                        node, document.item("meshes", node.index("mesh", meshes).orElseThrow()), toScene);
+                GltfElement mesh =
+                        document.item("meshes", node.index("mesh", meshes).orElseThrow());
+                readMesh(node, mesh, node.has("skin") ? skinned(node) : toScene);
             }
         }
     }

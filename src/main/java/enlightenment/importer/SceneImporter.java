@@ -18,8 +18,8 @@ import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
@@ -72,8 +72,7 @@ public final class SceneImporter {
             throw ImportFailure.at(
                     file,
                     0,
-                    "is of no format that can be imported: "
-                            + String.join(", ", new TreeSet<>(FORMATS.keySet())));
+                    "is of no format that can be imported: " + String.join(", ", new TreeSet<>(FORMATS.keySet())));
         }
         if (format == Format.NFF) {
             NffReader.Result nff = NffReader.read(file);

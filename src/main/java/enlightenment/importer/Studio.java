@@ -116,8 +116,7 @@ final class Studio {
         double narrow = StrictMath.atan(StrictMath.tan(half) * Math.min(1, aspect));
         Vec3 away = towards(AZIMUTH, ELEVATION);
         Vec3 forward = away.times(-radius() / StrictMath.sin(narrow));
-        return new ImportView(middle().minus(forward), forward, up(), forward.cross(up()))
-                .pinhole(FIELD_OF_VIEW);
+        return new ImportView(middle().minus(forward), forward, up(), forward.cross(up())).pinhole(FIELD_OF_VIEW);
     }
 
     /**

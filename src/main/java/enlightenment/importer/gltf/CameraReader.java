@@ -46,7 +46,8 @@ final class CameraReader {
         if (!(height > 0 && height < StrictMath.PI)) {
             throw camera.failure("must have a yfov between 0 and pi");
         }
-        return view.pinhole(StrictMath.toDegrees(height), sized(camera, p.number("aspectRatio", USUAL_ASPECT)));
+        size(camera, p.number("aspectRatio", USUAL_ASPECT));
+        return view.pinhole(StrictMath.toDegrees(height));
     }
 
     private Camera parallel(GltfElement camera, ImportView view, Affine toScene) throws IOException {
@@ -57,17 +58,17 @@ final class CameraReader {
             throw camera.failure("must have an xmag and a ymag other than 0");
         }
         double unit = toScene.vector(Vec3.Y).length();
-        return view.parallel(2 * height * unit, sized(camera, width / height));
+        size(camera, width / height);
+        return view.parallel(2 * height * unit);
     }
 
-    /** Sets the size of the picture; returns the ratio of its sides in pixels. */
-    private double sized(GltfElement camera, double aspect) throws IOException {
+    /** Sets the size of the picture. */
+    private void size(GltfElement camera, double aspect) throws IOException {
         if (!(aspect >= 1.0 / LONG_SIDE && aspect <= LONG_SIDE)) {
             throw camera.failure("must have an aspect ratio between 1/" + LONG_SIDE + " and " + LONG_SIDE);
         }
         int width = aspect >= 1 ? LONG_SIDE : (int) Math.max(1, Math.round(LONG_SIDE * aspect));
         int height = aspect >= 1 ? (int) Math.max(1, Math.round(LONG_SIDE / aspect)) : LONG_SIDE;
         draft.size(width, height);
-        return (double) width / height;
     }
 }

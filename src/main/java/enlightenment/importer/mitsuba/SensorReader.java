@@ -3,7 +3,6 @@ package enlightenment.importer.mitsuba;
 import enlightenment.camera.Camera;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ImportView;
-import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.text.Plain;
 import java.util.List;
@@ -91,7 +90,7 @@ final class SensorReader {
         double shiftX = p.number("principal_point_offset_x", 0);
         double shiftY = p.number("principal_point_offset_y", 0);
         if (!film.isCropped() && shiftX == 0 && shiftY == 0) {
-            return view.pinhole(StrictMath.toDegrees(2 * StrictMath.atan(y)), film.aspect());
+            return view.pinhole(StrictMath.toDegrees(2 * StrictMath.atan(y)));
         }
         double left = (double) film.x() / film.width() + shiftX;
         double upper = (double) film.y() / film.height() + shiftY;
@@ -144,15 +143,6 @@ final class SensorReader {
             scene.note(e, "the crop of an orthographic view is left out");
             scene.draft().size(film.width(), film.height());
         }
-        Vec3 along = view.up().cross(view.forward());
-        if (along.dot(view.right()) < 0) {
-            scene.note(e, "the orthographic view is mirrored");
-        }
-        ExactPoint eye = Affine.exact(view.eye());
-        return new Camera.Orthographic(
-                eye,
-                Affine.exact(view.eye().plus(view.forward())),
-                view.up(),
-                2 * view.right().length() / film.aspect());
+        return view.parallel(2 * view.right().length() / film.aspect());
     }
 }

@@ -81,7 +81,7 @@ final class GlowingShapes {
         if (m instanceof Material.Matte matte) {
             return matte.withRadiance(radiance);
         } else if (m instanceof Material.Glossy g) {
-            return new Material.Glossy(g.color(), g.roughness(), g.conductor(), g.multipleScattering(), radiance);
+            return new Material.Glossy(g.color(), g.roughness(), g.conductor(), g.multipleScattering(), radiance, 0);
         } else if (m instanceof Material.Coated c) {
             return new Material.Coated(
                     c.color(), c.roughness(), c.indexOfRefraction(), c.nonlinear(), radiance, c.ultraviolet());

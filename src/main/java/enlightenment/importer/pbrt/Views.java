@@ -155,7 +155,7 @@ final class Views {
                 notes.add(c.place().shown(), "a spherical camera becomes a perspective one of 90 degrees");
                 break;
             case "orthographic":
-                return orthographic(c, view, window);
+                return orthographic(view, window);
             default:
                 throw c.place().failure("pbrt-v4 has no camera of the kind " + Plain.quoted(type));
         }
@@ -170,17 +170,11 @@ final class Views {
         return StrictMath.tan(StrictMath.toRadians(degrees / 2));
     }
 
-    private Camera orthographic(Parameters c, ImportView view, double[] window) {
+    private Camera orthographic(ImportView view, double[] window) {
         Affine map = cameraToWorld();
-        if (map.determinant() < 0) {
-            notes.add(c.place().shown(), "the picture of an orthographic camera is mirrored");
-        }
         Vec3 middle = new Vec3((window[0] + window[1]) / 2, (window[2] + window[3]) / 2, 0);
         Vec3 eye = map.point(middle);
-        return new Camera.Orthographic(
-                Affine.exact(eye),
-                Affine.exact(eye.plus(view.forward())),
-                view.up(),
-                map.vector(new Vec3(0, window[3] - window[2], 0)).length());
+        return new ImportView(eye, view.forward(), view.up(), view.right())
+                .parallel(map.vector(new Vec3(0, window[3] - window[2], 0)).length());
     }
 }

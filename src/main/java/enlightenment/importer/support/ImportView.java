@@ -70,8 +70,7 @@ public record ImportView(Vec3 eye, Vec3 forward, Vec3 up, Vec3 right) {
      * @param height of the picture, in units of the scene
      */
     public Camera parallel(double height) {
-        return new Camera.Orthographic(
-                Affine.exact(eye), Affine.exact(eye.plus(forward)), up, height, handedness());
+        return new Camera.Orthographic(Affine.exact(eye), Affine.exact(eye.plus(forward)), up, height, handedness());
     }
 
     private ExactPoint corner(Vec3 offset) {

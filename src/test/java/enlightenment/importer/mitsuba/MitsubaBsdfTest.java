@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportDraft;
+import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
@@ -53,7 +54,7 @@ class MitsubaBsdfTest {
                 "roughconductor",
                 "<float name=\"alpha\" value=\"0.09\"/><string name=\"distribution\" value=\"ggx\"/>"
                         + "<string name=\"material\" value=\"Au\"/>"));
-        assertEquals(0.3, m.roughness(), 1e-15);
+        assertEquals(0.3, ((Amount.Constant) m.roughness()).value(), 1e-15);
         assertEquals(Metal.GOLD.conductor(), m.conductor().orElseThrow());
     }
 
@@ -72,7 +73,7 @@ class MitsubaBsdfTest {
                         "<float name=\"alpha_u\" value=\"0.04\"/><float name=\"alpha_v\" value=\"0.25\"/>")
                 + "</shape>");
         Material.Glossy m = (Material.Glossy) draft.objects().get(0).material();
-        assertEquals(0.1, m.roughness() * m.roughness(), 1e-15);
+        assertEquals(0.1, StrictMath.pow(((Amount.Constant) m.roughness()).value(), 2), 1e-15);
         String notes = String.join("\n", draft.notes().list());
         assertTrue(notes.contains("beckmann") && notes.contains("anisotropic"), notes);
     }

@@ -48,9 +48,7 @@ public final class InputFile {
      * @throws IOException naming the file; also for devices, some of which have no end, and for more than 2 GiB
      */
     public static byte[] bytes(Path file) throws IOException {
-        if (isDevice(file)) {
-            throw FileFailure.because(file, "it is a device, and what it gives may have no end");
-        }
+        requireEnd(file);
         if (Files.isRegularFile(file)) {
             return bytesOfRegular(file);
         }
@@ -60,6 +58,17 @@ public final class InputFile {
                 throw tooLong(file);
             }
             return all;
+        }
+    }
+
+    /**
+     * Refuses devices, some of which have no end.
+     *
+     * @throws IOException naming the file
+     */
+    public static void requireEnd(Path file) throws IOException {
+        if (isDevice(file)) {
+            throw FileFailure.because(file, "it is a device, and what it gives may have no end");
         }
     }
 

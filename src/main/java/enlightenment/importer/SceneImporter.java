@@ -1,6 +1,7 @@
 package enlightenment.importer;
 
 import enlightenment.camera.Camera;
+import enlightenment.file.InputFile;
 import enlightenment.importer.gltf.GltfReader;
 import enlightenment.importer.mitsuba.MitsubaReader;
 import enlightenment.importer.model.ModelReader;
@@ -67,6 +68,9 @@ public final class SceneImporter {
      * @throws IOException if it cannot be read
      */
     public static ImportedScene read(Path file, ImportOptions options) throws IOException {
+        InputFile.requireEnd(file);
+        // Folders and what is not there are refused.
+        InputFile.start(file, 1);
         Format format = FORMATS.get(ending(file));
         if (format == null) {
             throw ImportFailure.at(

@@ -4,11 +4,15 @@ import enlightenment.math.Vec3;
 import java.util.List;
 
 /** Makes one mesh of several. */
-final class JoinedMesh {
+public final class JoinedMesh {
     private JoinedMesh() {}
 
-    /** All triangles in one, in their order, without normals and texture coordinates. */
-    static TriangleMesh positionsOf(List<TriangleMesh> meshes) {
+    /** All triangles in one mesh, in their order, without normals and texture coordinates; the first mesh keeps what was made last. */
+    public static TriangleMesh positionsOf(List<TriangleMesh> meshes) {
+        return meshes.get(0).union(meshes.subList(1, meshes.size()), () -> joined(meshes));
+    }
+
+    private static TriangleMesh joined(List<TriangleMesh> meshes) {
         int vertices = Math.toIntExact(
                 meshes.stream().mapToLong(TriangleMesh::vertices).sum());
         int triangles = Math.toIntExact(

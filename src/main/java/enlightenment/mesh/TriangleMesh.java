@@ -7,10 +7,10 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Products;
 import java.nio.ByteBuffer;
 import java.security.MessageDigest;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * Triangles that share vertices, in coordinates of their own (object space). A triangle's geometric normal, (b − a) × (c − a), points to its
@@ -431,15 +431,10 @@ public final class TriangleMesh {
         return made == null ? TriangleTree.USUAL_BYTES * triangles() : made.bytes();
     }
 
-    /**
-     * The mesh of this one's triangles, then those of others in their order, without normals and texture coordinates. Kept until others are asked
-     * for, since the frames of a film ask for the same.
-     */
-    public synchronized TriangleMesh unionWith(List<TriangleMesh> others) {
+    /** What was made of this mesh and others: kept until others are asked for, since the frames of a film ask for the same. */
+    synchronized TriangleMesh union(List<TriangleMesh> others, Supplier<TriangleMesh> making) {
         if (union == null || !areSame(union.others, others)) {
-            List<TriangleMesh> all = new ArrayList<>(others);
-            all.add(0, this);
-            union = new Union(List.copyOf(others), JoinedMesh.positionsOf(all));
+            union = new Union(List.copyOf(others), making.get());
         }
         return union.all;
     }

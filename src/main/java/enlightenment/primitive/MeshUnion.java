@@ -2,6 +2,7 @@ package enlightenment.primitive;
 
 import enlightenment.bvh.Nodes;
 import enlightenment.frame.Bounds;
+import enlightenment.mesh.JoinedMesh;
 import enlightenment.mesh.MeshRay;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.mesh.TriangleTree;
@@ -37,7 +38,7 @@ public final class MeshUnion {
         bounds = box;
         List<TriangleMesh> meshes =
                 Arrays.stream(members).map(MeshPrimitive::mesh).toList();
-        tree = meshes.get(0).unionWith(meshes.subList(1, meshes.size())).tree(poll);
+        tree = JoinedMesh.positionsOf(meshes).tree(poll);
     }
 
     /**

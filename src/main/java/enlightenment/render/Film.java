@@ -15,8 +15,8 @@ import java.util.function.IntFunction;
  * image files of its scenes are read once and kept in memory, for as long as the film is referred to.
  *
  * <pre>{@code
- * Path file = Path.of("scenes/fire-and-ice-tween.json");
- * Film film = Film.of(SceneReader.read(file).animation().orElseThrow(), n -> SceneReader.read(file, n));
+ * SceneFile file = new SceneFile(Path.of("scenes/fire-and-ice-tween.json"));
+ * Film film = Film.of(file.read().animation().orElseThrow(), file::read);
  * for (int n = 0; n < film.frames(); n++) {
  *     ImageFiles.writePng(film.render(film.request(n)).image(), Path.of("frame-" + n + ".png"));
  * }
@@ -54,7 +54,7 @@ public final class Film {
      * A film as an animation describes it.
      *
      * @param scenes makes the scene of a frame, each time that it is asked for: for a file
-     *     {@link enlightenment.scene.json.SceneReader#read(java.nio.file.Path, int)}
+     *     {@link enlightenment.scene.json.SceneFile#read(int)}
      */
     public static Film of(Animation animation, IntFunction<Scene> scenes) {
         return new Film(animation.frames(), animation.framesPerSecond(), scenes);

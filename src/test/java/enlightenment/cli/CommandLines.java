@@ -25,8 +25,8 @@ enum CommandLines {
             "--token-file",
             "--tls"),
     RENDER_PART(List.of("SCENE", "texture"), "-o"),
-    CONVERT(List.of("IN.nff"), "OUT.json"),
-    CONVERT_BY_OPTION(List.of("IN.nff"), "-o"),
+    CONVERT(List.of("IN"), "OUT.json"),
+    CONVERT_BY_OPTION(List.of("IN"), "-o"),
     COMPARE(List.of("A", "B"), "--heatmap"),
     MERGE(List.of("PART"), "-o", "--report"),
     SERVER(
@@ -98,6 +98,7 @@ enum CommandLines {
             case "--heatmap" -> ".png";
             case "--video" -> ".gif";
             case "--dump-clusters", "--dump-chains", "OUT.json" -> ".json";
+            case "IN" -> ".nff";
             default -> "";
         };
     }
@@ -107,7 +108,7 @@ enum CommandLines {
         switch (input) {
             case "SCENE", "--scenes" -> Files.writeString(file, scene("texture.png"));
             case "texture", "A", "B", "--reference" -> picture(file, folder);
-            case "IN.nff" -> Files.writeString(file, NFF);
+            case "IN" -> Files.writeString(file, NFF);
             case "PART" -> part(file, folder);
             default -> Files.writeString(file, "precious " + input);
         }

@@ -7,6 +7,7 @@ import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.json.SceneFile;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -18,6 +19,7 @@ import java.util.OptionalInt;
 public final class SceneInput {
     private final Path file;
     private final Terminal terminal;
+    private final SceneFile scenes;
 
     /** What standard input held, once it has been read. */
     private byte[] bytes;
@@ -28,6 +30,7 @@ public final class SceneInput {
     public SceneInput(Path file, Terminal terminal) {
         this.file = file;
         this.terminal = terminal;
+        scenes = new SceneFile(file);
     }
 
     /** What messages call it. */
@@ -48,7 +51,7 @@ public final class SceneInput {
         if (SceneImporter.reads(file)) {
             return imported();
         }
-        return frame.isPresent() ? SceneReader.read(file, frame.get()) : SceneReader.read(file);
+        return frame.isPresent() ? scenes.read(frame.get()) : scenes.read();
     }
 
     /** The scene of another program's file, whose notes are shown once. */

@@ -37,18 +37,18 @@ public final class SceneReader {
      * @throws SceneException if the file cannot be read or is not a scene
      */
     public static Scene read(Path file) {
-        return read(file, OptionalInt.empty());
+        return read(file, OptionalInt.empty(), new MeshCache());
     }
 
     /**
-     * Reads one frame of an animated scene: the numbers that its tracks lead to are replaced by those of the frame,
+     * Reads one frame of an animated scene, of which {@link SceneFile} reads many: the numbers that its tracks lead to are replaced by those of the frame,
      * which are as good as exact fractions. If the animation's shutter is open, the scene has its {@linkplain Scene#instants instants}.
      *
      * @param frame the frame, counted from 0
      * @throws SceneException if the file cannot be read or is not a scene, or the scene has no such frame
      */
     public static Scene read(Path file, int frame) {
-        return read(file, OptionalInt.of(frame));
+        return read(file, OptionalInt.of(frame), new MeshCache());
     }
 
     /**
@@ -59,7 +59,12 @@ public final class SceneReader {
      * @throws SceneException if the text is not a scene
      */
     public static Scene readString(String json, Path baseFolder, String displayName) {
-        return read(() -> new StringReader(json), baseFolder, new Problems(displayName, ""), OptionalInt.empty());
+        return read(
+                () -> new StringReader(json),
+                baseFolder,
+                new Problems(displayName, ""),
+                OptionalInt.empty(),
+                new MeshCache());
     }
 
     /**
@@ -74,7 +79,7 @@ public final class SceneReader {
     public static Scene readBytes(byte[] json, Path baseFolder, String displayName, OptionalInt frame) {
         Problems problems = new Problems(displayName, remark(frame));
         try {
-            return read(() -> decoded(new ByteArrayInputStream(json)), baseFolder, problems, frame);
+            return read(() -> decoded(new ByteArrayInputStream(json)), baseFolder, problems, frame, new MeshCache());
         } catch (SceneException e) {
             byte[] start = Arrays.copyOf(json, Math.min(json.length, ForeignFormat.START));
             throw unlessForeign(e, displayName, start, json.length);
@@ -115,7 +120,8 @@ public final class SceneReader {
         return new SceneException(Places.find(e.problems(), source));
     }
 
-    private static Scene read(Path file, OptionalInt frame) {
+    /** @param files meshes that have been read; has those of this scene from now on */
+    static Scene read(Path file, OptionalInt frame, MeshCache files) {
         Problems problems = new Problems(file.toString(), remark(frame));
         if (file.toString().isEmpty()) {
             // For Java it is the working folder.
@@ -135,7 +141,8 @@ public final class SceneReader {
                     () -> decoded(Files.newInputStream(file)),
                     file.toAbsolutePath().getParent(),
                     problems,
-                    frame);
+                    frame,
+                    files);
         } catch (SceneException e) {
             throw unlessForeign(e, file);
         }
@@ -160,8 +167,8 @@ public final class SceneReader {
         return frame.isPresent() ? " (in frame " + frame.getAsInt() + ")" : "";
     }
 
-    private static Scene read(JsonTree.Source source, Path folder, Problems problems, OptionalInt frame) {
-        MeshCache files = new MeshCache();
+    private static Scene read(
+            JsonTree.Source source, Path folder, Problems problems, OptionalInt frame, MeshCache files) {
         Scene scene = new SceneBinder(problems, folder, null, files).read(source, frame);
         problems.throwIfAny();
         boolean isBlurred =

@@ -14,6 +14,11 @@ public final class TemporaryFolder {
         folder.toFile().deleteOnExit();
     }
 
+    /** The folder itself. */
+    public Path folder() {
+        return folder;
+    }
+
     /** The place of a file in it, which is removed when the process ends: the caller writes it. */
     public Path file(String name) {
         Path file = folder.resolve(name);

@@ -1,5 +1,6 @@
 package enlightenment.cli;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -21,6 +22,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Files of other programs where a scene is expected. */
 class ForeignFilesTest extends SceneFixture {
     private static final String OBJ = "o Cube\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+    /** A stretched sphere, which becomes a mesh. */
+    private static final String EGG = "<scene version=\"3.0.0\"><shape type=\"sphere\"><transform name=\"to_world\">"
+            + "<scale x=\"2\" y=\"1\" z=\"%s\"/></transform></shape></scene>";
 
     ForeignFilesTest() {
         super(8, 6);
@@ -89,5 +94,31 @@ class ForeignFilesTest extends SceneFixture {
         assertEquals(new CliRun(0, "", ""), CliRun.of("render", odd, "-o", picture));
         Path bad = Files.copy(CliRun.badScene(folder), folder.resolve("bad.gltf"));
         assertTrue(CliRun.of("validate", bad).err().contains("/objects/0/radius"));
+    }
+
+    @Test
+    void aSecondConversionWritesTheSameFiles() throws IOException {
+        Path egg = file("c.xml", EGG.formatted("1"));
+        Path scene = folder.resolve("c.json");
+        String first = converted(egg, scene);
+        byte[] mesh = Files.readAllBytes(folder.resolve("c-files/mesh-1.ply"));
+        assertEquals(first, converted(egg, scene));
+        assertArrayEquals(mesh, Files.readAllBytes(folder.resolve("c-files/mesh-1.ply")));
+        assertFalse(Files.exists(folder.resolve("c-files/mesh-2.ply")));
+    }
+
+    @Test
+    void meshesOfAnotherConversionStay() throws IOException {
+        Path scene = folder.resolve("c.json");
+        converted(file("c.xml", EGG.formatted("1")), scene);
+        byte[] mesh = Files.readAllBytes(folder.resolve("c-files/mesh-1.ply"));
+        assertTrue(converted(file("c.xml", EGG.formatted("3")), scene).contains("c-files/mesh-2.ply"));
+        assertArrayEquals(mesh, Files.readAllBytes(folder.resolve("c-files/mesh-1.ply")));
+    }
+
+    private static String converted(Path from, Path to) throws IOException {
+        CliRun run = CliRun.of("convert", from, to);
+        assertEquals(0, run.code(), run.err());
+        return Files.readString(to);
     }
 }

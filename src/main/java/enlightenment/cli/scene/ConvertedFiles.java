@@ -2,6 +2,7 @@ package enlightenment.cli.scene;
 
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.StandardStreams;
+import enlightenment.file.NumberedFiles;
 import enlightenment.file.WholeFile;
 import enlightenment.geometry.Mesh;
 import enlightenment.importer.ImportOptions;
@@ -11,7 +12,6 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.json.FileNames;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -20,7 +20,7 @@ import java.util.Optional;
 
 /**
  * A scene file that is converted, and a folder beside it, {@code OUT-files}, with what it needs and no file holds: pictures from inside the input, and
- * meshes that were not files of their own. The folder must not be there before.
+ * meshes that were not files of their own. Files of that folder are never replaced ({@link NumberedFiles}).
  */
 final class ConvertedFiles {
     private final Path output;
@@ -52,11 +52,12 @@ final class ConvertedFiles {
     /** Writes the scene, and before it the meshes that are in no file. */
     void write(Scene scene) throws IOException {
         Map<TriangleMesh, String> names = new HashMap<>();
+        NumberedFiles files = new NumberedFiles(folder, "mesh");
         for (var object : scene.objects()) {
             if (object.shape() instanceof Mesh mesh
                     && mesh.origin().isEmpty()
                     && !names.containsKey(mesh.triangles())) {
-                names.put(mesh.triangles(), write(mesh.triangles(), names.size() + 1));
+                names.put(mesh.triangles(), write(mesh.triangles(), files));
             }
         }
         FileNames relative = SceneWriter.relativeTo(output.toAbsolutePath().getParent());
@@ -73,13 +74,9 @@ final class ConvertedFiles {
         }));
     }
 
-    private String write(TriangleMesh mesh, int number) throws IOException {
+    private String write(TriangleMesh mesh, NumberedFiles files) throws IOException {
         Files.createDirectories(folder);
-        Path file = folder.resolve("mesh-" + number + ".ply");
-        if (Files.exists(file)) {
-            throw new FileAlreadyExistsException(file.toString());
-        }
-        WholeFile.write(file, out -> MeshFiles.writePly(mesh, out));
+        Path file = files.write("ply", out -> MeshFiles.writePly(mesh, out));
         return folder.getFileName() + "/" + file.getFileName();
     }
 }

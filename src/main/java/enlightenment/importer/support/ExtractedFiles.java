@@ -1,20 +1,27 @@
 package enlightenment.importer.support;
 
 import enlightenment.file.FileFailure;
+import enlightenment.file.NumberedFiles;
 import enlightenment.file.TemporaryFolder;
 import enlightenment.file.WholeFile;
 import java.io.IOException;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Pictures that an imported file holds inside, or that are made of its own, as files. Their names are made here, and no file is replaced. */
+/**
+ * Pictures that an imported file holds inside, or that are made of its own, as files. Their names are made here, and no file is replaced: see
+ * {@link NumberedFiles}.
+ */
 public final class ExtractedFiles {
     private final Optional<Path> folder;
+
+    /** Null before the first file. */
+    private NumberedFiles files;
+
+    /** Null unless there is no other folder. */
     private TemporaryFolder temporary;
-    private int count;
 
     /** @param folder where they go, made when it is needed; empty for a temporary folder that goes when the process ends */
     public ExtractedFiles(Optional<Path> folder) {
@@ -22,36 +29,31 @@ public final class ExtractedFiles {
     }
 
     /**
-     * Writes the next file.
+     * Writes the next file, or finds it from an earlier import.
      *
      * @param extension of its name, without the dot
-     * @throws FileSystemException if it cannot be written or is there
+     * @param content its bytes, which must be the same each time
+     * @throws FileSystemException if it cannot be written
      */
     public Path write(String extension, WholeFile.Content content) throws FileSystemException {
-        String name = "image-" + (count + 1) + "." + extension;
-        Path file = Path.of(name);
         try {
-            file = place(name);
-            if (Files.exists(file)) {
-                throw new FileAlreadyExistsException(file.toString());
+            if (files == null) {
+                files = new NumberedFiles(place(), "image");
             }
-            WholeFile.write(file, content);
+            Path file = files.write(extension, content);
+            return temporary == null ? file : temporary.file(file.getFileName().toString());
         } catch (FileSystemException e) {
             throw e;
         } catch (IOException e) {
-            throw FileFailure.because(file, e.getMessage());
+            throw FileFailure.because(folder.orElse(Path.of("image." + extension)), e.getMessage());
         }
-        count++;
-        return file;
     }
 
-    private Path place(String name) throws IOException {
+    private Path place() throws IOException {
         if (folder.isPresent()) {
-            return Files.createDirectories(folder.get()).resolve(name);
+            return Files.createDirectories(folder.get());
         }
-        if (temporary == null) {
-            temporary = new TemporaryFolder();
-        }
-        return temporary.file(name);
+        temporary = new TemporaryFolder();
+        return temporary.folder();
     }
 }

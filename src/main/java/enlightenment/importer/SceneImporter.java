@@ -98,7 +98,7 @@ public final class SceneImporter {
     private static ImportDraft draft(Path file, Format format, ImportOptions options) throws IOException {
         return switch (format) {
             case GLTF -> GltfReader.read(file, options.extracted(), options.camera());
-            case MITSUBA -> MitsubaReader.read(file);
+            case MITSUBA -> MitsubaReader.read(file, new ExtractedFiles(options.extracted()));
             case PBRT -> PbrtReader.read(file, new ExtractedFiles(options.extracted()));
             default -> ModelReader.read(file);
         };

@@ -15,6 +15,7 @@ final class EmitterReader {
     private final SceneIndex scene;
     private final Affine world;
     private final EmissionReader emissions;
+    private final DirectedLights directed;
 
     /** Whether the scene has a background already: there can be one only. */
     private boolean hasBackground;
@@ -23,6 +24,7 @@ final class EmitterReader {
         this.scene = scene;
         this.world = world;
         emissions = new EmissionReader(scene);
+        directed = new DirectedLights(scene, world);
     }
 
     /** Adds an emitter to the scene. */
@@ -34,6 +36,8 @@ final class EmitterReader {
             case "envmap" -> picture(p);
             case "sun", "sky", "sunsky" -> sky(p);
             case "point" -> point(p);
+            case "spot" -> directed.spot(p);
+            case "projector" -> directed.projector(p);
             default -> {
                 scene.note(e, e.described() + " is left out: there is no such light here");
                 return;

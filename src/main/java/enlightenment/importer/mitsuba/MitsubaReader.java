@@ -1,6 +1,7 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
 import enlightenment.scene.PhysicalShading;
@@ -41,17 +42,18 @@ public final class MitsubaReader {
     /**
      * Reads a scene.
      *
+     * @param made where pictures go that are made of the scene's own
      * @throws enlightenment.scene.SceneException for what is no such scene, with file, line and what was expected
      * @throws IOException if a file cannot be read, or a mesh is broken
      */
-    public static ImportDraft read(Path file) throws IOException {
+    public static ImportDraft read(Path file, ExtractedFiles made) throws IOException {
         XmlElement root = XmlFile.read(file);
         if (!root.tag().equals("scene")) {
             throw ImportFailure.at(
                     file, 1, "is no scene of Mitsuba: its root is " + Plain.quoted(root.tag()) + ", not \"scene\"");
         }
         ImportDraft draft = new ImportDraft();
-        new MitsubaReader(new SceneIndex(root, file, draft), root.children()).addAll();
+        new MitsubaReader(new SceneIndex(root, file, draft, made), root.children()).addAll();
         return draft;
     }
 

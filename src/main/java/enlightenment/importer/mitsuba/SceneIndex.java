@@ -1,5 +1,6 @@
 package enlightenment.importer.mitsuba;
 
+import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.importer.support.InputFolder;
@@ -17,13 +18,20 @@ import java.util.Map;
 final class SceneIndex {
     private final ImportDraft draft;
     private final InputFolder folder;
+    private final DerivedPictures pictures;
     private final Map<String, XmlElement> byId = new HashMap<>();
     private final List<String> prefixes = new ArrayList<>(List.of(""));
     private final boolean isOld;
 
-    /** @param file the scene's own file, whose folder and those below are the only ones that are read */
-    SceneIndex(XmlElement root, Path file, ImportDraft draft) {
+    /**
+     * The index of a scene.
+     *
+     * @param file the scene's own file, whose folder and those below are the only ones that are read
+     * @param made where pictures go that are made of its own
+     */
+    SceneIndex(XmlElement root, Path file, ImportDraft draft, ExtractedFiles made) {
         this.draft = draft;
+        pictures = new DerivedPictures(made);
         folder = new InputFolder(file);
         isOld = root.attribute("version").startsWith("0.");
         Deque<XmlElement> open = new ArrayDeque<>(List.of(root));
@@ -46,6 +54,10 @@ final class SceneIndex {
 
     ImportDraft draft() {
         return draft;
+    }
+
+    DerivedPictures pictures() {
+        return pictures;
     }
 
     ImportNotes notes() {

@@ -1,6 +1,7 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.camera.Camera;
+import enlightenment.camera.Lens;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ImportView;
 import enlightenment.math.Vec3;
@@ -13,6 +14,7 @@ final class SensorReader {
     private static final int USUAL_WIDTH = 768;
     private static final int USUAL_HEIGHT = 576;
     private static final int LARGEST = 1 << 20;
+    private static final double USUAL_FAR_CLIP = 10_000;
 
     private final SceneIndex scene;
     private final Affine world;
@@ -41,17 +43,13 @@ final class SensorReader {
     /** Adds a sensor's view and picture to the scene. */
     void add(XmlElement sensor) {
         Properties p = new Properties(sensor);
-        p.ignore("near_clip", "far_clip", "shutter_open", "shutter_close", "srf", "id");
+        p.ignore("near_clip", "far_clip", "focus_distance", "shutter_open", "shutter_close", "srf", "id");
         Film film = film(sensor);
         scene.draft().size(film.cropWidth(), film.cropHeight());
         ImportView view = ImportView.of(world.after(p.transform("to_world")), Vec3.Z, Vec3.Y, Vec3.X.times(-1));
         switch (sensor.type()) {
             case "perspective" -> scene.draft().camera(perspective(p, view, film));
-            case "thinlens" -> {
-                scene.note(sensor, "the thin lens becomes a pinhole: nothing is out of focus");
-                p.ignore("aperture_radius", "focus_distance");
-                scene.draft().camera(perspective(p, view, film));
-            }
+            case "thinlens" -> scene.draft().camera(focused(p, perspective(p, view, film)));
             case "orthographic" -> scene.draft().camera(parallel(p, view, film));
             default -> scene.note(sensor, sensor.described() + " is left out");
         }
@@ -101,8 +99,26 @@ final class SensorReader {
                 y * (1 - 2 * upper));
     }
 
+    /** A camera with a thin lens; one whose picture is shifted or cropped keeps its pinhole. */
+    private Camera focused(Properties p, Camera camera) {
+        double radius = p.number("aperture_radius", 0);
+        double distance = p.number("focus_distance", p.number("far_clip", USUAL_FAR_CLIP));
+        if (!(radius >= 0 && distance > 0 && radius / Lens.MOST_DISTANCES <= distance)) {
+            throw p.element()
+                    .failure("must have a focus_distance above 0, and an aperture_radius of 0 to "
+                            + Lens.MOST_DISTANCES + " times that");
+        }
+        if (radius > 0 && camera instanceof Camera.Perspective perspective) {
+            return perspective.withLens(Lens.round(radius, distance));
+        }
+        if (radius > 0) {
+            scene.note(p.element(), "a lens before a shifted or cropped picture becomes a pinhole");
+        }
+        return camera;
+    }
+
     /** The tangent of half of the horizontal angle of view. */
-    private static double halfWidth(Properties p, double aspect) {
+    static double halfWidth(Properties p, double aspect) {
         XmlElement e = p.element();
         if (!p.has("fov")) {
             String focal = p.text("focal_length", "50mm").strip().replaceFirst("mm$", "");

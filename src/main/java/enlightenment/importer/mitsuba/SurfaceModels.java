@@ -1,12 +1,12 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.color.Rgb;
+import enlightenment.material.Amount;
 import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Metal;
 import enlightenment.material.Texture;
 import enlightenment.text.Plain;
-import java.util.Locale;
 import java.util.Optional;
 
 /** The surface models of Mitsuba as materials. */
@@ -16,10 +16,12 @@ final class SurfaceModels {
 
     private final SceneIndex scene;
     private final TextureReader textures;
+    private final RoughnessReader roughnesses;
 
     SurfaceModels(SceneIndex scene, TextureReader textures) {
         this.scene = scene;
         this.textures = textures;
+        roughnesses = new RoughnessReader(scene, textures);
     }
 
     /** The material of a bsdf that holds no other; one of an unknown model is diffuse grey, with a note. */
@@ -30,7 +32,7 @@ final class SurfaceModels {
             case "dielectric", "thindielectric", "roughdielectric" -> dielectric(p);
             case "conductor", "roughconductor" -> conductor(p);
             case "plastic", "roughplastic" -> plastic(p);
-            case "principled", "principledthin" -> principled(p);
+            case "principled", "principledthin" -> new PrincipledReader(scene, textures).material(p);
             case "phong" -> phong(p);
             case "ward" -> ward(p);
             default -> unknown(p);
@@ -49,36 +51,9 @@ final class SurfaceModels {
                 .withRoughness(StrictMath.min(StrictMath.sqrt(2) * StrictMath.max(alpha, 0), 1));
     }
 
-    /** α of a rough model; 0 of a smooth one. */
-    private double alpha(Properties p) {
-        if (!p.element().type().startsWith("rough")) {
-            return 0;
-        }
-        String distribution = p.text("distribution", "beckmann").toLowerCase(Locale.ROOT);
-        if (!distribution.equals("ggx")) {
-            note(p, "the distribution " + Plain.quoted(distribution) + " becomes ggx of equal alpha");
-        }
-        p.ignore("sample_visible");
-        double alpha = textures.number(p, "alpha", 0.1);
-        if (p.has("alpha_u") || p.has("alpha_v")) {
-            double u = textures.number(p, "alpha_u", 0.1);
-            double v = textures.number(p, "alpha_v", 0.1);
-            if (u != v) {
-                note(p, "an anisotropic surface becomes one of alpha sqrt(alpha_u alpha_v)");
-            }
-            alpha = StrictMath.sqrt(StrictMath.max(u * v, 0));
-        }
-        return alpha;
-    }
-
-    /** Our roughness: α is its square. */
-    private static double roughness(double alpha) {
-        return StrictMath.sqrt(StrictMath.min(StrictMath.max(alpha, 0), 1));
-    }
-
     private Material dielectric(Properties p) {
         double index = IndexOfRefraction.relative(p, "bk7");
-        double roughness = roughness(alpha(p));
+        double roughness = roughnesses.number(p);
         noteIfNotWhite(p, "specular_reflectance");
         Texture through = textures.reflectance(p, "specular_transmittance", 1);
         return new Material.Glass(through, index, 1, 0, true, roughness, Rgb.BLACK, false);
@@ -92,7 +67,7 @@ final class SurfaceModels {
     }
 
     private Material conductor(Properties p) {
-        double roughness = roughness(alpha(p));
+        Amount roughness = roughnesses.amount(p);
         Texture color = textures.reflectance(p, "specular_reflectance", 1);
         String name = p.text("material", scene.isOld() ? "Cu" : "none");
         Optional<XmlElement> eta = p.find("eta");
@@ -104,7 +79,7 @@ final class SurfaceModels {
                     ? PERFECT
                     : new Conductor(divided(n, outside), divided(textures.color(p, "k", 1), outside));
         } else if (name.equalsIgnoreCase("none")) {
-            if (roughness == 0) {
+            if (roughness.equals(Amount.of(0))) {
                 return Material.Mirror.of(color);
             }
             conductor = PERFECT;
@@ -116,7 +91,7 @@ final class SurfaceModels {
                     })
                     .conductor();
         }
-        return new Material.Glossy(color, roughness, Optional.of(conductor), false, Rgb.BLACK);
+        return new Material.Glossy(color, roughness, Optional.of(conductor), false, Rgb.BLACK, 0);
     }
 
     /** η must be above 0. */
@@ -130,7 +105,7 @@ final class SurfaceModels {
 
     private Material plastic(Properties p) {
         double index = IndexOfRefraction.relative(p, "polypropylene");
-        double roughness = roughness(alpha(p));
+        Amount roughness = roughnesses.amount(p);
         Texture color = textures.reflectance(p, "diffuse_reflectance", 0.5);
         noteIfNotWhite(p, "specular_reflectance");
         if (index < 1 || index > Material.Coated.LARGEST_INDEX) {
@@ -138,28 +113,6 @@ final class SurfaceModels {
             return Material.Matte.of(color);
         }
         return new Material.Coated(color, roughness, index, p.flag("nonlinear", false), Rgb.BLACK, 0);
-    }
-
-    private Material principled(Properties p) {
-        Texture color = textures.reflectance(p, "base_color", 0.5);
-        double roughness = StrictMath.min(StrictMath.max(textures.number(p, "roughness", 0.5), 0), 1);
-        double metallic = textures.number(p, "metallic", 0);
-        double transmission = textures.number(p, "spec_trans", 0);
-        double specular = p.number("specular", 0.5);
-        double index =
-                p.number("eta", 2 / (1 - StrictMath.sqrt(0.08 * StrictMath.min(StrictMath.max(specular, 0), 1))) - 1);
-        note(p, p.element().type() + " becomes the nearest of glossy, glass and coated");
-        p.ignore("anisotropic", "sheen", "sheen_tint", "flatness", "spec_tint", "clearcoat", "clearcoat_gloss");
-        p.ignore("main_specular_sampling_rate", "clearcoat_sampling_rate", "diffuse_reflectance_sampling_rate");
-        if (metallic >= 0.5) {
-            return new Material.Glossy(color, roughness, Optional.empty(), false, Rgb.BLACK);
-        }
-        if (transmission >= 0.5 && index > 1) {
-            return new Material.Glass(color, index, 1, 0, true, roughness, Rgb.BLACK, false);
-        }
-        return index < 1 || index > Material.Coated.LARGEST_INDEX
-                ? Material.Matte.of(color)
-                : new Material.Coated(color, roughness, index, false, Rgb.BLACK, 0);
     }
 
     /** Blinn's exponent n has the width of the distribution of α² = 2 / (n + 2) (Walter et al. 2007). */
@@ -179,7 +132,7 @@ final class SurfaceModels {
         note(p, p.element().type() + " becomes a coat of index 1.5 over matte");
         p.ignore("specular_reflectance", "specular_sampling_weight");
         return new Material.Coated(
-                textures.reflectance(p, "diffuse_reflectance", 0.5), roughness(alpha), 1.5, false, Rgb.BLACK, 0);
+                textures.reflectance(p, "diffuse_reflectance", 0.5), RoughnessReader.ofAlpha(alpha), 1.5, false, Rgb.BLACK, 0);
     }
 
     private Material unknown(Properties p) {

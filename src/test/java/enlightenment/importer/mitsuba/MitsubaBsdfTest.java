@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Rgb;
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
@@ -14,6 +16,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Metal;
 import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
+import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -89,7 +92,7 @@ class MitsubaBsdfTest {
                 bsdf("conductor", "<rgb name=\"eta\" value=\"1, 2, 3\"/><rgb name=\"k\" value=\"4, 5, 6\"/>"));
         assertEquals(new Rgb(1, 2, 3), m.conductor().orElseThrow().eta());
         assertEquals(new Rgb(4, 5, 6), m.conductor().orElseThrow().k());
-        assertEquals(0, m.roughness());
+        assertEquals(Amount.of(0), m.roughness());
     }
 
     @Test
@@ -115,7 +118,7 @@ class MitsubaBsdfTest {
     @Test
     void smoothPlasticHasASmoothCoat() throws IOException {
         Material.Coated m = (Material.Coated) scenes.material(bsdf("plastic", ""));
-        assertEquals(0, m.roughness());
+        assertEquals(Amount.of(0), m.roughness());
         assertEquals(1.49 / 1.000277, m.indexOfRefraction(), 1e-15);
     }
 
@@ -140,7 +143,7 @@ class MitsubaBsdfTest {
                 "blendbsdf", "<float name=\"weight\" value=\"0.75\"/>" + bsdf("plastic", "") + bsdf("diffuse", "")));
         assertInstanceOf(Material.Coated.class, mix.first());
         assertInstanceOf(Material.Matte.class, mix.second());
-        assertEquals(Texture.of(Rgb.gray(0.75)), mix.weight());
+        assertEquals(Amount.of(0.75), mix.weight());
     }
 
     @Test
@@ -206,5 +209,79 @@ class MitsubaBsdfTest {
         assertEquals(0.5, flat.r(), 1e-12);
         assertEquals(0.5, flat.g(), 1e-12);
         assertEquals(0.5, flat.b(), 1e-12);
+    }
+
+    private Texture.File picture(String name, float value) throws IOException {
+        ImageFiles.writePng(new Image(1, 1, new float[] {value, value, value}), folder.resolve(name));
+        return new Texture.File(folder.resolve(name), Texture.Filter.BILINEAR, Texture.Encoding.LINEAR);
+    }
+
+    private static String raw(String name, String file) {
+        return "<texture type=\"bitmap\" name=\"" + name + "\"><string name=\"filename\" value=\"" + file
+                + "\"/><boolean name=\"raw\" value=\"true\"/></texture>";
+    }
+
+    @Test
+    void aPictureOfAlphaBecomesOneOfItsRoot() throws IOException {
+        picture("a.png", 0.2F);
+        String ggx = "<string name=\"distribution\" value=\"ggx\"/>";
+        Material.Glossy m = (Material.Glossy) scenes.material(bsdf("roughconductor", ggx + raw("alpha", "a.png")));
+        Texture.File made = (Texture.File) m.roughness().textures().get(0);
+        assertEquals(Texture.Encoding.LINEAR, made.encoding());
+        assertEquals(StrictMath.sqrt(51 / 255.0), ImageFiles.read(made.file()).component(0, 0, 1), 1e-4);
+    }
+
+    @Test
+    void aCheckerOfAlphaBecomesOneOfItsRoots() throws IOException {
+        String checker = "<texture type=\"checkerboard\" name=\"alpha\"><rgb name=\"color0\" value=\"0.25\"/>"
+                + "<rgb name=\"color1\" value=\"0.81\"/></texture>";
+        Material.Coated m = (Material.Coated) scenes.material(bsdf("roughplastic", checker));
+        Texture.Checker c = (Texture.Checker) m.roughness().textures().get(0);
+        assertEquals(0.5, c.colors().get(0).linear().g(), 1e-15);
+        assertEquals(0.9, c.colors().get(1).linear().g(), 1e-15);
+    }
+
+    @Test
+    void principledKeepsItsNumbers() throws IOException {
+        Principled m = (Principled) scenes.material(bsdf(
+                "principled",
+                "<rgb name=\"base_color\" value=\"0.2 0.4 0.6\"/><float name=\"metallic\" value=\"0.25\"/>"
+                        + "<float name=\"roughness\" value=\"0.3\"/><float name=\"eta\" value=\"1.7\"/>"
+                        + "<float name=\"clearcoat\" value=\"0.5\"/><float name=\"clearcoat_gloss\" value=\"1\"/>"));
+        assertEquals(Texture.of(new Rgb(0.2, 0.4, 0.6)), m.color());
+        assertEquals(Amount.of(0.25), m.metallic());
+        assertEquals(Amount.of(0.3), m.roughness());
+        assertEquals(1.7, m.indexOfRefraction());
+        assertEquals(0.5, m.clearcoat());
+        assertEquals(0.001, m.clearcoatRoughness() * m.clearcoatRoughness(), 1e-15);
+    }
+
+    @Test
+    void specularIsTheReflectanceAtNormalIncidenceInUnitsOfEightPercent() throws IOException {
+        Principled m = (Principled) scenes.material(bsdf("principled", "<float name=\"specular\" value=\"0.7\"/>"));
+        double root = (m.indexOfRefraction() - 1) / (m.indexOfRefraction() + 1);
+        assertEquals(0.08 * 0.7, root * root, 1e-15);
+    }
+
+    @Test
+    void principledTakesPicturesAsTheyAre() throws IOException {
+        Texture.File r = picture("r.png", 0.5F);
+        Principled m = (Principled) scenes.material(
+                bsdf("principled", raw("roughness", "r.png") + raw("metallic", "r.png") + raw("base_color", "r.png")));
+        assertEquals(r, m.color());
+        assertEquals(List.of(r, r), m.textures());
+    }
+
+    @Test
+    void principledThatTransmitsIsGlassOfTheRootOfItsColour() throws IOException {
+        Material.Glass m = (Material.Glass) scenes.material(bsdf(
+                "principled",
+                "<rgb name=\"base_color\" value=\"0.25 0.36 1\"/><float name=\"spec_trans\" value=\"1\"/>"
+                        + "<float name=\"eta\" value=\"1.5\"/><float name=\"roughness\" value=\"0.2\"/>"));
+        Rgb c = ((Texture.Solid) m.color()).color().linear();
+        assertEquals(0.5, c.r(), 1e-15);
+        assertEquals(0.6, c.g(), 1e-15);
+        assertEquals(0.2, m.roughness());
+        assertEquals(1.5, m.indexOfRefraction());
     }
 }

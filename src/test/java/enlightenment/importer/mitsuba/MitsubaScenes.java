@@ -1,11 +1,13 @@
 package enlightenment.importer.mitsuba;
 
+import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.material.Material;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.junit.jupiter.api.Assertions;
 
 /** Small scenes, written to a folder and read. */
@@ -19,8 +21,12 @@ record MitsubaScenes(Path folder) {
     }
 
     ImportDraft read(String version, String elements) throws IOException {
-        return MitsubaReader.read(
+        return read(
                 write("scene.xml", "<scene version=\"" + version + "\">\n" + elements + "\n</scene>\n"));
+    }
+
+    private ImportDraft read(Path file) throws IOException {
+        return MitsubaReader.read(file, new ExtractedFiles(Optional.of(folder.resolve("made"))));
     }
 
     /** The material of a sphere with this bsdf. */
@@ -33,7 +39,7 @@ record MitsubaScenes(Path folder) {
 
     /** The only line by which a file is refused. */
     String refused(Path file) {
-        SceneException e = Assertions.assertThrows(SceneException.class, () -> MitsubaReader.read(file));
+        SceneException e = Assertions.assertThrows(SceneException.class, () -> read(file));
         Assertions.assertEquals(1, e.problems().size());
         Assertions.assertEquals(1, e.problems().get(0).toString().lines().count());
         return e.getMessage();

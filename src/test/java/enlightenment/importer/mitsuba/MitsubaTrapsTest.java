@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
+import enlightenment.camera.FieldOfViewAxis;
+import enlightenment.camera.Handedness;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
@@ -46,11 +48,31 @@ class MitsubaTrapsTest {
     }
 
     private Camera.Window view(String film, String inside, int width, int height) throws IOException {
-        return (Camera.Window) scenes.read("<sensor type=\"perspective\">" + inside
+        Camera camera = scenes.read("<sensor type=\"perspective\">" + inside
                         + "<film type=\"hdrfilm\"><integer name=\"width\" value=\"" + width
                         + "\"/><integer name=\"height\" value=\"" + height + "\"/>" + film + "</film></sensor>" + BALL)
                 .camera()
                 .orElseThrow();
+        return camera instanceof Camera.Perspective p ? window(p, (double) width / height) : (Camera.Window) camera;
+    }
+
+    /** What a camera with a vertical angle of view sees, by a window at distance 1. */
+    private static Camera.Window window(Camera.Perspective p, double aspect) {
+        assertEquals(FieldOfViewAxis.VERTICAL, p.axis());
+        Vec3 forward = p.eye().directionTo(p.lookAt()).normalized();
+        Vec3 toLeftHand = p.up().cross(forward).normalized();
+        Vec3 right = p.handedness() == Handedness.LEFT ? toLeftHand : toLeftHand.negated();
+        double half = StrictMath.tan(StrictMath.toRadians(p.fieldOfView() / 2));
+        Vec3 x = right.times(half * aspect);
+        Vec3 y = (p.handedness() == Handedness.LEFT ? forward.cross(right) : right.cross(forward)).times(half);
+        ExactPoint middle = p.eye().plus(forward);
+        return new Camera.Window(
+                p.eye(),
+                middle.plus(x.plus(y).negated()),
+                middle.plus(y.minus(x)),
+                middle.plus(x.plus(y)),
+                middle.plus(x.minus(y)),
+                0);
     }
 
     private static Vec3 direction(Camera.Window w, double x, double y) {
@@ -354,7 +376,7 @@ class MitsubaTrapsTest {
                 scenes.read("<emitter type=\"envmap\"><string name=\"filename\" value=\"sky.pfm\"/></emitter>"
                         + "<sensor type=\"perspective\"><float name=\"fov\" value=\"90\"/></sensor>"
                         + "<shape type=\"sphere\"><point name=\"center\" x=\"1\" y=\"0\" z=\"1\"/></shape>");
-        Camera.Window w = (Camera.Window) draft.camera().orElseThrow();
+        Camera.Window w = window((Camera.Perspective) draft.camera().orElseThrow(), 1);
         // What is at +x stays at the left.
         Vec3 center = draft.objects().get(0).shape().anchors().get(0).toVec3();
         assertTrue(direction(w, 0, 0.5).dot(center) > direction(w, 1, 0.5).dot(center));

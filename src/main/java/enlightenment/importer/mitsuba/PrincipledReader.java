@@ -1,0 +1,137 @@
+package enlightenment.importer.mitsuba;
+
+import enlightenment.color.Color;
+import enlightenment.color.Rgb;
+import enlightenment.material.Amount;
+import enlightenment.material.Material;
+import enlightenment.material.Principled;
+import enlightenment.material.Texture;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+
+/** Reads Mitsuba's principled model: as our own, or as glass where most of its light is transmitted. */
+final class PrincipledReader {
+    private static final List<String> LEFT_OUT =
+            List.of("anisotropic", "sheen", "sheen_tint", "flatness", "spec_tint", "diff_trans");
+
+    private final SceneIndex scene;
+    private final TextureReader textures;
+
+    PrincipledReader(SceneIndex scene, TextureReader textures) {
+        this.scene = scene;
+        this.textures = textures;
+    }
+
+    Material material(Properties p) {
+        Texture color = textures.reflectance(p, "base_color", 0.5);
+        double transmission = share(textures.number(p, "spec_trans", 0));
+        p.ignore("main_specular_sampling_rate", "clearcoat_sampling_rate", "diffuse_reflectance_sampling_rate");
+        LEFT_OUT.forEach(name -> leaveOut(p, name));
+        Amount metallic = amount(p, "metallic", 0);
+        double index = index(p);
+        if (transmission > 0 && !(metallic instanceof Amount.Constant c && c.value() == 1)) {
+            if (transmission >= 0.5) {
+                return glass(p, color, transmission, metallic, index);
+            }
+            scene.note(p.element(), "spec_trans below 0.5 is left out: the surface is opaque");
+        }
+        return opaque(p, color, metallic, index);
+    }
+
+    private void leaveOut(Properties p, String name) {
+        Optional<XmlElement> e = p.find(name);
+        boolean isZero = e.isPresent() && e.get().tag().equals("float") && p.number(name, 0) == 0;
+        if (e.isPresent() && !isZero) {
+            scene.note(p.element(), p.element().described() + ": " + name + " is left out");
+        }
+    }
+
+    /** {@code eta}, or that of which {@code specular} is the reflectance at normal incidence divided by 0.08. */
+    private double index(Properties p) {
+        double specular = share(textures.number(p, "specular", 0.5));
+        double index = p.number("eta", 2 / (1 - StrictMath.sqrt(0.08 * specular)) - 1);
+        if (index >= 1 && index <= Material.Coated.LARGEST_INDEX) {
+            return index;
+        }
+        scene.note(p.element(), "an index of refraction of " + index + " becomes the nearest possible one");
+        return StrictMath.min(StrictMath.max(index, 1), Material.Coated.LARGEST_INDEX);
+    }
+
+    private Material opaque(Properties p, Texture color, Amount metallic, double index) {
+        Amount roughness = amount(p, "roughness", 0.5);
+        double clearcoat = share(textures.number(p, "clearcoat", 0));
+        double gloss = share(textures.number(p, "clearcoat_gloss", 0));
+        scene.note(
+                p.element(),
+                p.element().described() + " has another matte base, and light between facets"
+                        + (clearcoat > 0 ? "; its clear coat takes light from what is below" : ""));
+        // The clear coat's alpha is 0.1 without gloss and 0.001 with all of it.
+        double alpha = 0.1 + (0.001 - 0.1) * gloss;
+        return new Principled(
+                color,
+                metallic,
+                roughness,
+                index,
+                1,
+                clearcoat,
+                clearcoat > 0 ? RoughnessReader.ofAlpha(alpha) : 0,
+                Rgb.BLACK,
+                0);
+    }
+
+    /** Each crossing of the surface filters by the root of the base colour. */
+    private Material glass(Properties p, Texture color, double transmission, Amount metallic, double index) {
+        if (transmission < 1) {
+            scene.note(p.element(), "spec_trans of 0.5 or more becomes 1: the surface is glass");
+        }
+        if (!metallic.equals(Amount.of(0))) {
+            scene.note(p.element(), "the metallic part of a surface that transmits light is left out");
+        }
+        if (p.has("clearcoat")) {
+            leaveOut(p, "clearcoat");
+        }
+        p.ignore("clearcoat_gloss");
+        double roughness = share(textures.number(p, "roughness", 0.5));
+        return new Material.Glass(root(p, color), index, 1, 0, true, roughness, Rgb.BLACK, false);
+    }
+
+    private Texture root(Properties p, Texture color) {
+        if (color instanceof Texture.Solid s) {
+            return Texture.of(root(s.color()));
+        }
+        if (color instanceof Texture.Checker c) {
+            return new Texture.Checker(
+                    c.colors().stream().map(PrincipledReader::root).toList(), c.scale());
+        }
+        try {
+            return scene.pictures().root((Texture.File) color, false);
+        } catch (IOException problem) {
+            scene.note(p.element(), "a texture is left out: " + problem.getMessage());
+            return Texture.of(Rgb.WHITE);
+        }
+    }
+
+    private static Color root(Color color) {
+        Rgb c = color.linear();
+        return new Rgb(StrictMath.sqrt(c.r()), StrictMath.sqrt(c.g()), StrictMath.sqrt(c.b()));
+    }
+
+    private Amount amount(Properties p, String name, double otherwise) {
+        Optional<XmlElement> e = p.find(name);
+        if (e.isEmpty()) {
+            return Amount.of(otherwise);
+        }
+        Texture texture = textures.texture(e.get(), true);
+        return texture instanceof Texture.Solid s
+                ? Amount.of(share((s.color().linear().r()
+                                + s.color().linear().g()
+                                + s.color().linear().b())
+                        / 3))
+                : Amount.of(texture);
+    }
+
+    private static double share(double v) {
+        return StrictMath.min(StrictMath.max(v, 0), 1);
+    }
+}

@@ -85,9 +85,8 @@ final class DirectedLights {
         try {
             Optional<Texture.File> picture = picture(p);
             Rgb color = picture.isPresent() ? Rgb.WHITE : emissions.light(p, "irradiance", 1);
-            double aspect = picture.isPresent()
-                    ? DerivedPictures.aspect(picture.get().file())
-                    : 1;
+            double aspect =
+                    picture.isPresent() ? DerivedPictures.aspect(picture.get().file()) : 1;
             double halfWidth = SensorReader.halfWidth(p, aspect);
             // Ours has the picture's right where up × direction points.
             boolean isMirrored = up.cross(direction).dot(map.vector(Vec3.X)) > 0;

@@ -78,8 +78,7 @@ final class RoughnessReader {
         }
         String distribution = p.text("distribution", "beckmann").toLowerCase(Locale.ROOT);
         if (!distribution.equals("ggx")) {
-            scene.note(
-                    p.element(), "the distribution " + Plain.quoted(distribution) + " becomes ggx of equal alpha");
+            scene.note(p.element(), "the distribution " + Plain.quoted(distribution) + " becomes ggx of equal alpha");
         }
         p.ignore("sample_visible");
         return true;

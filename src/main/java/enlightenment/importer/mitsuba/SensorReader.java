@@ -105,8 +105,8 @@ final class SensorReader {
         double distance = p.number("focus_distance", p.number("far_clip", USUAL_FAR_CLIP));
         if (!(radius >= 0 && distance > 0 && radius / Lens.MOST_DISTANCES <= distance)) {
             throw p.element()
-                    .failure("must have a focus_distance above 0, and an aperture_radius of 0 to "
-                            + Lens.MOST_DISTANCES + " times that");
+                    .failure("must have a focus_distance above 0, and an aperture_radius of 0 to " + Lens.MOST_DISTANCES
+                            + " times that");
         }
         if (radius > 0 && camera instanceof Camera.Perspective perspective) {
             return perspective.withLens(Lens.round(radius, distance));

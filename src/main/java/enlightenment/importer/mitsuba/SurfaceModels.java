@@ -132,7 +132,12 @@ final class SurfaceModels {
         note(p, p.element().type() + " becomes a coat of index 1.5 over matte");
         p.ignore("specular_reflectance", "specular_sampling_weight");
         return new Material.Coated(
-                textures.reflectance(p, "diffuse_reflectance", 0.5), RoughnessReader.ofAlpha(alpha), 1.5, false, Rgb.BLACK, 0);
+                textures.reflectance(p, "diffuse_reflectance", 0.5),
+                RoughnessReader.ofAlpha(alpha),
+                1.5,
+                false,
+                Rgb.BLACK,
+                0);
     }
 
     private Material unknown(Properties p) {

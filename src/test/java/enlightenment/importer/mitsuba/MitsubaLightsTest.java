@@ -102,7 +102,7 @@ class MitsubaLightsTest {
     @Test
     void spotsWithImpossibleAnglesAreRefusedWithTheirLine() {
         SceneException e = Assertions.assertThrows(SceneException.class, () -> spot(30, 20));
-        assertTrue(e.getMessage().contains("beam_width") && e.getMessage().contains("line 2"), e.getMessage());
+        assertTrue(e.getMessage().contains("beam_width") && e.getMessage().contains("scene.xml:2:"), e.getMessage());
     }
 
     private Light.Projector projector(String inside) throws IOException {
@@ -154,7 +154,8 @@ class MitsubaLightsTest {
         ImportDraft draft = lens(number("aperture_radius", 0.25)
                 + number("focus_distance", 7)
                 + number("principal_point_offset_x", 0.1));
-        assertTrue(draft.notes().list().get(0).contains("pinhole"), draft.notes().list()::toString);
+        assertTrue(
+                draft.notes().list().get(0).contains("pinhole"), draft.notes().list()::toString);
     }
 
     @Test

@@ -21,8 +21,7 @@ record MitsubaScenes(Path folder) {
     }
 
     ImportDraft read(String version, String elements) throws IOException {
-        return read(
-                write("scene.xml", "<scene version=\"" + version + "\">\n" + elements + "\n</scene>\n"));
+        return read(write("scene.xml", "<scene version=\"" + version + "\">\n" + elements + "\n</scene>\n"));
     }
 
     private ImportDraft read(Path file) throws IOException {

@@ -30,7 +30,7 @@ import java.util.TreeSet;
  * of Mitsuba ({@code .xml}), of pbrt-v4 ({@code .pbrt}) and in glTF 2.0 ({@code .gltf}, {@code .glb}), and Eric Haines' NFF ({@code .nff}).
  *
  * <p>A file without a camera is seen from three quarters, a file without light stands in a studio: on a ground that catches its shadow, under a
- * soft light.
+ * soft light. That lights a file, too, whose lights are all left out; a note says so.
  *
  * <p>Files are not trusted: files that they name must lie in their folder or below it, and what is broken is refused with its place.
  */
@@ -116,6 +116,9 @@ public final class SceneImporter {
         Camera camera = draft.camera().orElseGet(studio::camera);
         if (!draft.isLit()) {
             studio.light(draft, isModel);
+            if (draft.leavesOutLights()) {
+                draft.notes().add("", "all lights of the file are left out: a soft light stands in for them");
+            }
         }
         SceneBuilder scene = Scene.builder()
                 .name(name)

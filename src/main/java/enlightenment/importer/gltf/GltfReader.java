@@ -102,6 +102,7 @@ public final class GltfReader {
     private void noteLosses() throws IOException {
         if (document.extensions().contains("EXT_lights_image_based")) {
             draft.notes().add("", "EXT_lights_image_based is left out");
+            draft.leaveOutLight();
         }
         if (document.size("animations") > 0) {
             draft.notes().add("animations", "they are left out: nodes stand where they stand at rest");

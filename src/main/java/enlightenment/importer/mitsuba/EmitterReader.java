@@ -40,6 +40,7 @@ final class EmitterReader {
             case "projector" -> directed.projector(p);
             default -> {
                 scene.note(e, e.described() + " is left out: there is no such light here");
+                scene.draft().leaveOutLight();
                 return;
             }
         }
@@ -75,6 +76,7 @@ final class EmitterReader {
                             new Texture.File(file, Texture.Filter.BILINEAR, encoding), Rgb.gray(scale), azimuth));
         } catch (IOException problem) {
             scene.note(e, "the picture around the scene is left out: " + problem.getMessage());
+            scene.draft().leaveOutLight();
         }
     }
 
@@ -84,6 +86,7 @@ final class EmitterReader {
         p.ignore("sun_aperture", "complex_sun", "sun_radius_scale", "stretch", "resolution");
         if (sun.maxAbs() == 0) {
             scene.note(e, e.described() + " is left out: only one with sun_direction can be read");
+            scene.draft().leaveOutLight();
             return;
         }
         Vec3 d = world.after(p.transform("to_world")).vector(sun).normalized();

@@ -79,7 +79,7 @@ final class Assembly {
             note(shape, "the opacity of what is not opaque is left out");
             return surface;
         }
-        UvChoice uv = new UvChoice(p.place(), draft.notes());
+        UvChoice uv = textures.uvChoice(p.place());
         if (surface.isTextured()) {
             uv.take(surface.uv());
         }

@@ -53,11 +53,12 @@ final class Directives {
         state = new GraphicsState(in.place());
         Spectra spectra = new Spectra(in);
         transformations = new Transformations(in, draft.notes());
-        textures = new Textures(in, spectra, draft.notes());
+        DerivedPictures pictures = new DerivedPictures(extracted);
+        textures = new Textures(in, spectra, draft.notes(), pictures);
         materials = new Materials(textures, spectra, draft.notes());
         media = new Media(spectra, draft.notes());
         shapes = new Shapes(in, draft.notes());
-        lights = new Lights(in, spectra, draft, extracted);
+        lights = new Lights(in, spectra, draft, extracted, pictures);
         lamps = new GlowingShapes(spectra, draft);
         views = new Views(draft.notes());
         draft.maxBounces(USUAL_DEPTH);

@@ -14,8 +14,6 @@ import enlightenment.scene.Background;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Locale;
-import java.util.Set;
 
 /**
  * Lights without a surface. As in pbrt-v4, an rgb is the light in these numbers, and any other spectrum has luminance 1; both are multiplied by
@@ -25,19 +23,19 @@ final class Lights {
     /** The widest square picture of all directions. */
     private static final int WIDEST = 1 << 13;
 
-    private static final Set<String> LEFT_OUT = Set.of("distant", "spot", "projection");
-
     private final TokenSource files;
     private final Spectra spectra;
     private final ImportDraft draft;
     private final ExtractedFiles extracted;
+    private final DirectedLights directed;
     private boolean hasSurroundings;
 
-    Lights(TokenSource files, Spectra spectra, ImportDraft draft, ExtractedFiles extracted) {
+    Lights(TokenSource files, Spectra spectra, ImportDraft draft, ExtractedFiles extracted, DerivedPictures pictures) {
         this.files = files;
         this.spectra = spectra;
         this.draft = draft;
         this.extracted = extracted;
+        directed = new DirectedLights(files, spectra, draft, pictures);
     }
 
     void add(String type, Parameters p, Affine toWorld, ColorSpace space) {
@@ -52,11 +50,18 @@ final class Lights {
             case "infinite":
                 infinite(p, toWorld, space);
                 break;
+            case "spot":
+                directed.spot(p, toWorld, space);
+                break;
+            case "projection":
+                directed.projection(p, toWorld);
+                break;
+            case "distant":
+                note(p, "a light of the kind \"distant\" is left out");
+                draft.leaveOutLight();
+                break;
             default:
-                if (!LEFT_OUT.contains(type)) {
-                    throw p.place().failure("pbrt-v4 has no light of the kind " + Plain.quoted(type));
-                }
-                note(p, "a light of the kind " + Plain.quoted(type) + " is left out");
+                throw p.place().failure("pbrt-v4 has no light of the kind " + Plain.quoted(type));
         }
     }
 
@@ -64,7 +69,7 @@ final class Lights {
         draft.notes().add(p.place().shown(), message);
     }
 
-    private static double scale(Parameters p) {
+    static double scale(Parameters p) {
         return Math.max(0, p.number("scale", 1));
     }
 
@@ -109,8 +114,7 @@ final class Lights {
                                 + " pixels; an infinite light needs a square picture by the equal-area map, of at most "
                                 + WIDEST + " x " + WIDEST);
             }
-            boolean isLight = file.toString().toLowerCase(Locale.ROOT).matches(".*\\.(exr|hdr|pfm)");
-            EqualAreaMap map = new EqualAreaMap(image, !isLight);
+            EqualAreaMap map = new EqualAreaMap(image, !DerivedPictures.isOfFloats(file));
             double given = map.illuminance();
             double factor = scale(p) * (illuminance > 0 && given > 0 ? illuminance / given : 1);
             Image turned = map.byLongitude(toWorld);

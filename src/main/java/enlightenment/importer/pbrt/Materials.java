@@ -93,7 +93,7 @@ final class Materials {
             throw place.failure("pbrt-v4 has no material of the kind " + Plain.quoted(source.type())
                     + "; files of pbrt-v3 are converted by \"pbrt --upgrade\"");
         }
-        UvChoice uv = new UvChoice(place, notes);
+        UvChoice uv = textures.uvChoice(place);
         Material material = maker.make(source, uv);
         material = relief(source, material, uv);
         return new Surface(material, uv.chosen(), source.type().equals("thindielectric"));
@@ -113,7 +113,7 @@ final class Materials {
         Surface second = resolve(MaterialSource.named(names.get(1), p.place()), depth + 1);
         ResolvedTexture amount = textures.number(p, "amount", 0.5);
         if (isMixable(first) && isMixable(second)) {
-            UvChoice uv = new UvChoice(p.place(), notes);
+            UvChoice uv = textures.uvChoice(p.place());
             if (first.isTextured()) {
                 uv.take(first.uv());
             }

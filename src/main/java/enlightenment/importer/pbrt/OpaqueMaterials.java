@@ -2,6 +2,7 @@ package enlightenment.importer.pbrt;
 
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
+import enlightenment.material.Amount;
 import enlightenment.material.Conductor;
 import enlightenment.material.Material;
 import enlightenment.material.Metal;
@@ -76,29 +77,30 @@ final class OpaqueMaterials {
                         p, "eta", Spectra.Kind.UNBOUNDED, source.space(), Rgb.gray(Material.Coated.USUAL_INDEX))
                 .g();
         double index = Math.min(Math.max(eta, 1), Material.Coated.LARGEST_INDEX);
-        return new Material.Coated(
-                reflectance(source, uv, USUAL_REFLECTANCE), roughness.of(p, ""), index, true, Rgb.BLACK, 0);
+        Texture base = reflectance(source, uv, USUAL_REFLECTANCE);
+        return new Material.Coated(base, roughness.amount(p, "", uv), index, true, Rgb.BLACK, 0);
     }
 
     private Material conductor(MaterialSource source, UvChoice uv, String prefix) {
         Parameters p = source.parameters();
-        double rough = roughness.of(p, prefix);
         if (p.has("reflectance")) {
             ResolvedTexture r = textures.color(p, "reflectance", source.space(), USUAL_REFLECTANCE);
-            if (r.isSolid()) {
-                return metal(ofReflectance(r.color()), rough);
+            if (!r.isSolid()) {
+                note(source, "a conductor whose reflectance is a texture reflects by Schlick's approximation");
+                Texture color = uv.color(r);
+                return new Material.Glossy(
+                        color, roughness.amount(p, prefix, uv), Optional.empty(), false, Rgb.BLACK, 0);
             }
-            note(source, "a conductor whose reflectance is a texture reflects by Schlick's approximation");
-            return new Material.Glossy(uv.color(r), rough, Optional.empty(), false, Rgb.BLACK);
+            return metal(ofReflectance(r.color()), roughness.amount(p, prefix, uv));
         }
         Conductor copper = Metal.COPPER.conductor();
         Rgb eta = spectra.rgb(p, prefix + "eta", Spectra.Kind.UNBOUNDED, source.space(), copper.eta());
         Rgb k = spectra.rgb(p, prefix + "k", Spectra.Kind.UNBOUNDED, source.space(), copper.k());
-        return metal(new Conductor(eta, k), rough);
+        return metal(new Conductor(eta, k), roughness.amount(p, prefix, uv));
     }
 
-    private static Material metal(Conductor conductor, double rough) {
-        return new Material.Glossy(Texture.of(Rgb.WHITE), rough, Optional.of(conductor), false, Rgb.BLACK);
+    private static Material metal(Conductor conductor, Amount rough) {
+        return new Material.Glossy(Texture.of(Rgb.WHITE), rough, Optional.of(conductor), false, Rgb.BLACK, 0);
     }
 
     /** As pbrt has it: eta is 1, and k such that the reflectance straight on is the given one. */

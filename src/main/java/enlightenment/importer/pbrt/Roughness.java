@@ -1,6 +1,7 @@
 package enlightenment.importer.pbrt;
 
 import enlightenment.importer.support.ImportNotes;
+import enlightenment.material.Amount;
 
 /** The roughness of microscopic facets: pbrt's parameters as one number of ours, the root of the parameter alpha of the distribution GGX. */
 final class Roughness {
@@ -15,17 +16,48 @@ final class Roughness {
         this.notes = notes;
     }
 
+    /**
+     * One that may depend on the place.
+     *
+     * @param prefix of the parameters' names, such as {@code "conductor."}
+     * @param uv where the map of texture coordinates is left
+     */
+    Amount amount(Parameters p, String prefix, UvChoice uv) {
+        String u = source(p, prefix, "u");
+        String v = source(p, prefix, "v");
+        if (!p.isTexture(u) || !p.isTexture(v) || !p.string(u, "").equals(p.string(v, ""))) {
+            return Amount.of(of(p, prefix));
+        }
+        ResolvedTexture t = textures.number(p, u, 0);
+        if (t.isSolid()) {
+            return Amount.of(of(p, prefix));
+        }
+        boolean isRemapped = p.isTrue("remaproughness", true);
+        String what = "roughness of " + (isRemapped ? "sqrt alpha" : "alpha");
+        return new Amount.Textured(uv.number(t, what, x -> ofAlpha(alpha(x, isRemapped))), Amount.Channel.RED, 1);
+    }
+
+    /** The parameter that has the roughness along a direction. */
+    private static String source(Parameters p, String prefix, String direction) {
+        String own = prefix + direction + "roughness";
+        return p.has(own) ? own : prefix + "roughness";
+    }
+
     /** @param prefix of the parameters' names, such as {@code "conductor."} */
     double of(Parameters p, String prefix) {
         double both = number(p, prefix + "roughness", 0);
-        double u = alpha(p, number(p, prefix + "uroughness", both));
-        double v = alpha(p, number(p, prefix + "vroughness", both));
+        boolean isRemapped = p.isTrue("remaproughness", true);
+        double u = alpha(number(p, prefix + "uroughness", both), isRemapped);
+        double v = alpha(number(p, prefix + "vroughness", both), isRemapped);
         if (u != v) {
             notes.add(
                     p.place().shown(),
                     "a surface that is rougher in one direction becomes one of the mean roughness, sqrt(alpha_u alpha_v)");
         }
-        double alpha = StrictMath.sqrt(u * v);
+        return ofAlpha(StrictMath.sqrt(u * v));
+    }
+
+    private static double ofAlpha(double alpha) {
         return alpha < SMOOTH ? 0 : StrictMath.sqrt(alpha);
     }
 
@@ -33,8 +65,8 @@ final class Roughness {
         return textures.mean(textures.number(p, name, usual), p.place(), "the roughness");
     }
 
-    private static double alpha(Parameters p, double roughness) {
+    private static double alpha(double roughness, boolean isRemapped) {
         double r = Math.min(Math.max(roughness, 0), 1);
-        return p.isTrue("remaproughness", true) ? StrictMath.sqrt(r) : r;
+        return isRemapped ? StrictMath.sqrt(r) : r;
     }
 }

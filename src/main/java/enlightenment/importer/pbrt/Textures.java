@@ -13,7 +13,6 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 
@@ -30,11 +29,13 @@ final class Textures {
     private final TokenSource files;
     private final Spectra spectra;
     private final ImportNotes notes;
+    private final DerivedPictures pictures;
 
-    Textures(TokenSource files, Spectra spectra, ImportNotes notes) {
+    Textures(TokenSource files, Spectra spectra, ImportNotes notes, DerivedPictures pictures) {
         this.files = files;
         this.spectra = spectra;
         this.notes = notes;
+        this.pictures = pictures;
     }
 
     /** Keeps a texture of colours or of numbers. */
@@ -160,12 +161,9 @@ final class Textures {
         Place place = p.place();
         Path file = files.file(p.string("filename", ""), place);
         String encoding = p.string("encoding", "sRGB");
-        boolean isLight = file.toString().toLowerCase(Locale.ROOT).matches(".*\\.(exr|hdr|pfm)");
+        boolean isLight = DerivedPictures.isOfFloats(file);
         if (!encoding.equals("sRGB") && !encoding.equals("linear")) {
             notes.add(place.shown(), "an image's encoding " + Plain.quoted(encoding) + " is taken for sRGB");
-        }
-        if (p.isTrue("invert", false)) {
-            notes.add(place.shown(), "an inverted image is not inverted");
         }
         if (!p.string("wrap", "repeat").equals("repeat")) {
             notes.add(place.shown(), "an image repeats beyond its edges, where it should be black or clamped");
@@ -173,8 +171,39 @@ final class Textures {
         Texture.Encoding e = isLight || encoding.equals("linear") ? Texture.Encoding.LINEAR : Texture.Encoding.SRGB;
         Texture.Filter filter =
                 p.string("filter", "bilinear").equals("point") ? Texture.Filter.NEAREST : Texture.Filter.BILINEAR;
-        return new ResolvedTexture(
-                new Texture.File(file, filter, e), Rgb.gray(Math.max(0, p.number("scale", 1))), uv(p));
+        double scale = Math.max(0, p.number("scale", 1));
+        Texture.File plain = new Texture.File(file, filter, e);
+        if (p.isTrue("invert", false)) {
+            Texture.File inverted =
+                    pictures.of(plain, "inverted after times " + scale, rgb -> invert(rgb, scale), place);
+            return new ResolvedTexture(inverted, Rgb.WHITE, uv(p));
+        }
+        return isLight ? bounded(plain, scale, p) : new ResolvedTexture(plain, Rgb.gray(scale), uv(p));
+    }
+
+    private static void invert(double[] rgb, double scale) {
+        for (int c = 0; c < 3; c++) {
+            rgb[c] = 1 - scale * rgb[c];
+        }
+    }
+
+    /** Floats as a picture of 0..1, which textures have, with its factor. */
+    private ResolvedTexture bounded(Texture.File floats, double scale, Parameters p) {
+        double largest = DerivedPictures.largest(pictures.linear(floats, p.place()), 1);
+        Texture.File numbers = pictures.of(
+                floats,
+                "of 0..1",
+                rgb -> {
+                    for (int c = 0; c < 3; c++) {
+                        rgb[c] /= largest;
+                    }
+                },
+                p.place());
+        return new ResolvedTexture(numbers, Rgb.gray(scale * largest), uv(p));
+    }
+
+    UvChoice uvChoice(Place place) {
+        return new UvChoice(place, notes, pictures);
     }
 
     private UvMap uv(Parameters p) {
@@ -209,7 +238,7 @@ final class Textures {
         return mean(t);
     }
 
-    private static double mean(Rgb c) {
+    static double mean(Rgb c) {
         return (c.r() + c.g() + c.b()) / 3;
     }
 

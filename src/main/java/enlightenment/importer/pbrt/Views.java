@@ -1,12 +1,16 @@
 package enlightenment.importer.pbrt;
 
 import enlightenment.camera.Camera;
+import enlightenment.camera.FieldOfViewAxis;
+import enlightenment.camera.Lens;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.importer.support.ImportView;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.text.Plain;
+import java.util.Optional;
 
 /** The camera and the film: which rays there are, and how bright they show. */
 final class Views {
@@ -14,6 +18,8 @@ final class Views {
     private static final int USUAL_HEIGHT = 720;
     private static final int LARGEST = 1 << 16;
     private static final double USUAL_FIELD = 90;
+
+    private static final double USUAL_FOCUS = 1e6;
 
     /** Of a camera whose lenses are not read: about that of a normal lens. */
     private static final double REALISTIC_FIELD = 40;
@@ -54,7 +60,7 @@ final class Views {
         Parameters c = camera == null ? new Parameters(start) : camera;
         int width = f.integer("xresolution", USUAL_WIDTH, 1, LARGEST);
         int height = f.integer("yresolution", USUAL_HEIGHT, 1, LARGEST);
-        double[] crop = crop(f, width, height);
+        double[] crop = type.equals("spherical") ? whole(f) : crop(f, width, height);
         int x0 = (int) StrictMath.ceil(width * crop[0]);
         int x1 = (int) StrictMath.ceil(width * crop[1]);
         int y0 = (int) StrictMath.ceil(height * crop[2]);
@@ -72,7 +78,15 @@ final class Views {
             mix(screen, 2, 1 - (double) y1 / height),
             mix(screen, 2, 1 - (double) y0 / height)
         };
-        draft.camera(placed(c, window));
+        draft.camera(placed(c, window, (double) (x1 - x0) / (y1 - y0)));
+    }
+
+    /** All of the picture: panoramas have no crop. */
+    private double[] whole(Parameters f) {
+        if (f.has("cropwindow") || f.has("pixelbounds")) {
+            notes.add(f.place().shown(), "the crop of a spherical camera is left out");
+        }
+        return new double[] {0, 1, 0, 1};
     }
 
     private static double mix(double[] screen, int first, double t) {
@@ -136,38 +150,82 @@ final class Views {
         }
     }
 
-    private Camera placed(Parameters c, double[] window) {
+    private Camera placed(Parameters c, double[] window, double aspect) {
         // The camera's coordinates: x to the right, y up, z along the view.
         ImportView view = ImportView.of(cameraToWorld(), Vec3.Z, Vec3.Y, Vec3.X);
-        double half = 1;
         switch (type) {
             case "perspective", "":
-                half = tangent(c, USUAL_FIELD);
-                if (c.number("lensradius", 0) > 0) {
-                    notes.add(c.place().shown(), "the blur of a lens is left out");
-                }
-                break;
+                return perspective(view, window, aspect, field(c), lens(c));
             case "realistic":
                 notes.add(c.place().shown(), "a realistic camera becomes a pinhole of 40 degrees");
-                half = StrictMath.tan(StrictMath.toRadians(REALISTIC_FIELD / 2));
-                break;
+                return perspective(view, window, aspect, REALISTIC_FIELD, Optional.empty());
             case "spherical":
-                notes.add(c.place().shown(), "a spherical camera becomes a perspective one of 90 degrees");
-                break;
+                return panorama(c);
             case "orthographic":
                 return orthographic(view, window);
             default:
                 throw c.place().failure("pbrt-v4 has no camera of the kind " + Plain.quoted(type));
         }
-        return view.window(half * window[0], half * window[1], half * window[2], half * window[3]);
     }
 
-    private static double tangent(Parameters c, double usual) {
-        double degrees = c.number("fov", usual);
+    /** @param degrees the angle of view of the screen from -1 to 1 */
+    private Camera perspective(ImportView view, double[] window, double aspect, double degrees, Optional<Lens> lens) {
+        double half = StrictMath.tan(StrictMath.toRadians(degrees / 2));
+        double right = window[1];
+        double top = window[3];
+        boolean isCentred = isEqual(-window[0], right) && isEqual(-window[2], top) && isEqual(right, aspect * top);
+        if (!isCentred) {
+            lens.ifPresent(l -> notes.add(
+                    camera.place().shown(),
+                    "the blur of a lens is left out, whose axis is not in the picture's middle"));
+            return view.window(half * window[0], half * right, half * window[2], half * top);
+        }
+        Camera.Perspective pinhole;
+        if (top == 1) {
+            pinhole = view.pinhole(degrees);
+        } else if (right == 1) {
+            pinhole = view.pinhole(degrees).withAxis(FieldOfViewAxis.HORIZONTAL);
+        } else {
+            pinhole = view.pinhole(StrictMath.toDegrees(2 * StrictMath.atan(half * top)));
+        }
+        return lens.<Camera>map(pinhole::withLens).orElse(pinhole);
+    }
+
+    /** Whether two numbers differ by no more than the rounding of the few operations that they come from. */
+    private static boolean isEqual(double a, double b) {
+        return Math.abs(a - b) <= 8 * Math.ulp(Math.max(Math.abs(a), Math.abs(b)));
+    }
+
+    /** The lens in units of the scene. */
+    private Optional<Lens> lens(Parameters c) {
+        double radius = cameraToWorld().vector(Vec3.X).length() * c.number("lensradius", 0);
+        if (!(radius > 0)) {
+            return Optional.empty();
+        }
+        double focus = cameraToWorld().vector(Vec3.Z).length() * c.positive("focaldistance", USUAL_FOCUS);
+        try {
+            return Optional.of(Lens.round(radius, focus));
+        } catch (InvalidValueException e) {
+            throw c.place().failure("the camera's lens: " + e.getMessage());
+        }
+    }
+
+    /** pbrt's equirectangular picture has -x in its middle, and -z to the right of that. */
+    private Camera panorama(Parameters c) {
+        String mapping = c.string("mapping", "equalarea");
+        if (!mapping.equals("equirectangular")) {
+            notes.add(c.place().shown(), "a spherical camera of equal areas becomes one by longitude and latitude");
+        }
+        return ImportView.of(cameraToWorld(), Vec3.X.negated(), Vec3.Y, Vec3.Z.negated())
+                .panorama();
+    }
+
+    private static double field(Parameters c) {
+        double degrees = c.number("fov", USUAL_FIELD);
         if (!(degrees > 0 && degrees < 180)) {
             throw c.place().failure("a field of view must be an angle between 0 and 180 degrees, not " + degrees);
         }
-        return StrictMath.tan(StrictMath.toRadians(degrees / 2));
+        return degrees;
     }
 
     private Camera orthographic(ImportView view, double[] window) {

@@ -40,6 +40,7 @@ public final class ImportDraft {
     private OptionalInt maxBounces = OptionalInt.empty();
     private Animation animation;
     private boolean upIsZ;
+    private boolean leavesOutLights;
 
     /** Nothing yet. */
     public ImportDraft() {}
@@ -98,6 +99,11 @@ public final class ImportDraft {
         lights.add(light);
     }
 
+    /** Says that the file has a light that this renderer has not; what became of it instead, if anything, is a note. */
+    public void leaveOutLight() {
+        leavesOutLights = true;
+    }
+
     /**
      * Adds an object.
      *
@@ -145,6 +151,11 @@ public final class ImportDraft {
         return hasBackground
                 || !lights.isEmpty()
                 || objects.stream().anyMatch(o -> !o.material().radiance().equals(Rgb.BLACK));
+    }
+
+    /** Whether lights of the file are left out. */
+    public boolean leavesOutLights() {
+        return leavesOutLights;
     }
 
     /** The exposure in stops. */

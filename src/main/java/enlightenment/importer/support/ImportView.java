@@ -73,6 +73,11 @@ public record ImportView(Vec3 eye, Vec3 forward, Vec3 up, Vec3 right) {
         return new Camera.Orthographic(Affine.exact(eye), Affine.exact(eye.plus(forward)), up, height, handedness());
     }
 
+    /** A camera of all directions, by longitude and latitude; the view is in the middle of its picture. */
+    public Camera.Panorama panorama() {
+        return new Camera.Panorama(Affine.exact(eye), Affine.exact(eye.plus(forward)), up, 0, handedness());
+    }
+
     private ExactPoint corner(Vec3 offset) {
         ExactPoint e = Affine.exact(eye);
         return new ExactPoint(

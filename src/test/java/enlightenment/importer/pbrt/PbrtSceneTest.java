@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
@@ -86,45 +85,6 @@ class PbrtSceneTest {
                 .object(Sphere.of(ExactPoint.of(1, 2, 3), 1), Material.Matte.of(Texture.of(new Rgb(0.5, 0.25, 0.125))))
                 .build();
         assertEquals(expected, scene);
-    }
-
-    @Test
-    void fieldOfViewIsThatOfTheSmallerSide() throws IOException {
-        assertEquals(4.0 / 3, aspectAndTangent(40, 30)[0], 1e-9);
-        assertEquals(StrictMath.tan(StrictMath.toRadians(30)), aspectAndTangent(40, 30)[1], 1e-9);
-        assertEquals(StrictMath.tan(StrictMath.toRadians(30)) * 4 / 3, aspectAndTangent(30, 40)[1], 1e-9);
-    }
-
-    /** Width over height, and the tangent of half of the vertical angle. */
-    private double[] aspectAndTangent(int width, int height) throws IOException {
-        Camera.Window w = (Camera.Window) read("LookAt 1 2 3 1 2 10 0 1 0\nCamera \"perspective\" \"float fov\" 60\n"
-                        + "Film \"rgb\" \"integer xresolution\" " + width + " \"integer yresolution\" " + height
-                        + "\nWorldBegin Shape \"sphere\"")
-                .scene()
-                .camera();
-        Vec3 up = w.lowerLeft().directionTo(w.upperLeft());
-        Vec3 right = w.lowerLeft().directionTo(w.lowerRight());
-        Vec3 middle = w.eye().directionTo(w.lowerLeft()).plus(up.times(0.5)).plus(right.times(0.5));
-        return new double[] {right.length() / up.length(), up.length() / 2 / middle.length()};
-    }
-
-    private Vec3 rightOfPicture(String text) throws IOException {
-        Camera.Window w = (Camera.Window) read(text + "\nCamera \"perspective\"\nWorldBegin Shape \"sphere\"")
-                .scene()
-                .camera();
-        return w.lowerLeft().directionTo(w.lowerRight()).normalized();
-    }
-
-    /** pbrt's camera looks along +z with +x to the right: a left-handed space. */
-    @Test
-    void theWorldIsLeftHanded() throws IOException {
-        assertNear(Vec3.X, rightOfPicture(""));
-        assertNear(Vec3.X, rightOfPicture("LookAt 0 0 -5 0 0 0 0 1 0"));
-    }
-
-    @Test
-    void aScaleBeforeLookAtMirrorsThePicture() throws IOException {
-        assertNear(Vec3.X.negated(), rightOfPicture("Scale -1 1 1 LookAt 0 0 -5 0 0 0 0 1 0"));
     }
 
     @Test
@@ -269,7 +229,7 @@ class PbrtSceneTest {
         Mix mix = (Mix) m;
         assertInstanceOf(Material.Matte.class, mix.first());
         assertInstanceOf(Material.Coated.class, mix.second());
-        assertEquals(Texture.of(Rgb.gray(0.25)), mix.weight());
+        assertEquals(Amount.of(0.25), mix.weight());
     }
 
     @Test
@@ -279,7 +239,7 @@ class PbrtSceneTest {
                 .objects()
                 .get(0)
                 .material();
-        assertEquals(Texture.of(Rgb.gray(0.25)), m.map());
+        assertEquals(Amount.of(0.25), m.map());
     }
 
     @Test

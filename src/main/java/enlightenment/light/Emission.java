@@ -25,7 +25,10 @@ public record Emission(Quantity quantity, Rgb value, double ultraviolet) {
         POWER,
 
         /** Intensity, W/sr: what a light without extent sends into each direction. */
-        INTENSITY;
+        INTENSITY,
+
+        /** Irradiance, W/m²: what a distant light sends to a surface perpendicular to its direction that nothing hides it from. */
+        IRRADIANCE;
 
         /** Its key in the scene format. */
         public String key() {
@@ -38,6 +41,9 @@ public record Emission(Quantity quantity, Rgb value, double ultraviolet) {
 
     /** Intensity 1. */
     public static final Emission INTENSITY_1 = intensity(Rgb.WHITE);
+
+    /** Irradiance 1. */
+    public static final Emission IRRADIANCE_1 = irradiance(Rgb.WHITE);
 
     /**
      * Checks that nothing is missing.
@@ -78,5 +84,10 @@ public record Emission(Quantity quantity, Rgb value, double ultraviolet) {
     /** This intensity. */
     public static Emission intensity(Rgb value) {
         return new Emission(Quantity.INTENSITY, value);
+    }
+
+    /** This irradiance. */
+    public static Emission irradiance(Rgb value) {
+        return new Emission(Quantity.IRRADIANCE, value);
     }
 }

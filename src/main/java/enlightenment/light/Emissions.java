@@ -17,6 +17,7 @@ final class Emissions {
                 emission.quantity() != Emission.Quantity.INTENSITY,
                 "intensity",
                 "belongs to point lights; a " + type + " light has \"radiance\" or \"power\"");
+        checkNear(type, "radiance", emission);
     }
 
     /** Of a light without extent. */
@@ -26,6 +27,29 @@ final class Emissions {
                 emission.quantity() != Emission.Quantity.RADIANCE,
                 "radiance",
                 "belongs to lights with a surface; a " + type + " light has \"intensity\" or \"power\"");
+        checkNear(type, "intensity", emission);
+    }
+
+    /** Of a light at infinity, whose disk has {@code perIrradiance} times the irradiance as its radiance. */
+    static void checkDistant(Color color, Emission emission, double perIrradiance) {
+        check(color, emission);
+        Check.that(
+                emission.quantity() == Emission.Quantity.IRRADIANCE,
+                emission.quantity().key(),
+                "belongs to other lights; a distant light has \"irradiance\"");
+        Check.that(emission.ultraviolet() == 0, "ultraviolet", "must be 0: a distant light gives visible light only");
+        Rgb emitted = color.linear().times(emission.value());
+        Check.that(
+                emitted.max() * perIrradiance <= Radiance.LARGEST,
+                "irradiance",
+                "is too much for a disk of this \"angle\": its radiance must be at most 1e100");
+    }
+
+    private static void checkNear(String type, String usual, Emission emission) {
+        Check.that(
+                emission.quantity() != Emission.Quantity.IRRADIANCE,
+                "irradiance",
+                "belongs to distant lights; a " + type + " light has \"" + usual + "\" or \"power\"");
     }
 
     private static void check(Color color, Emission emission) {

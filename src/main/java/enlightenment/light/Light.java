@@ -2,6 +2,7 @@ package enlightenment.light;
 
 import enlightenment.check.Check;
 import enlightenment.color.Color;
+import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.frame.Parallelograms;
 import enlightenment.material.Texture;
@@ -20,7 +21,7 @@ import java.util.Objects;
  * of range or a degenerate light, and {@link NullPointerException} for a missing value.
  */
 public sealed interface Light
-        permits Light.Sphere, Light.Rectangle, Light.Point, Light.Spot, Light.Projector, Light.Ies {
+        permits Light.Sphere, Light.Rectangle, Light.Point, Light.Spot, Light.Projector, Light.Ies, Light.Distant {
 
     /** The light's colour: in classic shading, what a viewer looking straight at it sees. */
     Color color();
@@ -38,7 +39,7 @@ public sealed interface Light
         return emission().ultraviolet();
     }
 
-    /** Whether it has a surface that is seen; the others shine from one point. */
+    /** Whether it has a surface; the others shine from one point, or from infinity. */
     default boolean hasSurface() {
         return true;
     }
@@ -51,7 +52,7 @@ public sealed interface Light
     /** The name of this kind of light in the scene format, such as {@code "sphere"}. */
     String type();
 
-    /** Points that give the light's position, at least one; the light lies within {@link #reach} of their convex hull. */
+    /** Points that give the light's position, none for a distant one; the light lies within {@link #reach} of their convex hull. */
     List<ExactPoint> anchors();
 
     /** How far the light reaches beyond the convex hull of its {@link #anchors}, at most: in scene units, at least 0. */
@@ -345,6 +346,71 @@ public sealed interface Light
         @Override
         public List<ExactPoint> anchors() {
             return List.of(position);
+        }
+
+        @Override
+        public double reach() {
+            return 0;
+        }
+    }
+
+    /**
+     * A disk at infinity of the same radiance all over, such as the sun's: seen where nothing hides it, and reflected. For physical shading.
+     *
+     * @param direction the direction in which its light travels, of any length
+     * @param angle the angle that the disk is seen under, from edge to edge, in degrees: {@link #LEAST_ANGLE}..{@link #GREATEST_ANGLE}. At
+     *     the least one the shadow of an edge a metre away is 0.2 mm wide
+     * @param color its colour
+     * @param emission irradiance on a surface perpendicular to {@code direction}; radiance = irradiance / (π sin² ({@code angle} / 2)). No
+     *     ultraviolet
+     */
+    record Distant(Vec3 direction, double angle, Color color, Emission emission) implements Light {
+        /** The least angle: paths still meet such a disk by chance, so that every method finds all of its light in the end. */
+        public static final double LEAST_ANGLE = 0.01;
+
+        /** The greatest angle: what is wider is for pictures of all directions. */
+        public static final double GREATEST_ANGLE = 20;
+
+        /** The sun's, seen from the earth. */
+        public static final double USUAL_ANGLE = 0.53;
+
+        /** Validates the components, as {@link Light} states. */
+        public Distant {
+            Objects.requireNonNull(direction, "direction");
+            Check.direction("direction", direction);
+            Check.that(
+                    angle >= LEAST_ANGLE && angle <= GREATEST_ANGLE,
+                    "angle",
+                    "must lie in " + LEAST_ANGLE + ".." + (int) GREATEST_ANGLE + " degrees, not " + angle);
+            Objects.requireNonNull(color, "color");
+            Objects.requireNonNull(emission, "emission");
+            double sine = StrictMath.sin(StrictMath.toRadians(angle / 2));
+            Emissions.checkDistant(color, emission, 1 / (Math.PI * sine * sine));
+        }
+
+        /** A disk as wide as the sun's, of this irradiance. */
+        public Distant(Vec3 direction, Rgb irradiance) {
+            this(direction, USUAL_ANGLE, DisplayRgb.WHITE, Emission.irradiance(irradiance));
+        }
+
+        @Override
+        public String type() {
+            return "distant";
+        }
+
+        @Override
+        public boolean hasSurface() {
+            return false;
+        }
+
+        @Override
+        public boolean isForClassicShading() {
+            return false;
+        }
+
+        @Override
+        public List<ExactPoint> anchors() {
+            return List.of();
         }
 
         @Override

@@ -1,5 +1,6 @@
 package enlightenment.scene;
 
+import enlightenment.light.Light;
 import enlightenment.material.Material;
 import java.util.EnumMap;
 import java.util.Map;
@@ -18,8 +19,8 @@ public enum LightFeature {
     /** Glass that refracts each wavelength in its own way. */
     DISPERSION("dispersion of glass"),
 
-    /** Light from a picture or a sky around the scene. */
-    SURROUNDINGS("light from a picture or a sky"),
+    /** Light from a picture or a sky around the scene, or from a distant light. */
+    SURROUNDINGS("light from a picture, a sky or a distant light"),
 
     /** Of any shading: things that move while the shutter is open. */
     MOTION("what moves while the shutter is open");
@@ -52,6 +53,11 @@ public enum LightFeature {
         }
         if (!(shading.background() instanceof Background.Constant)) {
             asked.put(SURROUNDINGS, "/shading/background");
+        }
+        for (int i = 0; i < scene.lights().size(); i++) {
+            if (scene.lights().get(i) instanceof Light.Distant) {
+                asked.putIfAbsent(SURROUNDINGS, "/lights/" + i);
+            }
         }
         // Neighbours mostly share their material.
         Material last = null;

@@ -54,6 +54,24 @@ public final class Sun {
         solidAngle = 2 * Math.PI * oneMinusCosine;
     }
 
+    /**
+     * The disk of a distant light.
+     *
+     * @param direction the direction in which its light travels, of any length but 0
+     * @param angle that it is seen under, from edge to edge, in degrees: above 0, below 180
+     * @param irradiance on a surface perpendicular to the direction
+     */
+    public static Sun distant(Vec3 direction, double angle, Rgb irradiance) {
+        double sine = StrictMath.sin(StrictMath.toRadians(angle / 2));
+        Vec3 toIt = Vec3.ZERO.minus(direction.normalized());
+        return new Sun(toIt, angle / 2, irradiance.times(Rgb.gray(1 / (Math.PI * sine * sine))));
+    }
+
+    /** The integral of its radiance over the solid angle, sum of the bands. */
+    public double power() {
+        return (r + g + b) * solidAngle;
+    }
+
     /** The same disk behind something that leaves this share of each band. */
     Sun filtered(Rgb share) {
         return new Sun(new Vec3(x, y, z), radius, share.times(new Rgb(r, g, b)));

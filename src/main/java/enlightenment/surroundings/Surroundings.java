@@ -4,12 +4,15 @@ import enlightenment.codec.RasterFiles;
 import enlightenment.color.Rgb;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Angles;
+import enlightenment.numeric.Scale;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
- * Light that comes from infinity, from each direction another: a picture of all directions, or a sky with its sun. The vertical is the y
- * axis; a turn of 0 around it is the direction of the z axis, a quarter that of the x axis. Immutable.
+ * Light that comes from infinity, from each direction another: a picture of all directions, a sky with its sun, or one radiance, and the
+ * disks of distant lights. The vertical is the y axis; a turn of 0 around it is the direction of the z axis, a quarter that of the x axis. Immutable.
  */
 public final class Surroundings {
     /** The size of the picture that a sky becomes: bilinear interpolation is off by less than a thousandth of the radiance. */
@@ -22,8 +25,10 @@ public final class Surroundings {
 
     private static final int POINTS = 4096;
 
-    /** The disk of the sun; null if there is none. It is no part of {@link #radiance}. */
-    public final Sun sun;
+    /** The disks of the sun and of distant lights. They are no part of {@link #radiance}; where they overlap their radiances add up. */
+    public final List<Sun> suns;
+
+    private final double powerOfSuns;
 
     private final DirectionMap map;
     private final DirectionTable table;
@@ -32,7 +37,7 @@ public final class Surroundings {
     private final double rotation;
 
     /** About how much light falls on surfaces that face along an axis: x, y, z, each up and down. */
-    private final double[] irradiance = new double[AXES];
+    private final double[] irradiance;
 
     /**
      * How the texels of a picture become radiance.
@@ -45,10 +50,29 @@ public final class Surroundings {
 
     private Surroundings(DirectionMap map, double degrees, Sun sun) throws IOException {
         this.map = map;
-        this.sun = sun;
+        suns = sun == null ? List.of() : List.of(sun);
+        powerOfSuns = power(suns);
         rotation = degrees / 360 - Math.floor(degrees / 360);
         table = new DirectionTable(map);
+        irradiance = new double[AXES];
         estimateIrradiance();
+    }
+
+    private Surroundings(Surroundings other, List<Sun> suns) {
+        map = other.map;
+        this.suns = List.copyOf(suns);
+        powerOfSuns = power(suns);
+        rotation = other.rotation;
+        table = other.table;
+        irradiance = other.irradiance;
+    }
+
+    private static double power(List<Sun> suns) {
+        double sum = 0;
+        for (Sun sun : suns) {
+            sum += sun.power();
+        }
+        return sum;
     }
 
     /**
@@ -97,6 +121,20 @@ public final class Surroundings {
         Sun sun =
                 hasSun ? new Sun(direction, Daylight.SUN_RADIUS, daylight.sun().times(scale)) : null;
         return of(() -> skyMap(daylight, height, ground, sun, scale), azimuth, sun);
+    }
+
+    /** The same radiance from everywhere, up to the rounding to floats. */
+    public static Surroundings constant(Rgb radiance) {
+        double unit = radiance.max() == 0 ? 1 : Math.scalb(1.0, Scale.exponent(radiance.max()));
+        float[] rgb = {(float) (radiance.r() / unit), (float) (radiance.g() / unit), (float) (radiance.b() / unit)};
+        return of(() -> new DirectionMap(1, 1, false, true, rgb, unit, Rgb.BLACK), 0, null);
+    }
+
+    /** These with more disks, after those there are. */
+    public Surroundings with(List<Sun> more) {
+        List<Sun> all = new ArrayList<>(suns);
+        all.addAll(more);
+        return new Surroundings(this, all);
     }
 
     /** A map that is computed, not read. */
@@ -172,30 +210,27 @@ public final class Surroundings {
      * @param share what is left, by band
      */
     public Surroundings filtered(Rgb share) {
-        return of(() -> map.filtered(share), 360 * rotation, sun == null ? null : sun.filtered(share));
+        return of(() -> map.filtered(share), 360 * rotation, null)
+                .with(suns.stream().map(sun -> sun.filtered(share)).toList());
     }
 
-    /** Whether nothing comes from anywhere, but for the sun. */
+    /** Whether nothing comes from anywhere, but for the suns. */
     public boolean isBlack() {
         return table.isBlack();
     }
 
-    /** The integral of radiance over all directions, in W/m² (relative), sum of the bands, the sun included. */
+    /** The integral of radiance over all directions, in W/m² (relative), sum of the bands, the suns included. */
     public double power() {
-        return table.total + ofSun();
+        return table.total + powerOfSuns;
     }
 
-    private double ofSun() {
-        return sun == null ? 0 : (sun.r + sun.g + sun.b) * sun.solidAngle;
-    }
-
-    /** The share of that which is the sun's. */
-    public double sunShare() {
-        return power() > 0 ? ofSun() / power() : 0;
+    /** The share of {@link #power} that comes from one of the {@link #suns}. */
+    public double share(Sun sun) {
+        return power() > 0 ? sun.power() / power() : 0;
     }
 
     /**
-     * Looks up the radiance that comes from where a unit vector leads to, without the sun.
+     * Looks up the radiance that comes from where a unit vector leads to, without the suns.
      *
      * @param rgb receives it, by band
      */
@@ -203,13 +238,15 @@ public final class Surroundings {
         map.radiance(turn(dx, dz), angle(dx, dy, dz), dy < 0, rgb);
     }
 
-    /** The same with the sun. */
+    /** As {@link #radiance}, with the suns. */
     public void all(double dx, double dy, double dz, double[] rgb) {
         radiance(dx, dy, dz, rgb);
-        if (sun != null && sun.contains(dx, dy, dz)) {
-            rgb[0] += sun.r;
-            rgb[1] += sun.g;
-            rgb[2] += sun.b;
+        for (Sun sun : suns) {
+            if (sun.contains(dx, dy, dz)) {
+                rgb[0] += sun.r;
+                rgb[1] += sun.g;
+                rgb[2] += sun.b;
+            }
         }
     }
 
@@ -219,7 +256,7 @@ public final class Surroundings {
     }
 
     /**
-     * Samples a direction approximately proportionally to radiance (sum of the bands), without the sun. Not if {@link #isBlack}.
+     * Samples a direction approximately proportionally to radiance (sum of the bands), without the suns. Not if {@link #isBlack}.
      *
      * @param u uniform in [0, 1)
      * @param v uniform in [0, 1), independent of u
@@ -246,7 +283,7 @@ public final class Surroundings {
     }
 
     /**
-     * About how much light falls on a surface if nothing hides any, without the sun: the sum of all bands. Greater than 0 wherever any may
+     * About how much light falls on a surface if nothing hides any, without the suns: the sum of all bands. Greater than 0 wherever any may
      * fall.
      *
      * @param nx its unit normal; (0, 0, 0) for a surface that takes light from both sides

@@ -36,7 +36,7 @@ final class PhysicalFeatures {
         boolean isPlain = scene.surroundings == null;
         String around = isPlain ? "constant surroundings" : "surroundings, sampled by what comes from each direction";
         add(hasBackground || !isPlain, around, "surroundings");
-        add(!isPlain && scene.surroundings.sun != null, "the sun's disk, sampled", "the sun's disk");
+        add(!isPlain && !scene.surroundings.suns.isEmpty(), "disks of suns, sampled", "disks of suns");
         add(any(surfaces, m -> !m.isGlass && m.isDelta), "mirrors", "mirrors");
         add(any(surfaces, m -> m.isGlass), "refraction by Fresnel's equations, nested media", "refraction");
         add(any(surfaces, m -> !m.isDelta && !m.isBlack && m.bsdf != Lambert.INSTANCE), "rough lobes", "rough lobes");

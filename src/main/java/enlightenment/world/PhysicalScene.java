@@ -53,7 +53,7 @@ public final class PhysicalScene {
     public final double backgroundG;
     public final double backgroundB;
 
-    /** Light from infinity that is not the same from everywhere: then that which is the same is 0; else null. */
+    /** Light from infinity that is not the same from everywhere, all of it: then {@link #backgroundR} and its like are 0; else null. */
     public final Surroundings surroundings;
 
     /** The most scattering events of a path. */
@@ -131,9 +131,10 @@ public final class PhysicalScene {
                 ? surroundings
                 : clear.max() > 0 ? surroundings.filtered(clear) : null;
         Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
-        backgroundR = background.r();
-        backgroundG = background.g();
-        backgroundB = background.b();
+        boolean isConstant = this.surroundings == null;
+        backgroundR = isConstant ? background.r() : 0;
+        backgroundG = isConstant ? background.g() : 0;
+        backgroundB = isConstant ? background.b() : 0;
         maxBounces = shading.maxBounces().orElse(Integer.MAX_VALUE);
         boolean fluoresces = compiled.materials().any(m -> m.reradiation != null);
         hasUltraviolet = fluoresces && LightBands.haveUltraviolet(compiled.materials(), points);
@@ -183,8 +184,8 @@ public final class PhysicalScene {
         lightOfFace = ofFaces.stream().mapToInt(i -> i).toArray();
         LightMedia.find(lights, compiled, accelerator, poll);
         lightsLieInGlass = hasScattering && Arrays.stream(lights).anyMatch(l -> l.mediaAround().length > 0);
-        Sun sun = this.surroundings == null ? null : this.surroundings.sun;
-        caustics = CausticPass.of(lights, sun, visibleOfUltraviolet, compiled, maxBounces);
+        Sun[] suns = isConstant ? new Sun[0] : this.surroundings.suns.toArray(new Sun[0]);
+        caustics = CausticPass.of(lights, suns, visibleOfUltraviolet, compiled, maxBounces);
         picker = picker(lights, poll);
         lightOfBands = fluoresces ? LightBands.typical(lights, background) : null;
     }

@@ -19,6 +19,7 @@ import enlightenment.world.contact.CoincidentSurfaces;
 import enlightenment.world.contact.GlassBoxes;
 import enlightenment.world.contact.TouchedBoxes;
 import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.CompiledSurroundings;
 import enlightenment.world.light.GlowingObjects;
 import enlightenment.world.light.LightBody;
 import enlightenment.world.light.LightImage;
@@ -128,7 +129,8 @@ final class ScenePasses {
 
     private void makeLights() {
         if (scene.shading() instanceof PhysicalShading shading) {
-            Surroundings around = images.around(shading.background());
+            Surroundings around = CompiledSurroundings.withDistantLights(
+                    images.around(shading.background()), shading.background(), scene.lights());
             physical = new PhysicalScene(
                     shading, frame, around, compiled, accelerator, glowing.points, camera.startBounds(), poll);
         } else {

@@ -183,7 +183,7 @@ class SurroundingsTest {
         double sum = 0;
         double most = 0;
         int n = 100_000;
-        double total = s.power() * (1 - s.sunShare());
+        double total = s.power() - s.suns.stream().mapToDouble(Sun::power).sum();
         for (int i = 0; i < n; i++) {
             double density = s.sample(random.nextDouble(), random.nextDouble(), d);
             s.radiance(d[0], d[1], d[2], rgb);
@@ -198,7 +198,7 @@ class SurroundingsTest {
 
     @Test
     void theSunIsADiskOfItsSizeWhereItIsSaidToBe() {
-        Sun sun = sky(35, 40, true).sun;
+        Sun sun = sky(35, 40, true).suns.get(0);
         assertEquals(Math.sin(Math.toRadians(35)), sun.y, 1e-15);
         assertEquals(Math.tan(Math.toRadians(40)), sun.x / sun.z, 1e-12);
         double radius = Math.toRadians(0.265);
@@ -240,7 +240,7 @@ class SurroundingsTest {
         double sine = Math.sin(Math.toRadians(0.265));
         double direct = Math.PI * sine * sine * Math.sin(Math.toRadians(50));
         s.radiance(0.6, -0.8, 0, rgb);
-        double[] sun = {s.sun.r, s.sun.g, s.sun.b};
+        double[] sun = {s.suns.get(0).r, s.suns.get(0).g, s.suns.get(0).b};
         for (int c = 0; c < 3; c++) {
             assertEquals(0.2 / Math.PI * (falls[c] + direct * sun[c]), rgb[c], 2e-3 * rgb[c]);
         }
@@ -258,7 +258,7 @@ class SurroundingsTest {
             double[] d = unit(random);
             if (d[1] > 0.006) {
                 s.radiance(d[0], d[1], d[2], a);
-                model.sky(d[1], d[0] * s.sun.x + d[1] * s.sun.y + d[2] * s.sun.z, b);
+                model.sky(d[1], d[0] * s.suns.get(0).x + d[1] * s.suns.get(0).y + d[2] * s.suns.get(0).z, b);
                 for (int c = 0; c < 3; c++) {
                     assertEquals(b[c], a[c], 1e-3 * b[1]);
                 }

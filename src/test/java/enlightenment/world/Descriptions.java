@@ -98,7 +98,8 @@ public final class Descriptions {
                             new Vec3(0, 0, -2),
                             30,
                             DisplayRgb.WHITE,
-                            Emission.INTENSITY_1)));
+                            Emission.INTENSITY_1),
+                    new Light.Distant(new Vec3(0, 0, -2), 2, DisplayRgb.WHITE, Emission.IRRADIANCE_1)));
 
     /** Cameras that look at (0, 0, 4). */
     public static final List<Camera> CAMERAS = all(

@@ -18,6 +18,8 @@ import java.util.Map;
 
 /** The lights. */
 final class Lights {
+    private static final String NOT_OF_DISTANT = "belongs to other lights; a distant light has \"irradiance\"";
+
     static final Family<Light> FAMILY = new Family<Light>(
                     "light", "a light", null, Map.of(), Lights::read, Lights::write)
             .with(
@@ -45,7 +47,15 @@ final class Lights {
                     "ies",
                     Light.Ies.class,
                     "position file color | direction rotation intensity power ultraviolet",
-                    notOfPoints("ies"));
+                    notOfPoints("ies"))
+            .with(
+                    "distant",
+                    Light.Distant.class,
+                    "direction | color angle irradiance",
+                    Map.of(
+                            "radiance", NOT_OF_DISTANT,
+                            "intensity", NOT_OF_DISTANT,
+                            "power", NOT_OF_DISTANT));
 
     /** The direction of lights that have none. */
     private static final Vec3 DOWN = Vec3.of(0, -1, 0);
@@ -96,6 +106,7 @@ final class Lights {
             case "spot" -> spot(f);
             case "projector" -> projector(f);
             case "ies" -> ies(f);
+            case "distant" -> distant(f);
             default -> throw Family.unknown(type);
         };
     }
@@ -134,6 +145,11 @@ final class Lights {
                     .numberUnless(0, "rotation", q.rotation())
                     .color("color", q.color());
             write(q.emission(), Emission.INTENSITY_1, p);
+        } else if (value instanceof Light.Distant q) {
+            p.vector("direction", q.direction())
+                    .colorUnless(DisplayRgb.WHITE, "color", q.color())
+                    .numberUnless(Light.Distant.USUAL_ANGLE, "angle", q.angle());
+            write(q.emission(), Emission.IRRADIANCE_1, p);
         } else {
             throw Family.unknown(value);
         }
@@ -214,6 +230,14 @@ final class Lights {
         Color color = color(f);
         Emission emission = emission(f, Emission.INTENSITY_1);
         return f.make(() -> new Light.Ies(position, file, direction, rotation, color, emission));
+    }
+
+    private static Light distant(Fields f) {
+        Vec3 direction = f.direction("direction", DOWN);
+        double angle = f.number("angle", Light.Distant.USUAL_ANGLE);
+        Color color = color(f);
+        Emission emission = new Emission(Emission.Quantity.IRRADIANCE, f.bands("irradiance", Rgb.WHITE));
+        return f.make(() -> new Light.Distant(direction, angle, color, emission));
     }
 
     private static void checkTable(Fields f, Path file, String written) {

@@ -14,13 +14,21 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * The light that reaches a vertex of a path from a picture of all directions, or from a sky and its sun; and the weight of such light that
- * the path runs into after it. Picture or sky and the sun are two lights: the first vertex takes both, later ones choose one by what falls
- * there if nothing hides any. One per thread, and only for scenes with such surroundings.
+ * The light that reaches a vertex of a path from a picture of all directions or a sky, and from suns; and the weight of such light that
+ * the path runs into after it. Picture or sky is one light, each sun another: the first vertex samples all of them if there are at most
+ * {@value #ALL_AT_FIRST} suns, later ones choose one by what falls there if nothing hides any. One per thread, and only for scenes with
+ * such surroundings.
  */
 public final class InfiniteLight {
+    private static final int ALL_AT_FIRST = 4;
+
     private final Surroundings around;
-    private final Sun sun;
+    private final Sun[] suns;
+
+    /** By sun: the probability that the last vertex chose it, if it chose; and that of the rest. */
+    private final double[] shares;
+
+    private double shareOfSky;
     private final RayCounters counters;
     private final DistantRays rays;
     private final PathFollower path;
@@ -38,11 +46,11 @@ public final class InfiniteLight {
     private double ny;
     private double nz;
 
-    /** Whether it took light from sun and sky, rather than from one that was chosen. */
-    private boolean tookBoth;
+    /** Whether it took light from suns and sky, rather than from one that was chosen. */
+    private boolean tookAll;
 
-    /** Whether the sun is left out, as paths from there find its light. */
-    private boolean leavesSun;
+    /** Whether suns are left out, as paths from there find their light. */
+    private boolean leavesSuns;
 
     /** The tint of what passes, at a rough border; null elsewhere. */
     private double[] through;
@@ -55,7 +63,8 @@ public final class InfiniteLight {
 
     private InfiniteLight(CompiledScene scene, RayCounters counters, PathFollower path) {
         around = scene.physical.surroundings;
-        sun = around.sun;
+        suns = around.suns.toArray(new Sun[0]);
+        shares = new double[suns.length];
         firstIndex = scene.physical.lights.length + 1;
         this.counters = counters;
         this.path = path;
@@ -83,7 +92,7 @@ public final class InfiniteLight {
      *
      * @param tint of what passes, at a rough border of two media: then light is gathered on both sides; null elsewhere
      * @param isFirst whether the path came here from the eye by delta events only
-     * @param leaves whether the sun is left to the pass of caustics
+     * @param leaves whether suns are left to the pass of caustics
      */
     public void gather(
             Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst, boolean leaves) {
@@ -91,48 +100,59 @@ public final class InfiniteLight {
         ny = tint == null ? path.at.ny : 0;
         nz = tint == null ? path.at.nz : 0;
         through = tint;
-        leavesSun = leaves;
-        tookBoth = isFirst || sun == null || leavesSun;
+        leavesSuns = leaves;
+        tookAll = isFirst && suns.length <= ALL_AT_FIRST || suns.length == 0 || leavesSuns;
         red = 0;
         green = 0;
         blue = 0;
-        boolean toSun = sun != null && !leavesSun;
-        boolean toSky = !around.isBlack();
-        if (!tookBoth) {
-            toSun = sampler.unit(address, Sampler.Purpose.LIGHT) < sunShare();
-            toSky &= !toSun;
+        int chosen = tookAll ? -1 : choose(sampler.unit(address, Sampler.Purpose.LIGHT));
+        for (int i = 0; i < suns.length && !leavesSuns; i++) {
+            if (tookAll || i == chosen) {
+                Sun sun = suns[i];
+                sampler.lightPoints(firstIndex + i, address, 1);
+                sun.sample(sampler.lightX(0), sampler.lightY(0), direction);
+                rgb[0] = sun.r;
+                rgb[1] = sun.g;
+                rgb[2] = sun.b;
+                add(bsdf, s, probabilityOf(i) * sun.density());
+            }
         }
-        if (toSun) {
-            sampler.lightPoints(firstIndex, address, 1);
-            sun.sample(sampler.lightX(0), sampler.lightY(0), direction);
-            rgb[0] = sun.r;
-            rgb[1] = sun.g;
-            rgb[2] = sun.b;
-            add(bsdf, s, probabilityOfSun() * sun.density());
-        }
-        if (toSky) {
-            sampler.lightPoints(firstIndex + 1, address, 1);
+        if (!around.isBlack() && (tookAll || chosen == suns.length)) {
+            sampler.lightPoints(firstIndex + Math.max(suns.length, 1), address, 1);
             double density = around.sample(sampler.lightX(0), sampler.lightY(0), direction);
             around.radiance(direction[0], direction[1], direction[2], rgb);
             add(bsdf, s, probabilityOfSky() * density);
         }
     }
 
-    /** The probability that the vertex chooses the sun, where it chooses. */
-    private double sunShare() {
+    /** The sun that a number in [0, 1) chooses at the vertex, or the rest, which is after the last; keeps the probabilities. */
+    private int choose(double number) {
         boolean isBorder = nx == 0 && ny == 0 && nz == 0;
-        double cosine = isBorder ? 1 : nx * sun.x + ny * sun.y + nz * sun.z + sun.sine;
-        double ofSun = (sun.r + sun.g + sun.b) * sun.irradiance(Math.max(Math.min(cosine, 1), 0));
-        double all = ofSun + around.irradiance(nx, ny, nz);
-        return all > 0 ? ofSun / all : 0;
+        double all = 0;
+        for (int i = 0; i < suns.length; i++) {
+            Sun sun = suns[i];
+            double cosine = isBorder ? 1 : nx * sun.x + ny * sun.y + nz * sun.z + sun.sine;
+            shares[i] = (sun.r + sun.g + sun.b) * sun.irradiance(Math.max(Math.min(cosine, 1), 0));
+            all += shares[i];
+        }
+        all += around.irradiance(nx, ny, nz);
+        int chosen = suns.length;
+        double below = 0;
+        for (int i = 0; i < suns.length; i++) {
+            shares[i] = all > 0 ? shares[i] / all : 0;
+            below += shares[i];
+            chosen = chosen == suns.length && number < below ? i : chosen;
+        }
+        shareOfSky = 1 - below;
+        return chosen;
     }
 
-    private double probabilityOfSun() {
-        return tookBoth ? 1 : sunShare();
+    private double probabilityOf(int sun) {
+        return tookAll ? 1 : shares[sun];
     }
 
     private double probabilityOfSky() {
-        return tookBoth ? 1 : 1 - sunShare();
+        return tookAll ? 1 : shareOfSky;
     }
 
     private void add(Bsdf bsdf, Scattering s, double density) {
@@ -161,9 +181,9 @@ public final class InfiniteLight {
      * What comes to the path from where its ray leads to, beyond everything.
      *
      * @param pdf the density per solid angle with which the path left its last vertex, if light was gathered there; else 0
-     * @param countsSun whether the sun's disk counts if light was not gathered
+     * @param countsSuns whether the disks of suns count if light was not gathered
      */
-    public void arrive(Ray ray, double pdf, boolean countsSun) {
+    public void arrive(Ray ray, double pdf, boolean countsSuns) {
         boolean isWeighted = pdf > 0;
         double scale = 1 / Math.sqrt(ray.dd);
         double dx = ray.dx * scale;
@@ -177,14 +197,17 @@ public final class InfiniteLight {
         red = weight * rgb[0];
         green = weight * rgb[1];
         blue = weight * rgb[2];
-        if (sun != null && sun.contains(dx, dy, dz)) {
-            double ofSun = countsSun ? 1 : 0;
-            if (isWeighted) {
-                ofSun = leavesSun ? 0 : PowerHeuristic.weight(probabilityOfSun() * sun.density(), pdf);
+        for (int i = 0; i < suns.length; i++) {
+            Sun sun = suns[i];
+            if (sun.contains(dx, dy, dz)) {
+                double ofSun = countsSuns ? 1 : 0;
+                if (isWeighted) {
+                    ofSun = leavesSuns ? 0 : PowerHeuristic.weight(probabilityOf(i) * sun.density(), pdf);
+                }
+                red = Math.fma(ofSun, sun.r, red);
+                green = Math.fma(ofSun, sun.g, green);
+                blue = Math.fma(ofSun, sun.b, blue);
             }
-            red = Math.fma(ofSun, sun.r, red);
-            green = Math.fma(ofSun, sun.g, green);
-            blue = Math.fma(ofSun, sun.b, blue);
         }
     }
 }

@@ -179,13 +179,13 @@ public final class NextEventEstimation implements PathStrategy {
     /**
      * Sets the light to what comes from where the path leads to, beyond everything.
      *
-     * @param countsSun whether the sun's disk counts if direct light was not sampled at the last vertex
+     * @param countsSuns whether the disks of suns count if direct light was not sampled at the last vertex
      */
-    public void escape(Ray ray, PathState state, boolean countsSun) {
+    public void escape(Ray ray, PathState state, boolean countsSuns) {
         if (infinite == null) {
             gathered.set(physical.backgroundR, physical.backgroundG, physical.backgroundB);
         } else {
-            infinite.arrive(ray, state.hasDirect ? state.pdf : 0, countsSun);
+            infinite.arrive(ray, state.hasDirect ? state.pdf : 0, countsSuns);
             gathered.set(infinite.red, infinite.green, infinite.blue);
         }
     }
@@ -364,7 +364,7 @@ public final class NextEventEstimation implements PathStrategy {
         }
     }
 
-    /** Whether a light is left out; the sun is after the last one. */
+    /** Whether a light is left out; the suns, all alike, are after the last one. */
     private boolean leaves(int light) {
         return leavesSmall && physical.caustics.takesNarrow(light);
     }

@@ -38,7 +38,7 @@ public final class CausticSource extends PathSource {
 
     @Override
     protected EndFaces faces() {
-        return light == pass.lights.length ? null : pass.lights[light].lyingOn();
+        return light >= pass.lights.length ? null : pass.lights[light].lyingOn();
     }
 
     /** Takes one number for the pair, two for the point on the light, two for the direction, one for the side. */
@@ -47,7 +47,7 @@ public final class CausticSource extends PathSource {
         int pair = pass.choose(numbers[0]);
         light = pair / pass.things;
         int thing = pair % pass.things;
-        if (light == pass.lights.length) {
+        if (light >= pass.lights.length) {
             return fromSun(thing, numbers, ray);
         }
         PhysicalLight l = pass.lights[light];
@@ -69,9 +69,9 @@ public final class CausticSource extends PathSource {
         return weight > 0 && weight < Double.POSITIVE_INFINITY;
     }
 
-    /** A direction to the sun's disk, and a point of the disk across it that the thing's ball fills. */
+    /** A direction to the disk of a sun, and a point of the disk across it that the thing's ball fills. */
     private boolean fromSun(int thing, double[] numbers, Ray ray) {
-        Sun sun = pass.sun;
+        Sun sun = pass.suns[light - pass.lights.length];
         sun.sample(numbers[3], numbers[4], direction);
         dx = -direction[0];
         dy = -direction[1];

@@ -135,16 +135,22 @@ public final class LightSource extends PathSource {
         direct(0, 0, 1, disk[0] * spread, disk[1] * spread, 1 - 2 * disk[2]);
     }
 
-    /** From the sun or from the rest, by the power of each; and what it weighs. */
+    /** From one of the suns or from the rest, by the power of each; and what it weighs. */
     private void fromSurroundings(Surroundings around, double[] numbers) {
-        double ofSun = around.sunShare();
-        if (numbers[1] < ofSun) {
-            Sun sun = around.sun;
-            sun.sample(numbers[4], numbers[5], direction);
-            directionDensity = ofSun * sun.density();
-            weighEvenly(sun.r, sun.g, sun.b, 0);
+        Sun chosen = null;
+        double below = 0;
+        for (Sun sun : around.suns) {
+            boolean isNext = numbers[1] >= below;
+            below += around.share(sun);
+            chosen = isNext && sun.power() > 0 ? sun : chosen;
+        }
+        // Where there is nothing but suns, the sum of their shares may be a rounding error below 1.
+        if (chosen != null && (numbers[1] < below || around.isBlack())) {
+            chosen.sample(numbers[4], numbers[5], direction);
+            directionDensity = around.share(chosen) * chosen.density();
+            weighEvenly(chosen.r, chosen.g, chosen.b, 0);
         } else {
-            directionDensity = (1 - ofSun) * around.sample(numbers[4], numbers[5], direction);
+            directionDensity = (1 - below) * around.sample(numbers[4], numbers[5], direction);
             around.radiance(direction[0], direction[1], direction[2], radiance);
             weighEvenly(radiance[0], radiance[1], radiance[2], 0);
         }

@@ -71,8 +71,8 @@ public final class RefractingMedia {
                 return true;
             }
         }
-        boolean hasSun = physical.surroundings != null && physical.surroundings.sun != null;
-        return hasSun && physical.surroundings.sun.solidAngle < SMALL * 2 * Math.PI;
+        return physical.surroundings != null
+                && physical.surroundings.suns.stream().anyMatch(sun -> sun.solidAngle < SMALL * 2 * Math.PI);
     }
 
     /** The share of a hemisphere that a ball fills whose radius is this much of its distance: 1 - cos. */

@@ -50,17 +50,18 @@ public final class CausticPass {
     private final double[] cumulative;
 
     private final double ofUltraviolet;
-    /** The disk of the sun, the light after the last; null if there is none. */
-    public final Sun sun;
 
-    /** Centre and radius of a ball around all surfaces, which the sun's light goes through. */
+    /** The disks of suns, the lights after the last. */
+    public final Sun[] suns;
+
+    /** Centre and radius of a ball around all surfaces, which light of suns goes through. */
     public final Vec3 center;
 
     public final double radius;
 
     private double brightest;
 
-    /** By light, the sun after the last: whether it is taken where a narrow lobe is the first to scatter its light. */
+    /** By light, then by sun: whether it is taken where a narrow lobe is the first to scatter its light. */
     private final boolean[] isSmall;
 
     private final boolean hasSmallLights;
@@ -70,15 +71,15 @@ public final class CausticPass {
 
     private CausticPass(
             PhysicalLight[] lights,
-            Sun sun,
+            Sun[] suns,
             double ofUltraviolet,
             SpecularThings balls,
             boolean[] isSmall,
             CompiledPrimitives compiled) {
-        hasSmallLights = SmallLights.areThere(SmallLights.of(lights, sun, balls));
+        hasSmallLights = SmallLights.areThere(SmallLights.of(lights, suns, balls));
         this.lights = lights;
         this.isSmall = isSmall;
-        this.sun = sun;
+        this.suns = suns;
         this.ofUltraviolet = ofUltraviolet;
         SceneBall around = SceneBall.around(compiled.primitives());
         center = around.center();
@@ -92,20 +93,19 @@ public final class CausticPass {
         for (PhysicalLight light : lights) {
             brightest = Math.max(brightest, brightness(light));
         }
-        if (sun != null) {
+        for (Sun sun : suns) {
             brightest = Math.max(brightest, sun.max());
         }
         isBeam = new boolean[n];
         shinesBothWays = new boolean[n];
-        int pairs = (sun == null ? n : n + 1) * things;
+        int pairs = (n + suns.length) * things;
         probability = new double[pairs];
         cumulative = new double[pairs];
         for (int l = 0; l < n; l++) {
             prepare(l);
         }
-        for (int s = 0; sun != null && s < things && brightest > 0; s++) {
-            probability[n * things + s] =
-                    sun.max() / brightest * sun.solidAngle * Math.PI * ballRadius[s] * ballRadius[s];
+        for (int i = 0; i < suns.length && brightest > 0; i++) {
+            prepareSun(i);
         }
         for (int pair = 0; pair < probability.length; pair++) {
             if (!balls.isSharp[pair % things] && !isSmall[pair / things]) {
@@ -135,18 +135,18 @@ public final class CausticPass {
      * @param ofUltraviolet how much of ultraviolet light is seen
      */
     public static CausticPass of(
-            PhysicalLight[] lights, Sun sun, double ofUltraviolet, CompiledPrimitives compiled, int maxBounces) {
-        int n = sun == null ? lights.length : lights.length + 1;
+            PhysicalLight[] lights, Sun[] suns, double ofUltraviolet, CompiledPrimitives compiled, int maxBounces) {
+        int n = lights.length + suns.length;
         if (n == 0 || maxBounces < LEAST_BOUNCES) {
             return null;
         }
         int most = Math.max(Math.min(MOST_THINGS, MOST_PAIRS / n), 1);
-        boolean[] isSmall = SmallLights.of(lights, sun, SpecularThings.of(compiled, most, false, true));
+        boolean[] isSmall = SmallLights.of(lights, suns, SpecularThings.of(compiled, most, false, true));
         SpecularThings balls = SpecularThings.of(compiled, most, true, SmallLights.areThere(isSmall));
         if (balls.count() == 0) {
             return null;
         }
-        CausticPass pass = new CausticPass(lights, sun, ofUltraviolet, balls, isSmall, compiled);
+        CausticPass pass = new CausticPass(lights, suns, ofUltraviolet, balls, isSmall, compiled);
         return pass.cumulative[pass.cumulative.length - 1] > 0 ? pass : null;
     }
 
@@ -161,6 +161,14 @@ public final class CausticPass {
         shinesBothWays[l] = light.shinesInside && !(isApart && light.surface.isSolid());
         for (int s = 0; s < things; s++) {
             probability[l * things + s] = brightest > 0 ? brightness(light) / brightest * reach(l, s) : 0;
+        }
+    }
+
+    private void prepareSun(int i) {
+        Sun sun = suns[i];
+        int first = (lights.length + i) * things;
+        for (int s = 0; s < things; s++) {
+            probability[first + s] = sun.max() / brightest * sun.solidAngle * Math.PI * ballRadius[s] * ballRadius[s];
         }
     }
 
@@ -226,7 +234,7 @@ public final class CausticPass {
         return isFlat ? Math.min(Math.max((front + ballRadius[s]) / d, LEAST_COSINE), 1) : 1;
     }
 
-    /** Whether light is taken that a narrow lobe is the first to scatter; of the sun, the light after the last, too. */
+    /** Whether light is taken that a narrow lobe is the first to scatter; of suns, the lights after the last, too. */
     public boolean takesNarrow(int light) {
         return light < isSmall.length && isSmall[light];
     }
@@ -266,7 +274,7 @@ public final class CausticPass {
 
     /** The solids of glass that points of a light may lie in. */
     public int[] mediaAround(int light) {
-        return light == lights.length ? NO_MEDIA : lights[light].mediaAround();
+        return light >= lights.length ? NO_MEDIA : lights[light].mediaAround();
     }
 
     /** Radiance, of a point radiant intensity, in the strongest band. */

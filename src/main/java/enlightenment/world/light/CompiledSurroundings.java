@@ -1,14 +1,19 @@
 package enlightenment.world.light;
 
+import enlightenment.color.Rgb;
+import enlightenment.light.Light;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.surroundings.Sun;
 import enlightenment.surroundings.Surroundings;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
 import java.util.function.Function;
 
 /** What a background becomes. */
@@ -41,6 +46,33 @@ public final class CompiledSurroundings {
             images.around(
                     new Background.Sky(s.elevation(), 0, s.turbidity(), s.groundAlbedo(), s.radiance(), s.hasSun()));
         }
+    }
+
+    /**
+     * Adds the disks of distant lights, in an order that does not depend on that in the scene.
+     *
+     * @param around what the background becomes; null if it is constant
+     * @return null without distant lights that shine, if {@code around} is
+     */
+    public static Surroundings withDistantLights(Surroundings around, Background background, List<Light> lights) {
+        List<Sun> suns = lights.stream()
+                .filter(light ->
+                        light instanceof Light.Distant && light.emitted().max() > 0)
+                .map(Light.Distant.class::cast)
+                .map(light -> Sun.distant(light.direction(), light.angle(), light.emitted()))
+                .sorted(Comparator.<Sun>comparingDouble(sun -> sun.x)
+                        .thenComparingDouble(sun -> sun.y)
+                        .thenComparingDouble(sun -> sun.z)
+                        .thenComparingDouble(sun -> sun.solidAngle)
+                        .thenComparingDouble(sun -> sun.r)
+                        .thenComparingDouble(sun -> sun.g)
+                        .thenComparingDouble(sun -> sun.b))
+                .toList();
+        if (suns.isEmpty()) {
+            return around;
+        }
+        Rgb even = background instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
+        return (around == null ? Surroundings.constant(even) : around).with(suns);
     }
 
     private static Surroundings made(Background background, Function<Path, byte[]> files) {

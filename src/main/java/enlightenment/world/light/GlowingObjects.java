@@ -33,7 +33,10 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The lights of a scene of physical shading: those with extent become objects with a black surface that glows, the others points. */
+/**
+ * The lights of a scene of physical shading: those with extent become objects with a black surface that glows, the others
+ * points; not the distant ones, which belong to the surroundings ({@link CompiledSurroundings}).
+ */
 public final class GlowingObjects {
     private static final String ULTRAVIOLET = "ultraviolet";
 
@@ -107,7 +110,7 @@ public final class GlowingObjects {
             addLuminaire(s, i, frame);
         } else if (light instanceof Light.Projector s) {
             addProjector(s, i, frame);
-        } else {
+        } else if (!(light instanceof Light.Distant)) {
             throw new AssertionError("no physical form of the light " + light.type());
         }
     }

@@ -1,6 +1,7 @@
 package enlightenment.world.light;
 
 import enlightenment.surroundings.Sun;
+import java.util.Arrays;
 
 /**
  * Which lights are so small, as surfaces with narrow lobes see them, that paths from the eye seldom find what these make of them: those
@@ -13,20 +14,19 @@ final class SmallLights {
     private SmallLights() {}
 
     /**
-     * Which they are, by light; after the last whether the sun is, if there is one.
+     * Which they are, by light, then by sun: all suns are small, or none, since next-event estimation leaves out all or none.
      *
      * @param narrow what has narrow lobes
      */
-    static boolean[] of(PhysicalLight[] lights, Sun sun, SpecularThings narrow) {
-        boolean[] small = new boolean[sun == null ? lights.length : lights.length + 1];
+    static boolean[] of(PhysicalLight[] lights, Sun[] suns, SpecularThings narrow) {
+        boolean[] small = new boolean[lights.length + suns.length];
         for (int l = 0; l < lights.length; l++) {
             for (int s = 0; s < narrow.count(); s++) {
                 small[l] |= isSmall(lights[l], narrow, s);
             }
         }
-        if (sun != null) {
-            small[lights.length] = narrow.count() > 0 && sun.solidAngle < SMALL;
-        }
+        boolean areSmall = narrow.count() > 0 && Arrays.stream(suns).allMatch(sun -> sun.solidAngle < SMALL);
+        Arrays.fill(small, lights.length, small.length, areSmall);
         return small;
     }
 

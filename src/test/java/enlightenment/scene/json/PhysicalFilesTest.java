@@ -14,6 +14,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Metal;
 import enlightenment.material.Texture;
+import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
 import enlightenment.scene.Display;
 import enlightenment.scene.PhysicalShading;
@@ -62,6 +63,15 @@ class PhysicalFilesTest {
         assertEquals(light(lamp + "40"), light(lamp + "[40, 40, 40]"));
         String ember = "\"type\": \"matte\", \"color\": \"#000\", \"radiance\": ";
         assertEquals(material(ember + "2.5"), material(ember + "[2.5, 2.5, 2.5]"));
+    }
+
+    @Test
+    void aDistantLightIsAsWideAsTheSunAndOfIrradianceOneUnlessItSaysOtherwise() {
+        String key = "\"type\": \"distant\", \"direction\": [1, -2, 0.5]";
+        assertEquals(new Light.Distant(new Vec3(1, -2, 0.5), Rgb.WHITE), light(key));
+        assertEquals(
+                new Light.Distant(new Vec3(1, -2, 0.5), 2, DisplayRgb.BLACK, Emission.irradiance(new Rgb(3, 2, 1))),
+                light(key + ", \"color\": \"#000\", \"angle\": 2, \"irradiance\": [3, 2, 1]"));
     }
 
     @Test

@@ -349,7 +349,7 @@ final class RandomScenes {
         ExactPoint o = point();
         Vec3 u = vector();
         Vec3 v = vector();
-        switch (random.nextInt(isPhysical ? 6 : 3)) {
+        switch (random.nextInt(isPhysical ? 7 : 3)) {
             case 0:
                 return new Light.Sphere(o, positive(), lightColor(), emission(Emission.RADIANCE_1));
             case 1:
@@ -382,6 +382,12 @@ final class RandomScenes {
                         180 * unit(),
                         lightColor(),
                         emission(Emission.INTENSITY_1));
+            case 6:
+                double disk = Light.Distant.LEAST_ANGLE + unit();
+                Emission irradiance =
+                        random.nextBoolean() ? Emission.IRRADIANCE_1 : Emission.irradiance(new Rgb(3, 0, unit()));
+                return new Light.Distant(
+                        u, random.nextBoolean() ? Light.Distant.USUAL_ANGLE : disk, lightColor(), irradiance);
             default:
                 return new Light.Point(o, lightColor(), emission(Emission.INTENSITY_1));
         }

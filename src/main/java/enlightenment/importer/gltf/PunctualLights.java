@@ -49,10 +49,7 @@ final class PunctualLights {
             case "point" ->
                 draft.light(new Light.Point(Affine.exact(toScene.offset()), Rgb.WHITE, Emission.intensity(value)));
             case "spot" -> draft.light(spot(light.get("spot"), value, toScene));
-            case "directional" -> {
-                draft.notes().add(light.place(), "directional lights are left out");
-                draft.leaveOutLight();
-            }
+            case "directional" -> draft.light(new Light.Distant(toScene.vector(new Vec3(0, 0, -1)), value));
             default -> throw light.failure("must have the type point, spot or directional");
         }
     }

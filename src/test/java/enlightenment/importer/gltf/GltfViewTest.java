@@ -91,6 +91,17 @@ class GltfViewTest {
     }
 
     @Test
+    void luxOfDirectionalLightsAreIrradiance() throws IOException {
+        GltfFile file = square().with(
+                        "'extensions':{'KHR_lights_punctual':{'lights':[{'type':'directional','color':[1,0.5,0.25],"
+                                + "'intensity':8}]}}");
+        file.add("nodes", "{'rotation':[1,0,0,1],'scale':[3,3,3],'extensions':{'KHR_lights_punctual':{'light':0}}}");
+        Light.Distant sun = (Light.Distant) file.read(folder).scene().lights().get(0);
+        assertEquals(0, sun.direction().normalized().minus(Vec3.Y).length(), 1e-15);
+        assertEquals(new Rgb(8, 4, 2), sun.emitted());
+    }
+
+    @Test
     void aModelAloneStandsInAStudio() throws IOException {
         ImportedScene imported = square().read(folder);
         assertEquals(2, imported.scene().objects().size(), "the model and the ground");

@@ -5,6 +5,7 @@ import enlightenment.importer.support.Affine;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Texture;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
 import java.io.IOException;
@@ -38,6 +39,7 @@ final class EmitterReader {
             case "point" -> point(p);
             case "spot" -> directed.spot(p);
             case "projector" -> directed.projector(p);
+            case "directional" -> directional(p);
             default -> {
                 scene.note(e, e.described() + " is left out: there is no such light here");
                 scene.draft().leaveOutLight();
@@ -115,5 +117,17 @@ final class EmitterReader {
         Vec3 at = map.point(p.point("position", new Vec3(0, 0, 0)));
         Rgb intensity = emissions.light(p, "intensity", 1);
         scene.draft().light(new Light.Point(Affine.exact(at), Rgb.WHITE, Emission.intensity(intensity)));
+    }
+
+    /** A direction in which light travels, +z by itself; its disk is as wide as the sun's, not a point as in Mitsuba. */
+    private void directional(Properties p) {
+        Affine map = world.after(p.transform("to_world"));
+        Vec3 direction = map.vector(p.point("direction", Vec3.Z));
+        Rgb irradiance = emissions.light(p, "irradiance", 1);
+        try {
+            scene.draft().light(new Light.Distant(direction, irradiance));
+        } catch (InvalidValueException problem) {
+            throw p.element().failure(problem.getMessage());
+        }
     }
 }

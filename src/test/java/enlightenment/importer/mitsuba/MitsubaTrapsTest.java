@@ -162,6 +162,20 @@ class MitsubaTrapsTest {
     }
 
     @Test
+    void directionalLightsShineAlongTheirDirection() throws IOException {
+        ImportDraft draft = scenes.read("<emitter type=\"directional\"><vector name=\"direction\" value=\"0 -2 0\"/>"
+                + "<rgb name=\"irradiance\" value=\"3 2 1\"/></emitter><emitter type=\"directional\">"
+                + "<transform name=\"to_world\"><rotate x=\"1\" angle=\"90\"/></transform></emitter>" + BALL);
+        Light.Distant first = (Light.Distant) draft.lights().get(0);
+        assertEquals(new Rgb(3, 2, 1), first.emitted());
+        // A quarter of a turn about x takes z to -y.
+        for (Light light : draft.lights()) {
+            Vec3 direction = ((Light.Distant) light).direction().normalized();
+            assertEquals(0, direction.minus(Vec3.of(0, -1, 0)).length(), 1e-15);
+        }
+    }
+
+    @Test
     void matricesAreRowByRow() throws IOException {
         ImportDraft draft = scenes.read("<emitter type=\"point\"><transform name=\"to_world\">"
                 + "<matrix value=\"1 0 0 5  0 1 0 6  0 0 1 7  0 0 0 1\"/></transform></emitter>" + BALL);

@@ -9,6 +9,7 @@ import enlightenment.importer.support.ImportDraft;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Texture;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
 import enlightenment.text.Plain;
@@ -47,6 +48,9 @@ final class Lights {
                 note(p, "a goniometric light shines to all sides alike");
                 point(p, toWorld, space);
                 break;
+            case "distant":
+                distant(p, toWorld, space);
+                break;
             case "infinite":
                 infinite(p, toWorld, space);
                 break;
@@ -55,10 +59,6 @@ final class Lights {
                 break;
             case "projection":
                 directed.projection(p, toWorld);
-                break;
-            case "distant":
-                note(p, "a light of the kind \"distant\" is left out");
-                draft.leaveOutLight();
                 break;
             default:
                 throw p.place().failure("pbrt-v4 has no light of the kind " + Plain.quoted(type));
@@ -81,6 +81,22 @@ final class Lights {
         Rgb intensity = color.times(Rgb.gray(factor));
         if (intensity.max() > 0) {
             draft.light(new Light.Point(Affine.exact(from), Rgb.WHITE, Emission.intensity(intensity)));
+        }
+    }
+
+    /** From one point to another; the disk is as wide as the sun's, not a point as in pbrt. */
+    private void distant(Parameters p, Affine toWorld, ColorSpace space) {
+        Rgb color = spectra.rgb(p, "L", Spectra.Kind.LIGHT, space, Rgb.WHITE);
+        double illuminance = p.number("illuminance", -1);
+        Rgb irradiance = color.times(Rgb.gray(scale(p) * (illuminance > 0 ? illuminance : 1)));
+        Vec3 way = p.vector("to", Vec3.Z).minus(p.vector("from", Vec3.ZERO));
+        try {
+            Light light = new Light.Distant(toWorld.vector(way), irradiance);
+            if (irradiance.max() > 0) {
+                draft.light(light);
+            }
+        } catch (InvalidValueException e) {
+            throw p.place().failure(e.getMessage());
         }
     }
 

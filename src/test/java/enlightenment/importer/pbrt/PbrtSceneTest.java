@@ -345,6 +345,20 @@ class PbrtSceneTest {
     }
 
     @Test
+    void aDistantLightShinesFromOnePointToAnother() throws IOException {
+        Light.Distant sun = (Light.Distant)
+                world("Rotate 90 0 0 1 LightSource \"distant\" \"point3 from\" [1 1 0] \"point3 to\" [3 1 0]"
+                                + " \"rgb L\" [1 2 3] \"float scale\" 2 \"float illuminance\" 5 Shape \"sphere\"")
+                        .scene()
+                        .lights()
+                        .get(0);
+        assertNear(Vec3.Y, sun.direction().normalized());
+        assertNear(
+                new Vec3(10, 20, 30),
+                new Vec3(sun.emitted().r(), sun.emitted().g(), sun.emitted().b()));
+    }
+
+    @Test
     void attributesAreDefaults() throws IOException {
         Sphere s = (Sphere) shape("Attribute \"shape\" \"float radius\" 3 Shape \"sphere\"");
         assertEquals(3, s.radius());

@@ -196,7 +196,7 @@ class SceneFormatDocumentTest {
         } else if (!row.ifMissing().isEmpty()) {
             assertEquals("none", row.ifMissing(), where);
         }
-        Matcher range = Pattern.compile("(-?\\d+)\\.\\.(\\d+)").matcher(row.text());
+        Matcher range = Pattern.compile("(-?\\d+(?:\\.\\d+)?)\\.\\.(\\d+)").matcher(row.text());
         if (range.find()) {
             assertEquals(schema.get("minimum").decimalValue().toString(), range.group(1), where);
             assertEquals(schema.get("maximum").decimalValue().toString(), range.group(2), where);

@@ -2,11 +2,17 @@ package enlightenment.material;
 
 import enlightenment.check.Check;
 import enlightenment.color.Color;
+import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
+import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /** What materials may be parts of others. */
 final class Detail {
+    private static final String RADIANCE_MAP = "radianceMap";
+
     private Detail() {}
 
     /** Opaque surfaces that do not glow. */
@@ -43,6 +49,36 @@ final class Detail {
         } else if (share instanceof Texture.Checker checker) {
             checker.colors().forEach(c -> check(key, c));
         }
+    }
+
+    /** A texture only of what glows; what its colours make of the radiance is no more than may be emitted. */
+    static void checkRadiance(Rgb radiance, double ultraviolet, Optional<Texture> map) {
+        Objects.requireNonNull(map, RADIANCE_MAP);
+        map.ifPresent(texture -> {
+            Check.that(
+                    !radiance.equals(Rgb.BLACK) || ultraviolet > 0,
+                    RADIANCE_MAP,
+                    "must stand with \"radiance\" or \"ultraviolet\", which it is multiplied onto");
+            if (texture instanceof Texture.Solid solid) {
+                checkRadiance(radiance, ultraviolet, solid.color());
+            } else if (texture instanceof Texture.Checker checker) {
+                checker.colors().forEach(c -> checkRadiance(radiance, ultraviolet, c));
+            }
+        });
+    }
+
+    private static void checkRadiance(Rgb radiance, double ultraviolet, Color factor) {
+        Rgb c = factor.linear();
+        double most = Math.max(Math.max(radiance.r() * c.r(), radiance.g() * c.g()), radiance.b() * c.b());
+        Check.that(
+                Math.max(most, ultraviolet * c.b()) <= Radiance.LARGEST,
+                RADIANCE_MAP,
+                "times the radiance must be at most 1e100");
+    }
+
+    /** All of these. */
+    static List<Texture> textures(List<Texture> some, Optional<Texture> other) {
+        return Stream.concat(some.stream(), other.stream()).toList();
     }
 
     private static void check(String key, Color color) {

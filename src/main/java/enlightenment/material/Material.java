@@ -56,6 +56,14 @@ public sealed interface Material
         return 0;
     }
 
+    /**
+     * The factor, by band and in linear light, that {@link #radiance} is multiplied by at each point of the surface; that of {@link
+     * #ultraviolet} is the blue one. Empty if all points glow alike.
+     */
+    default Optional<Texture> radianceMap() {
+        return Optional.empty();
+    }
+
     /** The textures that it has besides its colour. */
     default List<Texture> textures() {
         return List.of();
@@ -81,8 +89,15 @@ public sealed interface Material
      *     energy-preserving rough diffuse BRDF", 2025)
      * @param radiance see {@link Material#radiance}
      * @param ultraviolet see {@link Material#ultraviolet}
+     * @param radianceMap see {@link Material#radianceMap}
      */
-    record Matte(Texture color, boolean receivesShadows, double roughness, Rgb radiance, double ultraviolet)
+    record Matte(
+            Texture color,
+            boolean receivesShadows,
+            double roughness,
+            Rgb radiance,
+            double ultraviolet,
+            Optional<Texture> radianceMap)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Matte {
@@ -90,6 +105,12 @@ public sealed interface Material
             Check.range("roughness", roughness, 0, 1);
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
+            Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+        }
+
+        /** A surface whose points glow alike, if at all. */
+        public Matte(Texture color, boolean receivesShadows, double roughness, Rgb radiance, double ultraviolet) {
+            this(color, receivesShadows, roughness, radiance, ultraviolet, Optional.empty());
         }
 
         /** A surface that glows, if at all, in visible light alone. */
@@ -109,12 +130,22 @@ public sealed interface Material
 
         /** The same surface with another roughness. */
         public Matte withRoughness(double value) {
-            return new Matte(color, receivesShadows, value, radiance, ultraviolet);
+            return new Matte(color, receivesShadows, value, radiance, ultraviolet, radianceMap);
         }
 
         /** The same surface with another radiance. */
         public Matte withRadiance(Rgb value) {
-            return new Matte(color, receivesShadows, roughness, value, ultraviolet);
+            return new Matte(color, receivesShadows, roughness, value, ultraviolet, radianceMap);
+        }
+
+        /** The same surface, whose radiance is multiplied by a texture. */
+        public Matte withRadianceMap(Texture value) {
+            return new Matte(color, receivesShadows, roughness, radiance, ultraviolet, Optional.of(value));
+        }
+
+        @Override
+        public List<Texture> textures() {
+            return radianceMap.stream().toList();
         }
 
         @Override
@@ -135,13 +166,27 @@ public sealed interface Material
      * @param receivesShadows has no effect: a mirror shows no shadows of its own
      * @param radiance see {@link Material#radiance}
      * @param ultraviolet see {@link Material#ultraviolet}
+     * @param radianceMap see {@link Material#radianceMap}
      */
-    record Mirror(Texture color, boolean receivesShadows, Rgb radiance, double ultraviolet) implements Material {
+    record Mirror(
+            Texture color, boolean receivesShadows, Rgb radiance, double ultraviolet, Optional<Texture> radianceMap)
+            implements Material {
         /** Validates the components, as {@link Material} states. */
         public Mirror {
             Reflectance.check(color);
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
+            Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+        }
+
+        /** A mirror whose points glow alike, if at all. */
+        public Mirror(Texture color, boolean receivesShadows, Rgb radiance, double ultraviolet) {
+            this(color, receivesShadows, radiance, ultraviolet, Optional.empty());
+        }
+
+        @Override
+        public List<Texture> textures() {
+            return radianceMap.stream().toList();
         }
 
         /** A mirror that glows, if at all, in visible light alone. */
@@ -181,6 +226,7 @@ public sealed interface Material
      * @param multipleScattering whether light that meets several facets is counted; without it, rough surfaces are too dark
      * @param radiance see {@link Material#radiance}
      * @param ultraviolet see {@link Material#ultraviolet}
+     * @param radianceMap see {@link Material#radianceMap}
      */
     record Glossy(
             Texture color,
@@ -188,7 +234,8 @@ public sealed interface Material
             Optional<Conductor> conductor,
             boolean multipleScattering,
             Rgb radiance,
-            double ultraviolet)
+            double ultraviolet,
+            Optional<Texture> radianceMap)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Glossy {
@@ -197,6 +244,18 @@ public sealed interface Material
             Objects.requireNonNull(conductor, "conductor");
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
+            Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+        }
+
+        /** A surface whose points glow alike, if at all. */
+        public Glossy(
+                Texture color,
+                Amount roughness,
+                Optional<Conductor> conductor,
+                boolean multipleScattering,
+                Rgb radiance,
+                double ultraviolet) {
+            this(color, roughness, conductor, multipleScattering, radiance, ultraviolet, Optional.empty());
         }
 
         /** A surface of the same roughness everywhere. */
@@ -222,12 +281,12 @@ public sealed interface Material
 
         /** This surface with another roughness. */
         public Glossy withRoughness(Amount value) {
-            return new Glossy(color, value, conductor, multipleScattering, radiance, ultraviolet);
+            return new Glossy(color, value, conductor, multipleScattering, radiance, ultraviolet, radianceMap);
         }
 
         @Override
         public List<Texture> textures() {
-            return roughness.textures();
+            return Detail.textures(roughness.textures(), radianceMap);
         }
 
         /** A surface with Schlick's Fresnel term and multiple scattering that does not glow. */
@@ -261,6 +320,7 @@ public sealed interface Material
      * @param nonlinear whether light that goes to and fro between coat and base is coloured by the base each time, which saturates its colour
      * @param radiance see {@link Material#radiance}
      * @param ultraviolet see {@link Material#ultraviolet}
+     * @param radianceMap see {@link Material#radianceMap}
      */
     record Coated(
             Texture color,
@@ -268,7 +328,8 @@ public sealed interface Material
             double indexOfRefraction,
             boolean nonlinear,
             Rgb radiance,
-            double ultraviolet)
+            double ultraviolet,
+            Optional<Texture> radianceMap)
             implements Material {
         /** The index of refraction unless another one is given: that of most plastics and varnishes. */
         public static final double USUAL_INDEX = 1.5;
@@ -283,6 +344,18 @@ public sealed interface Material
             Check.range("indexOfRefraction", indexOfRefraction, 1, LARGEST_INDEX);
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
+            Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+        }
+
+        /** A surface whose points glow alike, if at all. */
+        public Coated(
+                Texture color,
+                Amount roughness,
+                double indexOfRefraction,
+                boolean nonlinear,
+                Rgb radiance,
+                double ultraviolet) {
+            this(color, roughness, indexOfRefraction, nonlinear, radiance, ultraviolet, Optional.empty());
         }
 
         /** A surface whose coat has the same roughness everywhere. */
@@ -298,12 +371,12 @@ public sealed interface Material
 
         /** This surface, whose coat has another roughness. */
         public Coated withRoughness(Amount value) {
-            return new Coated(color, value, indexOfRefraction, nonlinear, radiance, ultraviolet);
+            return new Coated(color, value, indexOfRefraction, nonlinear, radiance, ultraviolet, radianceMap);
         }
 
         @Override
         public List<Texture> textures() {
-            return roughness.textures();
+            return Detail.textures(roughness.textures(), radianceMap);
         }
 
         /** A surface of this colour with a coat of index 1.5 that does not glow. */
@@ -497,6 +570,7 @@ public sealed interface Material
      * @param yield the photons that it emits for each that it absorbs, 0..1
      * @param radiance see {@link Material#radiance}
      * @param ultraviolet see {@link Material#ultraviolet}
+     * @param radianceMap see {@link Material#radianceMap}
      */
     record Fluorescent(
             Texture color,
@@ -504,7 +578,8 @@ public sealed interface Material
             WavelengthBand emission,
             double yield,
             Rgb radiance,
-            double ultraviolet)
+            double ultraviolet,
+            Optional<Texture> radianceMap)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Fluorescent {
@@ -519,6 +594,23 @@ public sealed interface Material
             Check.range("yield", yield, 0, 1);
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
+            Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+        }
+
+        /** A surface whose points glow alike, if at all. */
+        public Fluorescent(
+                Texture color,
+                WavelengthBand absorption,
+                WavelengthBand emission,
+                double yield,
+                Rgb radiance,
+                double ultraviolet) {
+            this(color, absorption, emission, yield, radiance, ultraviolet, Optional.empty());
+        }
+
+        @Override
+        public List<Texture> textures() {
+            return radianceMap.stream().toList();
         }
 
         /** A surface that does not glow by itself. */

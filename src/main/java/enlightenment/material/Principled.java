@@ -6,6 +6,7 @@ import enlightenment.color.Rgb;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * The opaque material of metallic-roughness workflows: a metal, or a matte base under a dielectric coat, or a mixture of both; over it, a
@@ -23,6 +24,7 @@ import java.util.Objects;
  * @param clearcoatRoughness of the clear coat, as {@code roughness}
  * @param radiance see {@link Material#radiance}
  * @param ultraviolet see {@link Material#ultraviolet}
+ * @param radianceMap see {@link Material#radianceMap}
  */
 public record Principled(
         Texture color,
@@ -33,7 +35,8 @@ public record Principled(
         double clearcoat,
         double clearcoatRoughness,
         Rgb radiance,
-        double ultraviolet)
+        double ultraviolet,
+        Optional<Texture> radianceMap)
         implements Material {
     /** The roughness unless another one is given. */
     public static final double USUAL_ROUGHNESS = 0.5;
@@ -49,6 +52,31 @@ public record Principled(
         Check.range("clearcoatRoughness", clearcoatRoughness, 0, 1);
         Radiance.check("radiance", radiance);
         Radiance.check("ultraviolet", ultraviolet);
+        Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+    }
+
+    /** A surface whose points glow alike, if at all. */
+    public Principled(
+            Texture color,
+            Amount metallic,
+            Amount roughness,
+            double indexOfRefraction,
+            double specular,
+            double clearcoat,
+            double clearcoatRoughness,
+            Rgb radiance,
+            double ultraviolet) {
+        this(
+                color,
+                metallic,
+                roughness,
+                indexOfRefraction,
+                specular,
+                clearcoat,
+                clearcoatRoughness,
+                radiance,
+                ultraviolet,
+                Optional.empty());
     }
 
     /** A surface of index 1.5 without a clear coat that does not glow. */
@@ -76,7 +104,8 @@ public record Principled(
                 clearcoat,
                 clearcoatRoughness,
                 radiance,
-                ultraviolet);
+                ultraviolet,
+                radianceMap);
     }
 
     /** This surface with another roughness. */
@@ -90,19 +119,45 @@ public record Principled(
                 clearcoat,
                 clearcoatRoughness,
                 radiance,
-                ultraviolet);
+                ultraviolet,
+                radianceMap);
+    }
+
+    /** This surface, whose radiance is multiplied by a texture. */
+    public Principled withRadianceMap(Texture value) {
+        return new Principled(
+                color,
+                metallic,
+                roughness,
+                indexOfRefraction,
+                specular,
+                clearcoat,
+                clearcoatRoughness,
+                radiance,
+                ultraviolet,
+                Optional.of(value));
     }
 
     /** This surface under another clear coat. */
     public Principled withClearcoat(double share, double roughnessOfIt) {
         return new Principled(
-                color, metallic, roughness, indexOfRefraction, specular, share, roughnessOfIt, radiance, ultraviolet);
+                color,
+                metallic,
+                roughness,
+                indexOfRefraction,
+                specular,
+                share,
+                roughnessOfIt,
+                radiance,
+                ultraviolet,
+                radianceMap);
     }
 
     @Override
     public List<Texture> textures() {
         List<Texture> all = new ArrayList<>(metallic.textures());
         all.addAll(roughness.textures());
+        radianceMap.ifPresent(all::add);
         return List.copyOf(all);
     }
 

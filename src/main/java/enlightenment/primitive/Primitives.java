@@ -20,6 +20,8 @@ import java.util.List;
 
 /** Places shapes, which are exact descriptions, in a frame, where they are primitives that rays can intersect. */
 public final class Primitives {
+    private static final CornerUv WITHOUT_UV = new CornerUv(0, 0, 1, 0, 0, 1);
+
     private static final Vec3 NOT_ROTATED = meridian(0);
 
     private Primitives() {}
@@ -63,9 +65,24 @@ public final class Primitives {
         Primitive[] all = new Primitive[mesh.triangles()];
         for (int t = 0; t < all.length; t++) {
             all[t] = new TrianglePrimitive(
-                    corner(mesh, t, 0, placing), corner(mesh, t, 1, placing), corner(mesh, t, 2, placing));
+                    null,
+                    corner(mesh, t, 0, placing),
+                    corner(mesh, t, 1, placing),
+                    corner(mesh, t, 2, placing),
+                    uv(mesh, t));
         }
         return List.of(all);
+    }
+
+    /** The texture coordinates of a mesh's triangle; those of one without any are as {@link MeshPrimitive#textureCoordinates} states. */
+    private static CornerUv uv(TriangleMesh mesh, int triangle) {
+        if (!mesh.hasUv()) {
+            return WITHOUT_UV;
+        }
+        int p = mesh.vertex(triangle, 0);
+        int q = mesh.vertex(triangle, 1);
+        int r = mesh.vertex(triangle, 2);
+        return new CornerUv(mesh.uv(p, 0), mesh.uv(p, 1), mesh.uv(q, 0), mesh.uv(q, 1), mesh.uv(r, 0), mesh.uv(r, 1));
     }
 
     private static Vec3 corner(TriangleMesh mesh, int triangle, int corner, Placing placing) {

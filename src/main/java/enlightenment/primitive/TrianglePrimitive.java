@@ -17,12 +17,20 @@ public final class TrianglePrimitive extends Primitive {
     private final Vec3 c;
     private final Plane plane;
 
+    /** The texture coordinates of the corners; null if the triangle is a half of the whole texture. */
+    private final CornerUv uv;
+
     TrianglePrimitive(Vec3 a, Vec3 b, Vec3 c) {
-        this(null, a, b, c);
+        this(null, a, b, c, null);
     }
 
     /** @param degenerate the exact unit normal if rounding made the corners collinear, else null */
     TrianglePrimitive(Vec3 degenerate, Vec3 a, Vec3 b, Vec3 c) {
+        this(degenerate, a, b, c, null);
+    }
+
+    /** @param uv the texture coordinates of the corners; null for those that {@link #textureCoordinates} states */
+    TrianglePrimitive(Vec3 degenerate, Vec3 a, Vec3 b, Vec3 c, CornerUv uv) {
         super(
                 Math.max(a.maxAbs(), Math.max(b.maxAbs(), c.maxAbs())),
                 Math.min(
@@ -31,6 +39,7 @@ public final class TrianglePrimitive extends Primitive {
         this.a = a;
         this.b = b;
         this.c = c;
+        this.uv = uv;
         plane = new Plane(degenerate, a, b.minus(a), c.minus(a), b, c);
     }
 
@@ -61,16 +70,32 @@ public final class TrianglePrimitive extends Primitive {
         plane.complete(ray, t, hit);
     }
 
-    /** The first vertex is the texture's lower left corner, the second its upper left, the third its lower right. */
+    /**
+     * Those of the corners, interpolated, if it has some; else the first vertex is the texture's lower left corner, the second its upper
+     * left, the third its lower right.
+     */
     @Override
     public void textureCoordinates(Hit hit) {
         plane.textureCoordinates(hit);
+        if (uv != null) {
+            uv.interpolate(1 - hit.v, hit.u, hit);
+        }
     }
 
+    /** Where the corners' texture coordinates lie in one line, there are none. */
     @Override
     public boolean textureDirections(Hit hit) {
+        if (uv != null) {
+            return uv.directions(b.minus(a), c.minus(a), hit);
+        }
         hit.setTextureDirections(c.minus(a), b.minus(a));
         return true;
+    }
+
+    /** Coordinates that were given for corners go on beyond 0..1, as those of a mesh. */
+    @Override
+    public boolean repeatsTextures() {
+        return uv != null;
     }
 
     @Override
@@ -95,11 +120,11 @@ public final class TrianglePrimitive extends Primitive {
 
     @Override
     Primitive scaledBy(int k) {
-        return new TrianglePrimitive(plane.degenerateNormal(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k));
+        return new TrianglePrimitive(plane.degenerateNormal(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k), uv);
     }
 
     @Override
     public double[] parameters() {
-        return concat(a, b, c);
+        return uv == null ? concat(a, b, c) : uv.appendTo(concat(a, b, c));
     }
 }

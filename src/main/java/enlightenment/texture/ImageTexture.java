@@ -142,6 +142,26 @@ public final class ImageTexture {
     }
 
     /**
+     * Gives the texels that places in a box of texture coordinates may see, interpolated or not: one column and row more on each side.
+     *
+     * @param u0 with v0, u1 and v1 the box, in 0..1
+     */
+    public void forEachTexel(double u0, double v0, double u1, double v1, Consumer<double[]> consumer) {
+        double[] rgb = new double[3];
+        int left = (int) (u0 * width) - 1;
+        int right = (int) (u1 * width) + 1;
+        int top = Math.max((int) (v0 * height) - 1, 0);
+        int bottom = Math.min((int) (v1 * height) + 1, height - 1);
+        for (int y = top; y <= bottom; y++) {
+            for (int x = left; x <= right; x++) {
+                // Around a sphere, and on meshes, the last column is a neighbour of the first one.
+                texel(y * width + Math.floorMod(x, width), rgb);
+                consumer.accept(rgb);
+            }
+        }
+    }
+
+    /**
      * The texel that a place lies in.
      *
      * @param rgb receives red, green and blue

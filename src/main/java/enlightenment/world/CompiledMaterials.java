@@ -17,6 +17,7 @@ import enlightenment.world.material.AmountLookup;
 import enlightenment.world.material.Dyes;
 import enlightenment.world.material.MaterialBsdfs;
 import enlightenment.world.material.PhysicalSurface;
+import enlightenment.world.material.RadianceMap;
 import enlightenment.world.material.RoughnessLevels;
 import enlightenment.world.material.SurfaceDetail;
 import enlightenment.world.material.SurfaceMaterial;
@@ -60,9 +61,16 @@ final class CompiledMaterials {
             return known;
         }
         PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes, bsdfs);
-        SurfaceMaterial made = new SurfaceMaterial(m, image(m.color()), surface, detail(m));
+        SurfaceMaterial made = new SurfaceMaterial(m, image(m.color()), surface, detail(m), radianceMap(m));
         bySource.put(m, made);
         return made;
+    }
+
+    /** That of one colour is part of the radiance. */
+    private RadianceMap radianceMap(Material m) {
+        return physical == null || m.radianceMap().isEmpty() || m.radianceMap().get() instanceof Texture.Solid
+                ? null
+                : new RadianceMap(lookup(m.radianceMap().get()));
     }
 
     private ImageTexture image(Texture texture) {

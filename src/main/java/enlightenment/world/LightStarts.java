@@ -83,9 +83,9 @@ public final class LightStarts {
     }
 
     private double brightness(PhysicalLight light) {
-        double visible = mean(light.r, light.g, light.b);
+        double visible = mean(light.meanR, light.meanG, light.meanB);
         return physical.hasUltraviolet
-                ? Math.fma(physical.visibleOfUltraviolet / 3, light.ultraviolet, visible)
+                ? Math.fma(physical.visibleOfUltraviolet / 3, light.meanUltraviolet, visible)
                 : visible;
     }
 

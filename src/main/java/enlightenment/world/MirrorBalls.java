@@ -73,10 +73,12 @@ public final class MirrorBalls {
                 : new MirrorBalls(pairs > MOST_PAIRS ? best.byPower() : best.byId(), compiled.primitives());
     }
 
-    /** The lights that may be reflected. */
+    /** The lights that may be reflected: those with extent whose points all glow alike. */
     private static int[] reflected(CoincidentSurfaces coincident, PhysicalScene physical) {
         return IntStream.range(0, physical.lights.length)
-                .filter(i -> !physical.lights[i].isPoint && !coincident.concerns(physical.lights[i].id))
+                .filter(i -> !physical.lights[i].isPoint
+                        && physical.lights[i].texture == null
+                        && !coincident.concerns(physical.lights[i].id))
                 .toArray();
     }
 

@@ -207,7 +207,7 @@ public final class PhysicalScene {
 
     /** By how much of a light is seen, straight or from fluorescent surfaces, it is chosen among others. */
     private double brightness(PhysicalLight light) {
-        return hasUltraviolet ? light.luminance() + visibleOfUltraviolet * light.ultraviolet : light.luminance();
+        return hasUltraviolet ? light.luminance() + visibleOfUltraviolet * light.meanUltraviolet : light.luminance();
     }
 
     private LightSampler picker(PhysicalLight[] lights, Runnable poll) {
@@ -231,7 +231,10 @@ public final class PhysicalScene {
         Primitive p = compiled.primitives()[id];
         // Nothing comes into an opaque solid, or out of it.
         boolean isInsideSeen = !p.isSolid() || compiled.materials().inside(id).isGlass || eye.overlaps(p.bounds());
-        return PhysicalLight.glowing(p, id, face, m.glow(), ultraviolet, m.glowsInside, isInsideSeen);
+        PhysicalLight light =
+                PhysicalLight.glowing(p, id, face, m.glow(), ultraviolet, m.glowsInside, isInsideSeen, m.radianceMap);
+        // Where the texture is black nothing glows.
+        return light == null || m.radianceMap != null && !(brightness(light) > 0) ? null : light;
     }
 
     /** Whether a solid of smooth glass turns rays. */

@@ -112,6 +112,11 @@ final class JsonObjectBuilder {
         return put(key, child(key).text("texture", name).json());
     }
 
+    /** A texture as {@link #texture}, if there is one. */
+    JsonObjectBuilder textureIfPresent(String key, Optional<Texture> texture) {
+        return texture.isPresent() ? texture(key, texture.get()) : this;
+    }
+
     /** A texture that has a name, by that. */
     JsonObjectBuilder textureName(String key, Texture texture) {
         return text(key, names.of(texture));

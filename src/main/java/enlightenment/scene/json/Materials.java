@@ -27,17 +27,17 @@ final class Materials {
 
     static final Family<Material> FAMILY = new Family<Material>(
                     "material", "a material", null, Map.of(), Materials::read, Materials::write)
-            .with("matte", Material.Matte.class, "color | roughness radiance ultraviolet receivesShadows")
-            .with("mirror", Material.Mirror.class, "color | radiance ultraviolet receivesShadows")
+            .with("matte", Material.Matte.class, "color | roughness radiance radianceMap ultraviolet receivesShadows")
+            .with("mirror", Material.Mirror.class, "color | radiance radianceMap ultraviolet receivesShadows")
             .with(
                     "glossy",
                     Material.Glossy.class,
-                    "roughness | color metal eta k multipleScattering radiance ultraviolet",
+                    "roughness | color metal eta k multipleScattering radiance radianceMap ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no glossy surfaces"))
             .with(
                     "coated",
                     Material.Coated.class,
-                    "color | roughness indexOfRefraction nonlinear radiance ultraviolet",
+                    "color | roughness indexOfRefraction nonlinear radiance radianceMap ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no coated surfaces"))
             .with(
                     "principled",
@@ -49,7 +49,7 @@ final class Materials {
                     Material.Glass.class,
                     "color indexOfRefraction | transparency priority roughness absorption multipleScattering dispersion"
                             + " receivesShadows",
-                    Map.of("radiance", GLASS_IS_DARK, "ultraviolet", GLASS_IS_DARK))
+                    Map.of("radiance", GLASS_IS_DARK, "radianceMap", GLASS_IS_DARK, "ultraviolet", GLASS_IS_DARK))
             .with(
                     "scattering",
                     Material.Scattering.class,
@@ -57,6 +57,8 @@ final class Materials {
                             + " priority",
                     Map.of(
                             "radiance",
+                            MEDIA_ARE_DARK,
+                            "radianceMap",
                             MEDIA_ARE_DARK,
                             "ultraviolet",
                             MEDIA_ARE_DARK,
@@ -67,7 +69,7 @@ final class Materials {
             .with(
                     "fluorescent",
                     Material.Fluorescent.class,
-                    "color absorption emission yield | radiance ultraviolet",
+                    "color absorption emission yield | radiance radianceMap ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no fluorescent surfaces"));
 
     static {
@@ -100,11 +102,13 @@ final class Materials {
             p.texture("color", m.color())
                     .numberUnless(0, "roughness", m.roughness())
                     .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
+                    .textureIfPresent("radianceMap", m.radianceMap())
                     .numberUnless(0, "ultraviolet", m.ultraviolet())
                     .flagUnless(true, "receivesShadows", m.receivesShadows());
         } else if (value instanceof Material.Mirror m) {
             p.texture("color", m.color())
                     .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
+                    .textureIfPresent("radianceMap", m.radianceMap())
                     .numberUnless(0, "ultraviolet", m.ultraviolet())
                     .flagUnless(true, "receivesShadows", m.receivesShadows());
         } else if (value instanceof Material.Glossy g) {
@@ -112,6 +116,7 @@ final class Materials {
             g.conductor().ifPresent(c -> conductor(c, p));
             p.flagUnless(true, "multipleScattering", g.multipleScattering())
                     .bandsUnless(Rgb.BLACK, "radiance", g.radiance())
+                    .textureIfPresent("radianceMap", g.radianceMap())
                     .numberUnless(0, "ultraviolet", g.ultraviolet());
         } else if (value instanceof Material.Coated c) {
             p.texture("color", c.color())
@@ -119,6 +124,7 @@ final class Materials {
                     .numberUnless(Material.Coated.USUAL_INDEX, "indexOfRefraction", c.indexOfRefraction())
                     .flagUnless(false, "nonlinear", c.nonlinear())
                     .bandsUnless(Rgb.BLACK, "radiance", c.radiance())
+                    .textureIfPresent("radianceMap", c.radianceMap())
                     .numberUnless(0, "ultraviolet", c.ultraviolet());
         } else if (value instanceof Material.Glass g) {
             p.texture("color", g.color())
@@ -141,6 +147,7 @@ final class Materials {
                     .wavelengths("emission", d.emission())
                     .number("yield", d.yield())
                     .bandsUnless(Rgb.BLACK, "radiance", d.radiance())
+                    .textureIfPresent("radianceMap", d.radianceMap())
                     .numberUnless(0, "ultraviolet", d.ultraviolet());
         } else if (value instanceof Principled m) {
             PrincipledMaterials.write(m, p);
@@ -193,18 +200,20 @@ final class Materials {
         boolean shadows = receivesShadows(f);
         double roughness = f.number("roughness", 0);
         Rgb radiance = radiance(f);
+        Optional<Texture> map = radianceMap(f);
         double ultraviolet = f.number("ultraviolet", 0);
         return color == null
                 ? null
-                : f.make(() -> new Material.Matte(color, shadows, roughness, radiance, ultraviolet));
+                : f.make(() -> new Material.Matte(color, shadows, roughness, radiance, ultraviolet, map));
     }
 
     private static Material mirror(Fields f) {
         Texture color = Textures.color(f, "color");
         boolean shadows = receivesShadows(f);
         Rgb radiance = radiance(f);
+        Optional<Texture> map = radianceMap(f);
         double ultraviolet = f.number("ultraviolet", 0);
-        return color == null ? null : f.make(() -> new Material.Mirror(color, shadows, radiance, ultraviolet));
+        return color == null ? null : f.make(() -> new Material.Mirror(color, shadows, radiance, ultraviolet, map));
     }
 
     private static Material glossy(Fields f) {
@@ -216,6 +225,7 @@ final class Materials {
         Amount roughness = Amounts.read(f, "roughness");
         boolean several = f.flag("multipleScattering", true);
         Rgb radiance = radiance(f);
+        Optional<Texture> map = radianceMap(f);
         double ultraviolet = f.number("ultraviolet", 0);
         Rgb eta = constant(f, "eta", hasConstants);
         Rgb k = constant(f, "k", hasConstants);
@@ -229,7 +239,8 @@ final class Materials {
                 hasConstants ? Optional.of(new Conductor(eta, k)) : metal,
                 several,
                 radiance,
-                ultraviolet));
+                ultraviolet,
+                map));
     }
 
     /** The constants of the metal that has a name; empty without one, and after a problem. */
@@ -268,10 +279,11 @@ final class Materials {
         double index = f.number("indexOfRefraction", Material.Coated.USUAL_INDEX);
         boolean nonlinear = f.flag("nonlinear", false);
         Rgb radiance = radiance(f);
+        Optional<Texture> map = radianceMap(f);
         double ultraviolet = f.number("ultraviolet", 0);
         return color == null || roughness == null
                 ? null
-                : f.make(() -> new Material.Coated(color, roughness, index, nonlinear, radiance, ultraviolet));
+                : f.make(() -> new Material.Coated(color, roughness, index, nonlinear, radiance, ultraviolet, map));
     }
 
     private static Material glass(Fields f) {
@@ -305,11 +317,12 @@ final class Materials {
         WavelengthBand emission = f.wavelengths("emission");
         double yield = f.number("yield");
         Rgb radiance = radiance(f);
+        Optional<Texture> map = radianceMap(f);
         double ultraviolet = f.number("ultraviolet", 0);
         if (color == null) {
             return null;
         }
-        return f.make(() -> new Material.Fluorescent(color, absorption, emission, yield, radiance, ultraviolet));
+        return f.make(() -> new Material.Fluorescent(color, absorption, emission, yield, radiance, ultraviolet, map));
     }
 
     private static boolean receivesShadows(Fields f) {
@@ -318,5 +331,10 @@ final class Materials {
 
     static Rgb radiance(Fields f) {
         return f.bands("radiance", Rgb.BLACK);
+    }
+
+    /** What radiance is multiplied by; empty without it, and after a problem. */
+    static Optional<Texture> radianceMap(Fields f) {
+        return f.has("radianceMap") ? Optional.ofNullable(Textures.color(f, "radianceMap")) : Optional.empty();
     }
 }

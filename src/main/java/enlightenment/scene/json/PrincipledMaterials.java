@@ -5,11 +5,13 @@ import enlightenment.material.Amount;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
+import java.util.Optional;
 
 /** Materials of metallic-roughness workflows. */
 final class PrincipledMaterials {
     static final String KEYS =
-            "color | metallic roughness indexOfRefraction specular clearcoat clearcoatRoughness radiance ultraviolet";
+            "color | metallic roughness indexOfRefraction specular clearcoat clearcoatRoughness radiance radianceMap"
+                    + " ultraviolet";
 
     private PrincipledMaterials() {}
 
@@ -23,12 +25,22 @@ final class PrincipledMaterials {
         double clearcoat = f.number("clearcoat", 0);
         double clearcoatRoughness = f.number("clearcoatRoughness", 0);
         Rgb radiance = Materials.radiance(f);
+        Optional<Texture> map = Materials.radianceMap(f);
         double ultraviolet = f.number("ultraviolet", 0);
         if (color == null || metallic == null || roughness == null) {
             return null;
         }
         return f.make(() -> new Principled(
-                color, metallic, roughness, index, specular, clearcoat, clearcoatRoughness, radiance, ultraviolet));
+                color,
+                metallic,
+                roughness,
+                index,
+                specular,
+                clearcoat,
+                clearcoatRoughness,
+                radiance,
+                ultraviolet,
+                map));
     }
 
     static void write(Principled m, JsonObjectBuilder p) {
@@ -40,6 +52,7 @@ final class PrincipledMaterials {
                 .numberUnless(0, "clearcoat", m.clearcoat())
                 .numberUnless(0, "clearcoatRoughness", m.clearcoatRoughness())
                 .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
+                .textureIfPresent("radianceMap", m.radianceMap())
                 .numberUnless(0, "ultraviolet", m.ultraviolet());
     }
 }

@@ -14,6 +14,7 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.LightStarts;
 import enlightenment.world.PhysicalScene;
 import enlightenment.world.parts.RayCounters;
+import enlightenment.world.surface.SurfaceInteraction;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -270,13 +271,9 @@ public final class BidirectionalTracer implements Shader {
             // Light that is seen straight is found in this way alone.
             double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
             weight *= images.weight();
-            add(
-                    colors(false),
-                    weight,
-                    eye.glowing.glowR,
-                    eye.glowing.glowG,
-                    eye.glowing.glowB,
-                    eye.glowing.glowUltraviolet);
+            SurfaceInteraction at = eye.path.at;
+            at.findEmission();
+            add(colors(false), weight, at.emittedR, at.emittedG, at.emittedB, at.emittedUltraviolet);
         }
     }
 

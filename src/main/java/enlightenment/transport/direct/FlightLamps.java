@@ -81,7 +81,7 @@ final class FlightLamps {
 
     /** About the radiant intensity of a lamp, summed over bands. */
     private static double strength(PhysicalLight l) {
-        double bands = l.r + l.g + l.b + l.ultraviolet;
+        double bands = l.meanR + l.meanG + l.meanB + l.meanUltraviolet;
         return l.isPoint ? bands : bands * l.form.area();
     }
 

@@ -31,8 +31,8 @@ import enlightenment.world.parts.RayCounters;
  * both find is counted once.
  *
  * <p>At a matte vertex irradiance has closed forms. That of a ball is used everywhere, times a sampled visibility; that of a polygon only
- * where nothing can occlude it, which is a function of light and vertex alone ({@link #isClosed}), so that both sides agree on it. All
- * else is sampled, with the power heuristic (E. Veach and L. Guibas, "Optimally combining sampling techniques", 1995).
+ * where nothing can occlude it, which is a function of light and vertex alone ({@link #isClosed}), so that both sides agree on it. Textured
+ * lights have none. All else is sampled, with the power heuristic (E. Veach and L. Guibas, "Optimally combining sampling techniques", 1995).
  */
 public final class NextEventEstimation implements PathStrategy {
     /** At the first vertex up to this many lights are taken all. */
@@ -226,7 +226,7 @@ public final class NextEventEstimation implements PathStrategy {
 
     /** The irradiance, estimated, of a light of radiance 1. */
     private double irradiance(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
-        if (l.isBall) {
+        if (l.isBall && l.texture == null) {
             return ofBall(l, index, probability, sampler, address);
         }
         view.aim(l, x, y, z);
@@ -240,7 +240,7 @@ public final class NextEventEstimation implements PathStrategy {
             counters.lightSamplesWithoutRay++;
             return 0;
         }
-        if (known == Tracer.Visibility.ALL && l.form.hasClosedForm()) {
+        if (known == Tracer.Visibility.ALL && l.texture == null && l.form.hasClosedForm()) {
             counters.lightSamplesWithoutRay++;
             return view.irradiance(l.form, nx, ny, nz);
         }
@@ -290,7 +290,13 @@ public final class NextEventEstimation implements PathStrategy {
             return 0;
         }
         double weighed = cosine / sample.pdf * PowerHeuristic.weight(cosine / Math.PI, probability * sample.pdf);
-        return known == Tracer.Visibility.ALL || !shadow.isBlocked(l, sample) ? weighed : 0;
+        if (known != Tracer.Visibility.ALL && shadow.isBlocked(l, sample)) {
+            return 0;
+        }
+        if (l.texture != null) {
+            shadow.weighByTexture(l, sample);
+        }
+        return weighed;
     }
 
     private void gatherAll(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
@@ -398,6 +404,9 @@ public final class NextEventEstimation implements PathStrategy {
 
     /** Whether the vertex, a matte one, has all of the light from its closed form. */
     private boolean isClosed(PhysicalLight l) {
+        if (l.texture != null) {
+            return false;
+        }
         if (l.isBall) {
             return l.form.irradiance(sample, nx, ny, nz) > 0;
         }

@@ -30,6 +30,7 @@ public final class ShadowRays {
     private final RayCounters counters;
     private final boolean absorbs;
     private final double[] relative = new double[3];
+    private final Hit textured = new Hit();
 
     /** Follows shadow rays through glass that does not turn them; null if there is none. */
     private final ShadowWalk walk;
@@ -63,7 +64,7 @@ public final class ShadowRays {
     /** Whether less than all of the light came through to the last shadow ray that was not blocked: {@link #rgb} has the share. */
     public boolean isFiltered;
 
-    /** The share that came through, by band; of a point light with a profile also times the relative intensity in this direction. */
+    /** The share that came through, by band; of a point light with a profile also times the relative intensity in this direction, of a textured light times the factor of its point. */
     public final double[] rgb = new double[3];
 
     /** @param cone around the light that is asked for, with its apex at the vertex */
@@ -172,11 +173,29 @@ public final class ShadowRays {
         if (isSeen && l.profile != null) {
             weighByProfile(l, to);
         }
+        if (isSeen && l.texture != null) {
+            weighByTexture(l, to);
+        }
         return isSeen;
     }
 
     private void weighByProfile(PhysicalLight l, LightSample to) {
         l.profile.intensity(-to.dx, -to.dy, -to.dz, relative);
+        weigh();
+    }
+
+    /** Multiplies what comes through by the factor of a textured light's point. */
+    void weighByTexture(PhysicalLight l, LightSample to) {
+        l.texture.factor(
+                Math.fma(to.length, to.dx, x),
+                Math.fma(to.length, to.dy, y),
+                Math.fma(to.length, to.dz, z),
+                textured,
+                relative);
+        weigh();
+    }
+
+    private void weigh() {
         for (int band = 0; band < rgb.length; band++) {
             rgb[band] = isFiltered ? rgb[band] * relative[band] : relative[band];
         }

@@ -66,6 +66,7 @@ public final class CausticSource extends PathSource {
         if (l.profile != null) {
             weighByProfile(l.profile);
         }
+        weighByTexture(l, ray.ox, ray.oy, ray.oz);
         return weight > 0 && weight < Double.POSITIVE_INFINITY;
     }
 

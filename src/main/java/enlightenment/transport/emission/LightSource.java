@@ -92,6 +92,7 @@ public final class LightSource extends PathSource {
             } else {
                 goes = fromSurface(l, numbers, ray);
                 weigh(l.r, l.g, l.b, l.ultraviolet);
+                weighByTexture(l, point.x, point.y, point.z);
             }
         }
         return goes && directionDensity > 0 && (red > 0 || green > 0 || blue > 0 || ultraviolet > 0);

@@ -9,7 +9,7 @@ import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.state.IncidentLight;
 import enlightenment.transport.state.PathState;
 import enlightenment.transport.state.PathValue;
-import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.surface.SurfaceInteraction;
 
 /**
  * A path that is cut at its second vertex, so that what comes from there can be shared: by all paths whose first vertices see it
@@ -172,7 +172,7 @@ public final class PathCut {
     }
 
     /** It meets a light then. */
-    void meet(SurfaceMaterial light, PathValue value, double density) {
+    void meet(SurfaceInteraction light, PathValue value, double density) {
         metDensity = density;
         value.getEmission(light, met);
     }

@@ -180,7 +180,7 @@ public final class PathIntegrator extends EyePathTracer {
     private boolean surface(Ray ray, Sampler sampler) {
         SurfaceMaterial material = path.at.material;
         if (material.glows && !isAlbedo) {
-            addEmission(ray, material);
+            addEmission(ray);
         }
         if (material.isBlack || !mayScatter()) {
             return false;
@@ -199,13 +199,13 @@ public final class PathIntegrator extends EyePathTracer {
     }
 
     /** Adds what the surface emits, by the share of it that no other strategy finds. */
-    private void addEmission(Ray ray, SurfaceMaterial material) {
-        if (cut != null && cut.isLeft(state) && meetAtCut(ray, material)) {
+    private void addEmission(Ray ray) {
+        if (cut != null && cut.isLeft(state) && meetAtCut(ray)) {
             return;
         }
         double weight = path.at.emits() ? weightOfHit(ray) : 0;
         if (weight > 0) {
-            value.addEmission(material, weight);
+            value.addEmission(path.at, weight);
         }
     }
 
@@ -395,10 +395,10 @@ public final class PathIntegrator extends EyePathTracer {
     }
 
     /** Tells the cut that the path has come straight from there to a light; returns whether a sample there might find it, too. */
-    private boolean meetAtCut(Ray ray, SurfaceMaterial material) {
+    private boolean meetAtCut(Ray ray) {
         double density = nextEvent.density(ray);
         if (density > 0 && path.at.emits()) {
-            cut.meet(material, value, density);
+            cut.meet(path.at, value, density);
         }
         return density > 0;
     }

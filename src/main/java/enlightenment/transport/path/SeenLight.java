@@ -65,7 +65,8 @@ public final class SeenLight extends EyePathTracer {
         SurfaceMaterial material = path.at.material;
         if (path.at.emits()) {
             double weight = images.weight();
-            value.add(weight * material.glowR, weight * material.glowG, weight * material.glowB);
+            path.at.findEmission();
+            value.add(weight * path.at.emittedR, weight * path.at.emittedG, weight * path.at.emittedB);
         }
         if (material.isBlack || !material.bsdf.hasDelta() || !path.mayScatter()) {
             return false;

@@ -4,6 +4,7 @@ import enlightenment.emitter.IntensityProfile;
 import enlightenment.emitter.SurfacePoint;
 import enlightenment.frame.Basis;
 import enlightenment.primitive.EndFaces;
+import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.world.light.PhysicalLight;
 
@@ -19,6 +20,7 @@ public abstract class PathSource {
     protected final double[] disk = new double[3];
     protected final Ray probe = new Ray();
     private final double[] relative = new double[3];
+    private final Hit textured = new Hit();
 
     /** The direction. */
     public double dx;
@@ -76,6 +78,18 @@ public abstract class PathSource {
     /** Multiplies what the path brings by the relative intensity of its direction; of ultraviolet as of blue. */
     protected final void weighByProfile(IntensityProfile profile) {
         profile.intensity(dx, dy, dz, relative);
+        weigh();
+    }
+
+    /** Multiplies what the path brings by the factor of a textured light's point; of ultraviolet as of blue. */
+    protected final void weighByTexture(PhysicalLight l, double x, double y, double z) {
+        if (l.texture != null) {
+            l.texture.factor(x, y, z, textured, relative);
+            weigh();
+        }
+    }
+
+    private void weigh() {
         red *= relative[0];
         green *= relative[1];
         blue *= relative[2];

@@ -4,6 +4,7 @@ import enlightenment.bsdf.Reradiation;
 import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sampler;
 import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.surface.SurfaceInteraction;
 import java.util.Arrays;
 
 /**
@@ -127,20 +128,18 @@ public final class PathValue {
     }
 
     /** Adds what a surface emits. All of it is certain, whatever the weight is. */
-    public void addEmission(SurfaceMaterial material, double weight) {
-        add(
-                weight * material.glowR,
-                weight * material.glowG,
-                weight * material.glowB,
-                weight * material.glowUltraviolet);
-        addCertain(material.glowR, material.glowG, material.glowB, material.glowUltraviolet);
+    public void addEmission(SurfaceInteraction at, double weight) {
+        at.findEmission();
+        add(weight * at.emittedR, weight * at.emittedG, weight * at.emittedB, weight * at.emittedUltraviolet);
+        addCertain(at.emittedR, at.emittedG, at.emittedB, at.emittedUltraviolet);
     }
 
     /** Writes what a surface's emission is worth, in place of {@link #addEmission}. */
-    public void getEmission(SurfaceMaterial material, double[] out) {
-        out[0] = throughputR * compression * material.glowR;
-        out[1] = throughputG * compression * material.glowG;
-        out[2] = throughputB * compression * material.glowB;
+    public void getEmission(SurfaceInteraction at, double[] out) {
+        at.findEmission();
+        out[0] = throughputR * compression * at.emittedR;
+        out[1] = throughputG * compression * at.emittedG;
+        out[2] = throughputB * compression * at.emittedB;
     }
 
     /** Adds the light that was gathered where the path is. */

@@ -174,7 +174,7 @@ public final class CausticPass {
 
     private double brightness(PhysicalLight light) {
         double visible = strongest(light);
-        return ofUltraviolet > 0 ? Math.max(visible, ofUltraviolet * light.ultraviolet) : visible;
+        return ofUltraviolet > 0 ? Math.max(visible, ofUltraviolet * light.meanUltraviolet) : visible;
     }
 
     private double distance(PhysicalLight light, int s) {
@@ -277,8 +277,8 @@ public final class CausticPass {
         return light >= lights.length ? NO_MEDIA : lights[light].mediaAround();
     }
 
-    /** Radiance, of a point radiant intensity, in the strongest band. */
+    /** Mean radiance, of a point radiant intensity, in the strongest band. */
     private static double strongest(PhysicalLight light) {
-        return Math.max(light.r, Math.max(light.g, light.b));
+        return Math.max(light.meanR, Math.max(light.meanG, light.meanB));
     }
 }

@@ -44,7 +44,7 @@ public final class LightBands {
         for (PhysicalLight light : lights) {
             double ofPoint = light.profile == null ? WHOLE_SPHERE : light.profile.solidAngle();
             double size = light.isPoint ? ofPoint : Math.PI * light.form.area();
-            add(sum, size, light.r, light.g, light.b, light.ultraviolet);
+            add(sum, size, light.meanR, light.meanG, light.meanB, light.meanUltraviolet);
         }
         double most = 0;
         for (double band : sum) {

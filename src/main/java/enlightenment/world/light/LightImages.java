@@ -15,7 +15,7 @@ import java.util.List;
  * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are
  * bright beside what is likely to be behind them: not dimmer than a sixteenth of the brightest light, nor than twice the background. Where the
  * image is sampled apart, a pixel sample that hits the light is worth 0: that has less variance only if the light is at least twice as bright as
- * what is behind it. The choice does not depend on the scale of all lights.
+ * what is behind it. The choice does not depend on the scale of all lights. Textured lights have none: their radiance is not one.
  */
 public final class LightImages {
     /** The most images of a pixel or more that are kept, the first ones: most edges in a mesh that glows are no edges of the light. */
@@ -72,7 +72,10 @@ public final class LightImages {
                 poll.run();
             }
             PhysicalLight l = lights[light];
-            boolean canBeSeen = !l.isPoint && LightImage.brightness(l) > 0 && !coincident.concerns(l.id, l.face);
+            boolean canBeSeen = !l.isPoint
+                    && l.texture == null
+                    && LightImage.brightness(l) > 0
+                    && !coincident.concerns(l.id, l.face);
             if (canBeSeen && images.outline.find(l)) {
                 images.keep(light, l);
             }

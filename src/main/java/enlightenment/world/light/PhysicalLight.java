@@ -13,6 +13,7 @@ import enlightenment.primitive.RectanglePrimitive;
 import enlightenment.primitive.SupportSurface;
 import enlightenment.world.contact.CoincidentSurfaces;
 import enlightenment.world.contact.TouchedBoxes;
+import enlightenment.world.material.RadianceMap;
 import enlightenment.world.parts.CompiledPrimitives;
 
 /**
@@ -45,8 +46,11 @@ public final class PhysicalLight extends LightBody {
     /** Whether it is flat: then no point in its plane has light from it. */
     public final boolean isFlat;
 
+    /** What radiance is multiplied by at each point of the surface; null if it is the same at all points, and for points. */
+    public final LightTexture texture;
+
     /**
-     * Emitted radiance (W/(m² sr), relative), the same at all points and in all directions on the sides that shine; of a point light the
+     * Emitted radiance (W/(m² sr), relative), the same in all directions on the sides that shine and, but for a {@link #texture}, at all points; of a point light the
      * radiant intensity (the largest one, if it has a {@link #profile}), scaled so that intensity over squared distance in the frame is irradiance in the scene's units. Linear, by band.
      */
     public final double r;
@@ -56,6 +60,13 @@ public final class PhysicalLight extends LightBody {
 
     /** The same of ultraviolet; 0 if nothing in the scene shows it. */
     public final double ultraviolet;
+
+    /** The same as a mean over the surface: what choices among lights go by. Greater than 0 in each band in which any point emits. */
+    public final double meanR;
+
+    public final double meanG;
+    public final double meanB;
+    public final double meanUltraviolet;
 
     /** Whether light that its inside emits may be seen. */
     public final boolean shinesInside;
@@ -75,7 +86,8 @@ public final class PhysicalLight extends LightBody {
             int face,
             Rgb glow,
             double ultraviolet,
-            boolean shinesInside) {
+            boolean shinesInside,
+            LightTexture texture) {
         super(place.at, place.radius, place.right, place.up, place.ball, place.ballRadius, surface);
         this.form = form;
         this.profile = profile;
@@ -88,6 +100,12 @@ public final class PhysicalLight extends LightBody {
         g = glow.g();
         b = glow.b();
         this.ultraviolet = ultraviolet;
+        this.texture = texture;
+        Rgb mean = texture == null ? Rgb.WHITE : texture.mean(form);
+        meanR = r * mean.r();
+        meanG = g * mean.g();
+        meanB = b * mean.b();
+        meanUltraviolet = ultraviolet * mean.b();
         this.shinesInside = shinesInside;
         hidesNothingOfItself = surface != null && (surface.isFlat() || surface.isConvex() && surface.isSolid());
     }
@@ -115,7 +133,7 @@ public final class PhysicalLight extends LightBody {
      */
     static PhysicalLight point(Vec3 position, IntensityProfile profile, Rgb intensity, double ultraviolet) {
         return new PhysicalLight(
-                Place.ball(position, 0), null, profile, null, NO_PRIMITIVE, 0, intensity, ultraviolet, false);
+                Place.ball(position, 0), null, profile, null, NO_PRIMITIVE, 0, intensity, ultraviolet, false, null);
     }
 
     /** This point light without its ultraviolet, which nothing shows. */
@@ -128,14 +146,25 @@ public final class PhysicalLight extends LightBody {
      *
      * @param isTwoSided whether it glows to its inside as well
      * @param isInsideSeen whether paths from the eye may come to its inside
+     * @param map what radiance is multiplied by; null if it is the same at all points
      */
     public static PhysicalLight glowing(
-            Primitive p, int id, int face, Rgb radiance, double ultraviolet, boolean isTwoSided, boolean isInsideSeen) {
+            Primitive p,
+            int id,
+            int face,
+            Rgb radiance,
+            double ultraviolet,
+            boolean isTwoSided,
+            boolean isInsideSeen,
+            RadianceMap map) {
         AreaLight form = AreaLights.of(p, face, isTwoSided);
-        return form == null
-                ? null
-                : new PhysicalLight(
-                        Place.of(p, form), form, null, p, id, face, radiance, ultraviolet, isTwoSided && isInsideSeen);
+        if (form == null) {
+            return null;
+        }
+        boolean shinesInside = isTwoSided && isInsideSeen;
+        LightTexture texture = map == null ? null : new LightTexture(map, p, face);
+        return new PhysicalLight(
+                Place.of(p, form), form, null, p, id, face, radiance, ultraviolet, shinesInside, texture);
     }
 
     /**
@@ -156,9 +185,9 @@ public final class PhysicalLight extends LightBody {
         return isBall && id == otherId;
     }
 
-    /** Luminance of radiance or intensity. */
+    /** Luminance of the mean radiance, or of intensity. */
     public double luminance() {
-        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+        return 0.2126 * meanR + 0.7152 * meanG + 0.0722 * meanB;
     }
 
     /** The solids of glass that points of the light may lie in, by ascending ids; not to be changed. */

@@ -8,6 +8,7 @@ import enlightenment.color.Rgb;
 import enlightenment.frame.SceneFrame;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
+import enlightenment.material.Texture;
 import enlightenment.numeric.Scale;
 
 /**
@@ -42,7 +43,12 @@ public record PhysicalSurface(
         double dispersion = 0;
         Reradiation reradiation = null;
         HomogeneousMedium medium = null;
-        String look = text(material.radiance(), material.ultraviolet());
+        Rgb factor = material.radianceMap().orElse(null) instanceof Texture.Solid solid
+                ? solid.color().linear()
+                : Rgb.WHITE;
+        Rgb glow = material.radiance().times(factor);
+        double ultraviolet = material.ultraviolet() * factor.b();
+        String look = text(glow, ultraviolet);
         if (material instanceof Material.Glass glass) {
             absorption = scaled(glass.absorption(), frame.exponent());
             look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
@@ -70,15 +76,7 @@ public record PhysicalSurface(
             look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
         }
         return new PhysicalSurface(
-                bsdfs.of(material),
-                material.radiance(),
-                true,
-                absorption,
-                dispersion,
-                material.ultraviolet(),
-                reradiation,
-                medium,
-                look);
+                bsdfs.of(material), glow, true, absorption, dispersion, ultraviolet, reradiation, medium, look);
     }
 
     /** The surface of a light: black, and opaque. */

@@ -54,7 +54,7 @@ public final class SurfaceMaterial {
     /** Whether it emits from the side that its normal points away from as well. */
     public final boolean glowsInside;
 
-    /** The radiance that it emits: linear, by band. */
+    /** The radiance that it emits, before it is multiplied by {@link #radianceMap}: linear, by band. */
     public final double glowR;
 
     public final double glowG;
@@ -62,6 +62,9 @@ public final class SurfaceMaterial {
 
     /** The same of ultraviolet. */
     public final double glowUltraviolet;
+
+    /** What the radiance of each point is multiplied by; null if all points glow alike. */
+    public final RadianceMap radianceMap;
 
     /** What a dye makes of light that is not reflected; null unless there is one that light in the scene makes shine. */
     public final Reradiation reradiation;
@@ -95,12 +98,22 @@ public final class SurfaceMaterial {
 
     /** A material of physical shading, whose colours are linear, as those of the image must be. */
     public SurfaceMaterial(Material material, ImageTexture image, PhysicalSurface physical) {
-        this(material, image, physical, null);
+        this(material, image, physical, null, null);
     }
 
-    /** A material of physical shading that has detail, which says what it is made of. */
-    public SurfaceMaterial(Material material, ImageTexture image, PhysicalSurface physical, SurfaceDetail detail) {
+    /**
+     * A material of physical shading that has detail, which says what it is made of.
+     *
+     * @param radianceMap what its radiance is multiplied by; null if all points glow alike
+     */
+    public SurfaceMaterial(
+            Material material,
+            ImageTexture image,
+            PhysicalSurface physical,
+            SurfaceDetail detail,
+            RadianceMap radianceMap) {
         this.detail = detail;
+        this.radianceMap = radianceMap;
         description = material;
         receivesShadows = material.receivesShadows();
         if (material instanceof Material.Glass glass) {
@@ -127,7 +140,7 @@ public final class SurfaceMaterial {
         PhysicalSurface p = physical == null ? PhysicalSurface.NONE : physical;
         reradiation = p.reradiation();
         isBlack = detail == null && texture.isBlack() && reradiation == null && !bsdf.reflectsIfBlack();
-        look = physical == null ? "" : p.look() + " ";
+        look = physical == null ? "" : p.look() + " " + (radianceMap == null ? "" : radianceMap.look() + " ");
         medium = p.medium();
         glowR = p.glow().r();
         glowG = p.glow().g();
@@ -242,7 +255,7 @@ public final class SurfaceMaterial {
     /** A text that is equal for materials that look the same, on every machine and wherever their image files are. */
     public String appearance() {
         if (detail != null) {
-            return description.type() + " " + detail.look();
+            return (radianceMap == null ? "" : radianceMap.look() + " ") + description.type() + " " + detail.look();
         }
         return look + description.type() + " " + texture.look() + " " + receivesShadows + " " + indexOfRefraction + " "
                 + transparency + " " + priority;

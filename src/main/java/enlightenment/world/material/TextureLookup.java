@@ -9,6 +9,9 @@ import java.util.function.Consumer;
 
 /** A texture ready to be looked up: one colour, a checkerboard, or an image. Immutable. */
 public final class TextureLookup {
+    /** Bounds of more texels than this are not worth their time for each of many triangles. */
+    private static final int FEW_TEXELS = 1 << 14;
+
     private final Texture description;
     private final double r;
     private final double g;
@@ -121,6 +124,32 @@ public final class TextureLookup {
         if (other != null) {
             consumer.accept(other.clone());
         }
+    }
+
+    /**
+     * Gives all colours that may be found where texture coordinates lie in a box, if it is an image and the box lies in 0..1 and holds few
+     * texels.
+     *
+     * @return false if none were given
+     */
+    boolean forEachColor(double u0, double v0, double u1, double v1, Consumer<double[]> consumer) {
+        if (image == null || !(u0 >= 0 && v0 >= 0 && u1 <= 1 && v1 <= 1)) {
+            return false;
+        }
+        double texels = ((u1 - u0) * image.width() + 3) * ((v1 - v0) * image.height() + 3);
+        if (!(texels <= FEW_TEXELS)) {
+            return false;
+        }
+        image.forEachTexel(u0, v0, u1, v1, consumer);
+        return true;
+    }
+
+    /** About how many texels, or squares of a checkerboard, lie along the longer side of a box in texture coordinates. */
+    double texelsAlong(double width, double height) {
+        if (image == null) {
+            return checks * Math.max(width, height);
+        }
+        return Math.max(width * image.width(), height * image.height());
     }
 
     private boolean odd(double coordinate) {

@@ -42,6 +42,13 @@ public final class SurfaceInteraction {
     public double ny;
     public double nz;
 
+    /** The radiance that this point of the surface emits, linear, by band; set by {@link #findEmission}. */
+    public double emittedR;
+
+    public double emittedG;
+    public double emittedB;
+    public double emittedUltraviolet;
+
     /** Completes the interaction once its hit is set. */
     public void arrive(CompiledScene scene, int atId) {
         id = atId;
@@ -110,6 +117,21 @@ public final class SurfaceInteraction {
     /** Whether the shading normal is not that of the surface itself. */
     public boolean isSmooth() {
         return bsdf != material.bsdf;
+    }
+
+    /** Sets the emitted radiance to that of this point, on the sides that glow. */
+    public void findEmission() {
+        emittedR = material.glowR;
+        emittedG = material.glowG;
+        emittedB = material.glowB;
+        emittedUltraviolet = material.glowUltraviolet;
+        if (material.radianceMap != null) {
+            material.radianceMap.factor(hit, scratch);
+            emittedR *= scratch[0];
+            emittedG *= scratch[1];
+            emittedB *= scratch[2];
+            emittedUltraviolet *= scratch[2];
+        }
     }
 
     /** Whether the surface emits light towards where the path came from. */

@@ -19,6 +19,8 @@ import java.util.OptionalDouble;
  * normal map stays one. What glows has neither.
  */
 final class MaterialReader {
+    private static final String EMISSIVE = "emissiveTexture";
+
     private static final List<String> LEFT_OUT = List.of(
             "KHR_materials_sheen",
             "KHR_materials_iridescence",
@@ -68,7 +70,10 @@ final class MaterialReader {
     Optional<TextureFrame> frame() throws IOException {
         Optional<TextureFrame> first = Optional.empty();
         for (GltfElement info : List.of(
-                colorTexture(), metallicRoughness().get("metallicRoughnessTexture"), material.get("normalTexture"))) {
+                colorTexture(),
+                metallicRoughness().get("metallicRoughnessTexture"),
+                material.get("normalTexture"),
+                material.get(EMISSIVE))) {
             if (info.isPresent()) {
                 TextureFrame frame = TextureFrame.of(info);
                 if (first.isPresent() && !first.get().equals(frame)) {
@@ -85,7 +90,8 @@ final class MaterialReader {
     boolean repeats() throws IOException {
         return textures.repeats(colorTexture())
                 && textures.repeats(metallicRoughness().get("metallicRoughnessTexture"))
-                && textures.repeats(material.get("normalTexture"));
+                && textures.repeats(material.get("normalTexture"))
+                && textures.repeats(material.get(EMISSIVE));
     }
 
     /**
@@ -257,7 +263,8 @@ final class MaterialReader {
                 share(coat, "clearcoatFactor", 0),
                 share(coat, "clearcoatRoughnessFactor", 0),
                 emitted(),
-                0);
+                0,
+                radianceMap());
     }
 
     /** A channel of the metallic-roughness texture, if there is one. */
@@ -268,7 +275,7 @@ final class MaterialReader {
                 : textures.channel(info, channel, factor).orElseGet(() -> Amount.of(factor));
     }
 
-    /** The radiance of what glows evenly; a texture of more than one colour is left out. */
+    /** The radiance, before it is multiplied by a texture of several colours; black with one that cannot be had. */
     private Rgb emitted() throws IOException {
         double[] factor = material.numbers("emissiveFactor", 0, 0, 0);
         double strength = material.extension("KHR_materials_emissive_strength").number("emissiveStrength", 1);
@@ -276,14 +283,23 @@ final class MaterialReader {
             throw material.failure("gives less light than none: emissiveFactor and emissiveStrength are at least 0");
         }
         Rgb radiance = new Rgb(factor[0] * strength, factor[1] * strength, factor[2] * strength);
-        if (radiance.equals(Rgb.BLACK) || !material.has("emissiveTexture")) {
+        GltfElement texture = material.get(EMISSIVE);
+        if (radiance.equals(Rgb.BLACK) || !texture.isPresent()) {
             return radiance;
         }
-        Optional<Rgb> uniform = textures.uniform(material.get("emissiveTexture"));
-        if (uniform.isEmpty()) {
-            note("emissiveTexture is left out, and its light: surfaces glow in one colour");
+        Optional<Rgb> uniform = textures.uniform(texture);
+        if (uniform.isPresent()) {
+            return radiance.times(uniform.get());
         }
-        return uniform.map(radiance::times).orElse(Rgb.BLACK);
+        return textures.color(texture, Rgb.WHITE).isPresent() ? radiance : Rgb.BLACK;
+    }
+
+    /** What the radiance is multiplied by; empty if all points glow alike, or not at all. */
+    private Optional<Texture> radianceMap() throws IOException {
+        GltfElement texture = material.get(EMISSIVE);
+        boolean isUniform =
+                !texture.isPresent() || textures.uniform(texture).isPresent() || emitted().equals(Rgb.BLACK);
+        return isUniform ? Optional.empty() : textures.color(texture, Rgb.WHITE);
     }
 
     private Material withNormals(Principled surface) throws IOException {

@@ -3,6 +3,7 @@ package enlightenment.importer.model;
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.importer.support.InputFolder;
+import enlightenment.material.Amount;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -14,7 +15,8 @@ import java.util.Optional;
 
 /**
  * What a material of an MTL file becomes: by its illumination model mirror or glass; with a highlight a coat over matte, else matte; with an opacity
- * below 1 or a texture of it cut out by chance. Numbers are linear, textures of colour sRGB.
+ * below 1 or a texture of it cut out by chance. Numbers are linear, textures of
+ * colour and of emitted light sRGB; where only a texture says what is emitted, the number is 1.
  */
 final class MtlMaterial {
     /** Of glass whose index is not said, and of coats. */
@@ -50,20 +52,22 @@ final class MtlMaterial {
         if (mtl.mapKd().isPresent() && mtl.kd().filter(this::isTint).isPresent()) {
             notes.add("", "Kd of materials with map_Kd is left out: " + Plain.quoted(mtl.name()));
         }
-        Rgb radiance = mtl.ke().map(ke -> clamped(ke, Float.MAX_VALUE)).orElse(Rgb.BLACK);
-        if (mtl.mapKe().isPresent()) {
-            notes.add("", "map_Ke is left out: " + Plain.quoted(mtl.name()));
+        Optional<Texture> map = mtl.mapKe().flatMap(name -> texture(name, Texture.Encoding.SRGB));
+        Rgb usual = map.isPresent() ? Rgb.WHITE : Rgb.BLACK;
+        Rgb radiance = mtl.ke().map(ke -> clamped(ke, Float.MAX_VALUE)).orElse(usual);
+        if (radiance.equals(Rgb.BLACK)) {
+            map = Optional.empty();
         }
         boolean isShiny = mtl.ks().filter(ks -> ks.maxAbs() > 0).isPresent()
                 && mtl.ns().orElse(0) > 0
                 && mtl.illum().orElse(2) >= 2;
         if (!isShiny) {
-            return new Material.Matte(color, true, 0, radiance, 0);
+            return new Material.Matte(color, true, 0, radiance, 0, map);
         }
         // Blinn's exponent n has the width of the distribution of alpha² = 2 / (n + 2) (Walter et al. 2007); roughness
         // is the root of alpha.
         double alpha = StrictMath.sqrt(2 / (mtl.ns().getAsDouble() + 2));
-        return new Material.Coated(color, StrictMath.sqrt(alpha), USUAL_INDEX, false, radiance, 0);
+        return new Material.Coated(color, Amount.of(StrictMath.sqrt(alpha)), USUAL_INDEX, false, radiance, 0, map);
     }
 
     private boolean isTint(Vec3 kd) {

@@ -233,14 +233,19 @@ class GltfMaterialTest {
     }
 
     @Test
-    void evenEmissiveTexturesGlowAndOthersAreNoted() throws IOException {
+    void evenEmissiveTexturesAreRadianceAndOthersItsMap() throws IOException {
         for (boolean isEven : List.of(true, false)) {
             GltfFile file = GltfFile.ofMaterial("{'emissiveFactor':[1,1,1],'emissiveTexture':{'index':0}}");
             file.texture(isEven ? png(0xff00ff00, 0xff00ff00) : png(0xff00ff00, 0xff000000));
             ImportedScene imported = file.read(folder);
-            assertEquals(
-                    isEven ? new Rgb(0, 1, 0) : Rgb.BLACK, material(imported).radiance());
-            assertEquals(isEven ? 0 : 1, imported.notes().size());
+            Material glowing = material(imported);
+            assertEquals(isEven ? new Rgb(0, 1, 0) : Rgb.WHITE, glowing.radiance());
+            assertEquals(isEven, glowing.radianceMap().isEmpty());
+            assertEquals(List.of(), imported.notes());
+            if (!isEven) {
+                Texture.File map = (Texture.File) glowing.radianceMap().get();
+                assertEquals(Texture.Encoding.SRGB, map.encoding());
+            }
         }
     }
 

@@ -505,7 +505,8 @@ final class RandomScenes {
         boolean shadows = isPhysical || random.nextBoolean();
         switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 9 : 8)) {
             case 0:
-                return new Material.Matte(color, shadows, random.nextBoolean() ? 0 : unit(), radiance(), ultraviolet());
+                return mapped(new Material.Matte(
+                        color, shadows, random.nextBoolean() ? 0 : unit(), radiance(), ultraviolet()));
             case 1:
                 return new Material.Mirror(color, shadows, radiance(), ultraviolet());
             case 3:
@@ -553,6 +554,17 @@ final class RandomScenes {
                         random.nextBoolean(),
                         hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive())));
         }
+    }
+
+    /** The surface, whose radiance may be multiplied by a texture. */
+    private Material mapped(Material.Matte surface) {
+        boolean isDark = surface.radiance().equals(Rgb.BLACK) && surface.ultraviolet() == 0;
+        if (isDark || random.nextBoolean()) {
+            return surface;
+        }
+        List<Texture> named = new ArrayList<>(textures.values());
+        return surface.withRadianceMap(
+                named.isEmpty() ? Texture.of(surfaceColor()) : named.get(random.nextInt(named.size())));
     }
 
     /** A material that is made of others. */

@@ -93,7 +93,8 @@ class SceneReaderTest {
         Material chrome = new Material.Mirror(Texture.of(DisplayRgb.of(0.1, 0.2, 0.3)), true, Rgb.gray(0.5));
         Material glass = new Material.Glass(plain(254, 254, 254), 1.5, 0.875, -2, true, 0.25, new Rgb(0.5, 0, 2), false)
                 .withDispersion(36.5);
-        Material ember = new Material.Matte(Texture.of(new Rgb(0.25, 0.5, 1)), true, 0.625, new Rgb(4, 2, 0), 2.5);
+        Material ember = new Material.Matte(
+                Texture.of(new Rgb(0.25, 0.5, 1)), true, 0.625, new Rgb(4, 2, 0), 2.5, Optional.of(checks));
         Material copper = new Material.Glossy(
                 plain(255, 238, 255),
                 0.375,

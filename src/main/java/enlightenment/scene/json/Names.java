@@ -9,6 +9,8 @@ import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -49,12 +51,15 @@ final class Names {
         }
     }
 
-    /** In the format only a colour can stand where it is used: every other texture needs a name. */
+    /** In the format only colours can stand where they are used, and where colours may stand: every other texture needs a name. */
     private void nameTexture(Material material) {
         nameTexture(material.color());
-        for (Texture texture : material.textures()) {
-            addName(texture);
-        }
+        List<Texture> others = new ArrayList<>(material.textures());
+        material.radianceMap().ifPresent(map -> {
+            others.remove(others.lastIndexOf(map));
+            nameTexture(map);
+        });
+        others.forEach(this::addName);
         material.parts().forEach(this::nameTexture);
     }
 

@@ -205,7 +205,7 @@ public final class PathIntegrator extends EyePathTracer {
         }
         double weight = path.at.emits() ? weightOfHit(ray) : 0;
         if (weight > 0) {
-            value.addEmission(path.at, weight);
+            value.addEmission(path.at, weight, path.key);
         }
     }
 

@@ -127,11 +127,20 @@ public final class PathValue {
         blue = Math.fma(throughputB * compression, b, blue);
     }
 
-    /** Adds what a surface emits. All of it is certain, whatever the weight is. */
-    public void addEmission(SurfaceInteraction at, double weight) {
+    /**
+     * Adds what a surface emits. All of it is certain, whatever the weight is, but for what a texture makes of it: between corners that
+     * see the same surface that is not what they see.
+     *
+     * @param key what the path has come to, as a hash
+     */
+    public void addEmission(SurfaceInteraction at, double weight, long key) {
         at.findEmission();
         add(weight * at.emittedR, weight * at.emittedG, weight * at.emittedB, weight * at.emittedUltraviolet);
-        addCertain(at.emittedR, at.emittedG, at.emittedB, at.emittedUltraviolet);
+        if (at.material.radianceMap == null) {
+            addCertain(at.emittedR, at.emittedG, at.emittedB, at.emittedUltraviolet);
+        } else {
+            leaveToChance(key);
+        }
     }
 
     /** Writes what a surface's emission is worth, in place of {@link #addEmission}. */

@@ -52,8 +52,8 @@ class LightTextureTest {
                 new Disk(at, new Vec3(1, 2, 3), 2),
                 new Torus(at, new Vec3(0.5, 1, 0.25), 2, 0.5),
                 new Cylinder(at, ExactPoint.of(2, 4, 4), 1, true),
-                new Cone(at, 1, ExactPoint.of(2, 4, 4), 0.5, true),
-                Box.of(at, ExactPoint.of(2, 5, 4)),
+                new Cone(at, ExactPoint.of(2, 4, 4), 1, 0.5, true),
+                new Box(at, ExactPoint.of(2, 5, 4)),
                 new Cube(at, 2, new Vec3(10, 20, 30)),
                 mesh());
     }

@@ -138,7 +138,7 @@ public sealed interface Material
             return new Matte(color, receivesShadows, roughness, value, ultraviolet, radianceMap);
         }
 
-        /** The same surface, whose radiance is multiplied by a texture. */
+        /** This surface, whose radiance is multiplied by a texture. */
         public Matte withRadianceMap(Texture value) {
             return new Matte(color, receivesShadows, roughness, radiance, ultraviolet, Optional.of(value));
         }

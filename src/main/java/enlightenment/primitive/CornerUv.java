@@ -6,29 +6,31 @@ import java.util.Arrays;
 
 /** The texture coordinates of a triangle's corners a, b, c: u to the right, v upwards, as vertices of meshes have them. */
 record CornerUv(double au, double av, double bu, double bv, double cu, double cv) {
-    /** Sets the texture coordinates of the point a + s (b − a) + t (c − a). */
-    void interpolate(double s, double t, Hit hit) {
-        double rest = 1 - s - t;
-        hit.u = rest * au + s * bu + t * cu;
-        hit.v = 1 - (rest * av + s * bv + t * cv);
+    /** The u of the point a + s (b − a) + t (c − a). */
+    double u(double s, double t) {
+        return (1 - s - t) * au + s * bu + t * cu;
+    }
+
+    /** The v of that point, upwards. */
+    double v(double s, double t) {
+        return (1 - s - t) * av + s * bv + t * cv;
     }
 
     /**
-     * Sets the directions in which texture coordinates grow.
+     * The directions in which u and v grow, as long as a unit of them.
      *
      * @param b from the first corner to the second
      * @param c from the first corner to the third
-     * @return false if the corners' texture coordinates lie in one line, or nearly so
+     * @return null if the corners' texture coordinates lie in one line, or nearly so
      */
-    boolean directions(Vec3 b, Vec3 c, Hit hit) {
+    Vec3[] directions(Vec3 b, Vec3 c) {
         double determinant = Products.difference(bu - au, cv - av, bv - av, cu - au);
         if (determinant == 0) {
-            return false;
+            return null;
         }
         Vec3 u = b.times((cv - av) / determinant).minus(c.times((bv - av) / determinant));
         Vec3 v = c.times((bu - au) / determinant).minus(b.times((cu - au) / determinant));
-        hit.setTextureDirections(u, v);
-        return u.isFinite() && v.isFinite();
+        return u.isFinite() && v.isFinite() ? new Vec3[] {u, v} : null;
     }
 
     /** These numbers behind others. */

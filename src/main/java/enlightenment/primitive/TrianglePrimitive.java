@@ -78,7 +78,10 @@ public final class TrianglePrimitive extends Primitive {
     public void textureCoordinates(Hit hit) {
         plane.textureCoordinates(hit);
         if (uv != null) {
-            uv.interpolate(1 - hit.v, hit.u, hit);
+            double s = 1 - hit.v;
+            double t = hit.u;
+            hit.u = uv.u(s, t);
+            hit.v = 1 - uv.v(s, t);
         }
     }
 
@@ -86,7 +89,11 @@ public final class TrianglePrimitive extends Primitive {
     @Override
     public boolean textureDirections(Hit hit) {
         if (uv != null) {
-            return uv.directions(b.minus(a), c.minus(a), hit);
+            Vec3[] directions = uv.directions(b.minus(a), c.minus(a));
+            if (directions != null) {
+                hit.setTextureDirections(directions[0], directions[1]);
+            }
+            return directions != null;
         }
         hit.setTextureDirections(c.minus(a), b.minus(a));
         return true;

@@ -29,8 +29,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class RadianceMapTest {
     private static final double REFLECTANCE = 0.6;
 
-    private static final Texture CHECKER =
-            new Texture.Checker(List.of(new Rgb(1, 0.25, 0), new Rgb(0, 0.75, 0.5)), 3);
+    private static final Texture CHECKER = new Texture.Checker(List.of(new Rgb(1, 0.25, 0), new Rgb(0, 0.75, 0.5)), 3);
 
     private static Material lamp(Rgb radiance, Texture map) {
         return Material.Matte.of(Texture.of(Rgb.BLACK)).withRadiance(radiance).withRadianceMap(map);

@@ -11,6 +11,7 @@ import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Transform;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.mesh.MeshBuilder;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
 import java.util.Arrays;
@@ -90,6 +91,44 @@ class MeshPrimitiveTest {
                 assertTrue(low <= slack && high <= slack, how + ": " + low + ", " + high + " of " + size);
             }
         });
+    }
+
+    /** Meshes that glow are triangles of their own: textures lie on them as on the mesh. */
+    @Test
+    void trianglesKeepTheTextureCoordinatesOfTheirMesh() {
+        for (boolean hasUv : List.of(true, false)) {
+            MeshBuilder quad = new MeshBuilder();
+            double[][] corners = {{0, 0, 0}, {2, 0, 1}, {2, 3, 0}, {0, 2, 0}};
+            double[][] uv = {{-0.5, 0.25}, {1.25, 0}, {1, 1.5}, {0, 1}};
+            for (int k = 0; k < corners.length; k++) {
+                quad.vertex(corners[k][0], corners[k][1], corners[k][2]);
+                if (hasUv) {
+                    quad.uv(uv[k][0], uv[k][1]);
+                }
+            }
+            quad.triangle(0, 1, 2);
+            quad.triangle(0, 2, 3);
+            Mesh shape = Mesh.of(quad.build());
+            Primitive mesh = Primitives.place(shape, SceneFrame.WORLD);
+            Hit hit = new Hit();
+            Hit other = new Hit();
+            for (int k = 0; k < 100; k++) {
+                Ray ray = Ray.of(new Vec3(k % 10 / 5.0 + 0.0625, k / 10 / 5.0 + 0.03125, -5), Vec3.Z);
+                assertTrue(mesh.intersect(ray, hit));
+                Primitive triangle =
+                        Primitives.triangles(shape, SceneFrame.WORLD).get(hit.element);
+                assertTrue(triangle.intersect(ray, other));
+                mesh.textureCoordinates(hit);
+                triangle.textureCoordinates(other);
+                assertEquals(hit.u, other.u, 1e-14);
+                assertEquals(hit.v, other.v, 1e-14);
+                assertEquals(mesh.repeatsTextures(), triangle.repeatsTextures());
+                mesh.textureDirections(hit);
+                triangle.textureDirections(other);
+                assertEquals(hit.ux, other.ux, 1e-14);
+                assertEquals(hit.vz, other.vz, 1e-14);
+            }
+        }
     }
 
     /** Rays meet an instance where they meet the triangles whose vertices are placed: to a few roundings of coordinates. */

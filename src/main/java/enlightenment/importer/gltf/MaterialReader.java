@@ -297,8 +297,9 @@ final class MaterialReader {
     /** What the radiance is multiplied by; empty if all points glow alike, or not at all. */
     private Optional<Texture> radianceMap() throws IOException {
         GltfElement texture = material.get(EMISSIVE);
-        boolean isUniform =
-                !texture.isPresent() || textures.uniform(texture).isPresent() || emitted().equals(Rgb.BLACK);
+        boolean isUniform = !texture.isPresent()
+                || textures.uniform(texture).isPresent()
+                || emitted().equals(Rgb.BLACK);
         return isUniform ? Optional.empty() : textures.color(texture, Rgb.WHITE);
     }
 

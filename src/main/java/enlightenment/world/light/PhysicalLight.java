@@ -61,7 +61,7 @@ public final class PhysicalLight extends LightBody {
     /** The same of ultraviolet; 0 if nothing in the scene shows it. */
     public final double ultraviolet;
 
-    /** The same as a mean over the surface: what choices among lights go by. Greater than 0 in each band in which any point emits. */
+    /** The mean of that over the surface: what choices among lights go by. Greater than 0 in each band in which any point emits. */
     public final double meanR;
 
     public final double meanG;

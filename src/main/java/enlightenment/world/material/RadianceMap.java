@@ -46,7 +46,7 @@ public final class RadianceMap {
 
     /** Writes upper bounds of the factors where texture coordinates lie in a box. */
     public void bound(double u0, double v0, double u1, double v1, double[] rgb) {
-        // Coordinates are rounded; whoever is asked for a point of the box may look a little beside it.
+        // Coordinates are rounded: those of a point of the box may lie a little beside it.
         double slack =
                 Scale.gamma(64) * (1 + Math.max(Math.abs(u0), Math.abs(u1)) + Math.max(Math.abs(v0), Math.abs(v1)));
         boolean isKnown = texture.forEachColor(u0 - slack, v0 - slack, u1 + slack, v1 + slack, new Bound(rgb));

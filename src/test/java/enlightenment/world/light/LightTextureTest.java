@@ -123,7 +123,8 @@ class LightTextureTest {
     @Test
     void whatTheTextureLeavesBlackIsNoLight() {
         Texture black = new Texture.Checker(List.of(Rgb.BLACK, Rgb.BLACK), 2);
-        Material dark = Material.Matte.of(Texture.of(Rgb.WHITE)).withRadiance(Rgb.WHITE).withRadianceMap(black);
+        Material dark =
+                Material.Matte.of(Texture.of(Rgb.WHITE)).withRadiance(Rgb.WHITE).withRadianceMap(black);
         assertEquals(0, compiled(mesh(), dark).physical.lights.length);
     }
 

@@ -3,6 +3,7 @@ package enlightenment.world.light;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.SurfacePoint;
 import enlightenment.geometry.Box;
@@ -75,6 +76,7 @@ class LightTextureTest {
         Scene scene = Scene.builder()
                 .size(4, 4)
                 .shading(PhysicalShading.DEFAULT)
+                .camera(new Camera.Perspective(ExactPoint.of(0, 1, -9), ExactPoint.of(0, 1, 0), Vec3.Y, 40))
                 .object(shape, material)
                 .build();
         return SceneCompiler.compile(scene, RenderSettings.of(scene));

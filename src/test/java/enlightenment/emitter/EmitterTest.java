@@ -19,7 +19,7 @@ class EmitterTest {
     private static final int COUNT = 256;
 
     static Stream<Light> lights() {
-        return Descriptions.LIGHTS.stream();
+        return Descriptions.LIGHTS.stream().filter(Light::isForClassicShading);
     }
 
     @ParameterizedTest

@@ -1,6 +1,7 @@
 package enlightenment.importer;
 
 import enlightenment.camera.Camera;
+import enlightenment.file.FileFailure;
 import enlightenment.file.InputFile;
 import enlightenment.importer.gltf.GltfReader;
 import enlightenment.importer.mitsuba.MitsubaReader;
@@ -17,7 +18,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
-import java.nio.file.FileSystemException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -46,6 +47,9 @@ public final class SceneImporter {
             "pbrt", Format.PBRT,
             "nff", Format.NFF);
 
+    /** Bytes that show whether a file is JSON. */
+    private static final int START = 256;
+
     private enum Format {
         MODEL,
         GLTF,
@@ -56,9 +60,25 @@ public final class SceneImporter {
 
     private SceneImporter() {}
 
-    /** Whether the end of the file's name is one of a format that is read here. */
+    /**
+     * Whether the end of the file's name is one of a format that is read here, and its content is no JSON, which only glTF may be: what is a scene file
+     * is one whatever its name.
+     */
     public static boolean reads(Path file) {
-        return FORMATS.containsKey(ending(file));
+        Format format = FORMATS.get(ending(file));
+        if (format == null) {
+            return false;
+        }
+        try {
+            String start = new String(InputFile.start(file, START), StandardCharsets.ISO_8859_1).stripLeading();
+            boolean isJson = start.startsWith("{");
+            return !isJson
+                    || format == Format.GLTF
+                            && new String(InputFile.bytes(file), StandardCharsets.ISO_8859_1).contains("\"asset\"");
+        } catch (IOException e) {
+            // Who reads it will say what is wrong with it.
+            return true;
+        }
     }
 
     /**
@@ -88,10 +108,8 @@ public final class SceneImporter {
                     finished(draft, name(file), options), draft.notes().list());
         } catch (InvalidValueException e) {
             throw ImportFailure.at(file, 0, e.getMessage());
-        } catch (FileSystemException e) {
-            throw e;
         } catch (IOException e) {
-            throw new SceneException(List.of(new SceneException.Problem("", 0, 0, "", e.getMessage())));
+            throw new SceneException(List.of(new SceneException.Problem("", 0, 0, "", FileFailure.described(e))));
         }
     }
 

@@ -2,6 +2,7 @@ package enlightenment.importer;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
+import enlightenment.frame.Bounds;
 import enlightenment.geometry.Disk;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Shape;
@@ -28,6 +29,9 @@ final class Studio {
 
     /** Degrees: the view's height, how far it looks down, and how far it stands to the right of the front. */
     private static final double FIELD_OF_VIEW = 30;
+
+    /** How much of the picture the model's box fills at most, from its middle. */
+    private static final double FILLED = 0.85;
 
     private static final double ELEVATION = 22;
     private static final double AZIMUTH = 35;
@@ -110,13 +114,20 @@ final class Studio {
         return isUpZ ? new Vec3(right, -front, high) : new Vec3(right, high, front);
     }
 
-    /** From three quarters, so far that the ball around the model fits into the picture. */
+    /** From three quarters, so far that the corners of the box around the model lie within most of the picture. */
     Camera camera() {
-        double half = StrictMath.toRadians(FIELD_OF_VIEW / 2);
-        double narrow = StrictMath.atan(StrictMath.tan(half) * Math.min(1, aspect));
         Vec3 away = towards(AZIMUTH, ELEVATION);
-        Vec3 forward = away.times(-radius() / StrictMath.sin(narrow));
-        return new ImportView(middle().minus(forward), forward, up(), forward.cross(up())).pinhole(FIELD_OF_VIEW);
+        Vec3 right = up().cross(away).normalized();
+        Vec3 top = away.cross(right);
+        double tangent = StrictMath.tan(StrictMath.toRadians(FIELD_OF_VIEW / 2)) * FILLED;
+        double distance = 0;
+        for (int corner = 0; corner < 8; corner++) {
+            Vec3 p = new Bounds(min, max).corner(corner).minus(middle());
+            double across = Math.abs(p.dot(right)) / (tangent * aspect);
+            distance = Math.max(distance, p.dot(away) + Math.max(across, Math.abs(p.dot(top)) / tangent));
+        }
+        Vec3 forward = away.times(-distance);
+        return new ImportView(middle().minus(forward), forward, up(), right).pinhole(FIELD_OF_VIEW);
     }
 
     /**

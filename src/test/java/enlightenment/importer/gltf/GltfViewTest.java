@@ -1,9 +1,10 @@
 package enlightenment.importer.gltf;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
+import enlightenment.camera.FieldOfViewAxis;
+import enlightenment.camera.Handedness;
 import enlightenment.color.Rgb;
 import enlightenment.importer.ImportedScene;
 import enlightenment.light.Emission;
@@ -12,6 +13,7 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -37,16 +39,19 @@ class GltfViewTest {
         file.add("cameras", "{'type':'perspective','perspective':{'yfov':1.2,'aspectRatio':2,'znear':0.1}}");
         file.add("nodes", "{'camera':0,'translation':[1,2,9]}");
         ImportedScene imported = file.read(folder);
-        Camera.Window window = (Camera.Window) imported.scene().camera();
-        assertEquals(ExactPoint.of(1, 2, 9), window.eye());
-        Vec3 up = window.upperLeft().minus(window.lowerLeft());
-        Vec3 right = window.lowerRight().minus(window.lowerLeft());
-        Vec3 toCorner = window.lowerLeft().minus(window.eye());
-        assertTrue(up.y() > 0 && Math.abs(up.x()) + Math.abs(up.z()) <= 1e-12 * up.y(), "y points upwards");
-        assertTrue(right.x() > 0, "x points to the right");
-        assertTrue(toCorner.z() < 0, "it looks along -z");
-        assertEquals(Math.tan(0.6), up.y() / 2 / -toCorner.z(), 1e-9);
-        assertEquals(2, right.x() / up.y(), 1e-9);
+        Camera.Perspective camera = (Camera.Perspective) imported.scene().camera();
+        assertEquals(ExactPoint.of(1, 2, 9), camera.eye());
+        assertEquals(Vec3.Y, camera.up());
+        assertEquals(
+                0,
+                camera.eye()
+                        .directionTo(camera.lookAt())
+                        .normalized()
+                        .minus(new Vec3(0, 0, -1))
+                        .length());
+        assertEquals(Handedness.RIGHT, camera.handedness(), "x points to the right");
+        assertEquals(StrictMath.toDegrees(1.2), camera.fieldOfView(), 1e-12);
+        assertEquals(FieldOfViewAxis.VERTICAL, camera.axis());
         assertEquals(2.0, (double) imported.scene().width() / imported.scene().height());
     }
 
@@ -55,10 +60,12 @@ class GltfViewTest {
         GltfFile file = square();
         file.add("cameras", "{'type':'orthographic','orthographic':{'xmag':3,'ymag':2,'zfar':10,'znear':0.1}}");
         file.add("nodes", "{'camera':0,'translation':[0,0,5]}");
-        Camera.Window window = (Camera.Window) file.read(folder).scene().camera();
-        assertEquals(4, window.upperLeft().minus(window.lowerLeft()).y(), 1e-9);
-        assertEquals(6, window.lowerRight().minus(window.lowerLeft()).x(), 1e-9);
-        assertEquals(5, window.lowerLeft().toVec3().z(), 1e-9);
+        Scene scene = file.read(folder).scene();
+        Camera.Orthographic camera = (Camera.Orthographic) scene.camera();
+        assertEquals(4, camera.height(), 1e-12);
+        assertEquals(1.5, (double) scene.width() / scene.height());
+        assertEquals(ExactPoint.of(0, 0, 5), camera.eye());
+        assertEquals(Handedness.RIGHT, camera.handedness());
     }
 
     /** The trap "units of KHR_lights_punctual": candela are numbers of intensity. */

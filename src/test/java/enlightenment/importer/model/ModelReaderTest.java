@@ -1,0 +1,177 @@
+package enlightenment.importer.model;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.camera.Camera;
+import enlightenment.camera.Handedness;
+import enlightenment.color.Rgb;
+import enlightenment.geometry.Disk;
+import enlightenment.importer.ImportOptions;
+import enlightenment.importer.ImportedScene;
+import enlightenment.importer.SceneImporter;
+import enlightenment.material.Amount;
+import enlightenment.material.Mask;
+import enlightenment.material.Material;
+import enlightenment.material.Texture;
+import enlightenment.math.Vec3;
+import enlightenment.mesh.MeshFiles;
+import enlightenment.mesh.TestMeshes;
+import enlightenment.mesh.TriangleMesh;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.SceneObject;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Models without a scene, and the studio that they stand in. */
+class ModelReaderTest {
+    private static final String TRIANGLES =
+            """
+            mtllib model.mtl
+            v 0 0 0
+            v 1 0 0
+            v 0 1 0
+            usemtl clay
+            f 1 2 3
+            usemtl shiny
+            f 1 2 3
+            usemtl window
+            f 1 2 3
+            usemtl looking
+            f 1 2 3
+            usemtl veil
+            f 1 2 3
+            usemtl lamp
+            f 1 2 3
+            usemtl unknown
+            f 1 2 3
+            """;
+
+    private static final String MATERIALS =
+            """
+            newmtl clay
+            Kd 0.5 0.25 0.125
+            newmtl shiny
+            Kd 0.5 0.5 0.5
+            Ks 0.2 0.2 0.2
+            Ns 198
+            illum 2
+            newmtl window
+            illum 4
+            Ni 1.45
+            newmtl looking
+            Ks 0.75 0.5 0.25
+            illum 3
+            newmtl veil
+            Kd 1 1 1
+            d 0.25
+            map_Kd ../outside.png
+            newmtl lamp
+            Ke 3 2 1
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private Path ply(TriangleMesh mesh) throws IOException {
+        Path file = folder.resolve("model.ply");
+        try (OutputStream out = Files.newOutputStream(file)) {
+            MeshFiles.writePly(mesh, out);
+        }
+        return file;
+    }
+
+    @Test
+    void materialsOfAnObjFileBecomeOurs() throws IOException {
+        Files.writeString(folder.resolve("model.mtl"), MATERIALS);
+        Path file = Files.writeString(folder.resolve("model.obj"), TRIANGLES);
+        ImportedScene read = SceneImporter.read(file, ImportOptions.DEFAULT);
+        Map<String, Material> by =
+                read.scene().objects().stream().collect(Collectors.toMap(SceneObject::name, SceneObject::material));
+        assertEquals(Material.Matte.of(Texture.of(new Rgb(0.5, 0.25, 0.125))), by.get("clay"));
+        // alpha² = 2 / (198 + 2): alpha is 0.1, the roughness its root.
+        Amount.Constant rough = (Amount.Constant)
+                assertInstanceOf(Material.Coated.class, by.get("shiny")).roughness();
+        assertEquals(0.1, rough.value() * rough.value(), 1e-15);
+        assertEquals(
+                1.45, assertInstanceOf(Material.Glass.class, by.get("window")).indexOfRefraction());
+        assertEquals(Material.Mirror.of(Texture.of(new Rgb(0.75, 0.5, 0.25))), by.get("looking"));
+        assertEquals(
+                Amount.of(Texture.of(Rgb.gray(0.25))),
+                assertInstanceOf(Mask.class, by.get("veil")).map());
+        assertEquals(new Rgb(3, 2, 1), by.get("lamp").radiance());
+        assertTrue(read.notes().stream().anyMatch(n -> n.contains("leads out of the folder")), "" + read.notes());
+        assertTrue(read.notes().stream().anyMatch(n -> n.contains("\"unknown\"")), "" + read.notes());
+    }
+
+    /** All vertices lie within the picture, at its edges at most, and the ground below them. */
+    @Test
+    void theStudioShowsAllOfAModelOnItsGround() throws IOException {
+        List<UnaryOperator<Vec3>> forms = List.of(v -> v, v -> new Vec3(9 * v.x(), v.y(), 0.1 * v.z()));
+        for (UnaryOperator<Vec3> stretch : forms) {
+            TriangleMesh mesh = TestMeshes.moved(
+                    TestMeshes.icosphere(2), false, v -> stretch.apply(v).plus(new Vec3(100, -7, 3)));
+            Scene scene = SceneImporter.read(ply(mesh), ImportOptions.DEFAULT).scene();
+            Camera.Perspective camera = (Camera.Perspective) scene.camera();
+            assertEquals(Handedness.RIGHT, camera.handedness());
+            Vec3 forward = camera.eye().directionTo(camera.lookAt()).normalized();
+            Vec3 right = forward.cross(camera.up()).normalized();
+            Vec3 top = right.cross(forward);
+            double tangent = StrictMath.tan(StrictMath.toRadians(camera.fieldOfView() / 2));
+            double aspect = (double) scene.width() / scene.height();
+            double most = 0;
+            for (int v = 0; v < mesh.vertices(); v++) {
+                Vec3 d = mesh.position(v).minus(camera.eye().toVec3());
+                double z = d.dot(forward) * tangent;
+                most = Math.max(most, Math.max(Math.abs(d.dot(top)) / z, Math.abs(d.dot(right)) / (z * aspect)));
+            }
+            assertTrue(most < 1 && most > 0.4, "the outermost vertex is at " + most);
+            Disk ground = (Disk) scene.objects().get(1).shape();
+            assertEquals(mesh.min().y(), ground.center().toVec3().y());
+            assertEquals(Vec3.Y, ground.normal());
+        }
+    }
+
+    @Test
+    void upIsWhatTheOptionsSay() throws IOException {
+        ImportOptions z = new ImportOptions(ImportOptions.DEFAULT.extracted(), Optional.of(ImportOptions.Up.Z), 0);
+        Scene scene = SceneImporter.read(ply(TestMeshes.icosphere(1)), z).scene();
+        assertEquals(Vec3.Z, ((Camera.Perspective) scene.camera()).up());
+        assertEquals(Vec3.Z, ((Disk) scene.objects().get(1).shape()).normal());
+    }
+
+    @Test
+    void aFileWhoseLightsAreAllLeftOutIsLitAndSaysSo() throws IOException {
+        String text = "<scene version=\"3.0.0\"><emitter type=\"moonlight\"/>%s<shape type=\"sphere\"/></scene>";
+        ImportedScene dark = SceneImporter.read(
+                Files.writeString(folder.resolve("dark.xml"), text.formatted("")), ImportOptions.DEFAULT);
+        assertEquals(1, dark.scene().lights().size());
+        assertTrue(dark.notes().stream().anyMatch(n -> n.contains("a soft light stands in")), "" + dark.notes());
+        ImportedScene lit = SceneImporter.read(
+                Files.writeString(folder.resolve("lit.xml"), text.formatted("<emitter type=\"constant\"/>")),
+                ImportOptions.DEFAULT);
+        assertEquals(0, lit.scene().lights().size());
+        assertTrue(lit.notes().stream().noneMatch(n -> n.contains("a soft light stands in")), "" + lit.notes());
+    }
+
+    @Test
+    void aBrokenModelIsToldByItsNameInOneLine() throws IOException {
+        Path file = Files.writeString(folder.resolve("broken.ply"), "ply\nformat ascii 1.0\nelement vertex 9999\n");
+        SceneException e = assertThrows(SceneException.class, () -> SceneImporter.read(file, ImportOptions.DEFAULT));
+        assertEquals(1, e.problems().size());
+        assertTrue(e.problems().get(0).toString().startsWith(file.toString()), e.getMessage());
+        assertEquals(1, e.problems().get(0).toString().lines().count());
+    }
+}

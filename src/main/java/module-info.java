@@ -6,7 +6,6 @@
 module enlightenment {
     requires java.desktop; // javax.imageio, for JPEG and BMP textures
     requires tools.jackson.core;
-    requires java.xml; // scenes of Mitsuba
     requires jdk.jfr; // renders can be watched in Java Flight Recorder
     // Tell processor time and load best; without them there is less to tell.
     requires static java.management;
@@ -19,6 +18,8 @@ module enlightenment {
     // Only charts need these.
     requires static xchart;
     requires static org.apache.xmlgraphics.batik.svggen;
+    // Charts, and scenes of Mitsuba; java.desktop brings it along.
+    requires static java.xml;
     // Only the sample store needs this.
     requires static java.sql;
 

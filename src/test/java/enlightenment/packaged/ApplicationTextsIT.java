@@ -92,7 +92,7 @@ class ApplicationTextsIT {
         assertEquals(
                 List.of("linear", "normal", "zeta"),
                 List.copyOf(complete("enlightenment", "render", "--proposal", "")));
-        assertEquals(List.of("16", "8"), List.copyOf(complete("enlightenment", "render", "--depth", "")));
+        assertEquals(List.of("16", "32", "8"), List.copyOf(complete("enlightenment", "render", "--depth", "")));
         assertEquals(
                 List.of("auto", "bar", "none", "plain"),
                 List.copyOf(complete("enlightenment", "server", "--progress", "")));

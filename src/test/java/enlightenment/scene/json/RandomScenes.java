@@ -503,15 +503,17 @@ final class RandomScenes {
                 ? Texture.of(surfaceColor())
                 : named.get(random.nextInt(named.size()));
         boolean shadows = isPhysical || random.nextBoolean();
+        Rgb light = radiance();
+        double near = ultraviolet();
         switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 9 : 8)) {
             case 0:
-                return mapped(new Material.Matte(
-                        color, shadows, random.nextBoolean() ? 0 : unit(), radiance(), ultraviolet()));
+                return new Material.Matte(
+                        color, shadows, random.nextBoolean() ? 0 : unit(), light, near, map(light, near));
             case 1:
-                return new Material.Mirror(color, shadows, radiance(), ultraviolet());
+                return new Material.Mirror(color, shadows, light, near, map(light, near));
             case 3:
                 return new Material.Glossy(
-                        color, amount(), conductor(), random.nextBoolean(), radiance(), ultraviolet());
+                        color, amount(), conductor(), random.nextBoolean(), light, near, map(light, near));
             case 4:
                 return new Material.Scattering(
                         retry(this::medium),
@@ -524,8 +526,9 @@ final class RandomScenes {
                         random.nextBoolean() ? Amount.of(0) : amount(),
                         random.nextBoolean() ? Material.Coated.USUAL_INDEX : 1 + 9 * unit(),
                         random.nextBoolean(),
-                        radiance(),
-                        ultraviolet());
+                        light,
+                        near,
+                        map(light, near));
             case 6:
                 return detailed();
             case 7:
@@ -537,11 +540,12 @@ final class RandomScenes {
                         random.nextBoolean() ? 1 : unit(),
                         random.nextBoolean() ? 0 : unit(),
                         random.nextBoolean() ? 0 : unit(),
-                        radiance(),
-                        ultraviolet());
+                        light,
+                        near,
+                        map(light, near));
             case 8:
                 return retry(() -> new Material.Fluorescent(
-                        color, wavelengths(), wavelengths(), unit(), radiance(), ultraviolet()));
+                        color, wavelengths(), wavelengths(), unit(), light, near, map(light, near)));
             default:
                 return retry(() -> new Material.Glass(
                         color,
@@ -556,15 +560,13 @@ final class RandomScenes {
         }
     }
 
-    /** The surface, whose radiance may be multiplied by a texture. */
-    private Material mapped(Material.Matte surface) {
-        boolean isDark = surface.radiance().equals(Rgb.BLACK) && surface.ultraviolet() == 0;
-        if (isDark || random.nextBoolean()) {
-            return surface;
+    /** What the radiance of a surface is multiplied by, if it glows. */
+    private Optional<Texture> map(Rgb light, double near) {
+        if (light.equals(Rgb.BLACK) && near == 0 || random.nextBoolean()) {
+            return Optional.empty();
         }
         List<Texture> named = new ArrayList<>(textures.values());
-        return surface.withRadianceMap(
-                named.isEmpty() ? Texture.of(surfaceColor()) : named.get(random.nextInt(named.size())));
+        return Optional.of(named.isEmpty() ? Texture.of(surfaceColor()) : named.get(random.nextInt(named.size())));
     }
 
     /** A material that is made of others. */

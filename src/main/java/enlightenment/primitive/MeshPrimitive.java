@@ -7,7 +7,6 @@ import enlightenment.mesh.TriangleMesh;
 import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * An instance of a mesh: rays are mapped to its coordinates and follow its tree. It is one surface, curved as far as others need to know, of
@@ -98,9 +97,9 @@ public final class MeshPrimitive extends Primitive {
         local.startOn(triangle, ray.startSide, Scale.gamma(16) * size * placing.largestInverse());
     }
 
-    /** The numbers of how it is placed. */
-    List<Double> placing() {
-        return Arrays.stream(placing.numbers()).boxed().toList();
+    /** How it is placed. */
+    Placing placing() {
+        return placing;
     }
 
     @Override

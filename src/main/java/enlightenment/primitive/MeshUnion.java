@@ -8,9 +8,11 @@ import enlightenment.mesh.TriangleMesh;
 import enlightenment.mesh.TriangleTree;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 
 /**
  * Meshes that were placed alike, with one hierarchy of all their triangles: rays need not be prepared for each of them, and boxes do not overlap.
@@ -26,14 +28,18 @@ public final class MeshUnion {
     private final TriangleTree tree;
     private final Bounds bounds;
 
-    private MeshUnion(Primitive[] all, List<Integer> chosen, Runnable poll) {
-        ids = chosen.stream().mapToInt(i -> i).toArray();
+    /** By member: its number. */
+    private final Map<Primitive, Integer> numbers = new IdentityHashMap<>();
+
+    private MeshUnion(Primitive[] all, int[] chosen, Runnable poll) {
+        ids = chosen;
         members = Arrays.stream(ids).mapToObj(i -> (MeshPrimitive) all[i]).toArray(MeshPrimitive[]::new);
         first = new int[members.length + 1];
         Bounds box = members[0].bounds();
         for (int k = 0; k < members.length; k++) {
             first[k + 1] = first[k] + members[k].mesh().triangles();
             box = box.union(members[k].bounds());
+            numbers.put(members[k], k);
         }
         bounds = box;
         List<TriangleMesh> meshes =
@@ -48,24 +54,53 @@ public final class MeshUnion {
      * @return null if there is none
      */
     public static MeshUnion of(Primitive[] primitives, Runnable poll) {
-        Map<List<Double>, List<Integer>> placed = new LinkedHashMap<>();
-        for (int i = 0; i < primitives.length; i++) {
-            if (primitives[i] instanceof MeshPrimitive m && !m.isExtreme()) {
-                placed.computeIfAbsent(m.placing(), k -> new ArrayList<>()).add(i);
-            }
-        }
-        List<Integer> best = null;
+        int[] best = null;
         long most = 0;
-        for (List<Integer> alike : placed.values()) {
-            long triangles = alike.stream()
+        for (int[] alike : alike(primitives)) {
+            long triangles = Arrays.stream(alike)
                     .mapToLong(i -> ((MeshPrimitive) primitives[i]).mesh().triangles())
                     .sum();
-            if (alike.size() > 1 && triangles > most && triangles < Nodes.MOST_ITEMS) {
+            boolean isBetter = triangles > most || triangles == most && best != null && alike[0] < best[0];
+            if (isBetter && triangles < Nodes.MOST_ITEMS) {
                 most = triangles;
                 best = alike;
             }
         }
         return best == null ? null : new MeshUnion(primitives, best, poll);
+    }
+
+    /** The indices of meshes that are placed alike, of each such set of at least two in ascending order. */
+    private static List<int[]> alike(Primitive[] primitives) {
+        // Sorted by the hash of how they are placed: there may be a million instances, of which nearly all stand alone.
+        long[] order = IntStream.range(0, primitives.length)
+                .filter(i -> primitives[i] instanceof MeshPrimitive m && !m.isExtreme())
+                .mapToLong(i -> (long) placing(primitives, i).hashCode() << Integer.SIZE | i)
+                .sorted()
+                .toArray();
+        List<int[]> sets = new ArrayList<>();
+        for (int from = 0, to; from < order.length; from = to) {
+            to = from + 1;
+            while (to < order.length && order[to] >> Integer.SIZE == order[from] >> Integer.SIZE) {
+                to++;
+            }
+            if (to - from > 1) {
+                Map<Placing, List<Integer>> byPlacing = new LinkedHashMap<>();
+                for (int k = from; k < to; k++) {
+                    int i = (int) order[k];
+                    byPlacing
+                            .computeIfAbsent(placing(primitives, i), p -> new ArrayList<>())
+                            .add(i);
+                }
+                byPlacing.values().stream()
+                        .filter(set -> set.size() > 1)
+                        .forEach(set -> sets.add(set.stream().mapToInt(i -> i).toArray()));
+            }
+        }
+        return sets;
+    }
+
+    private static Placing placing(Primitive[] primitives, int i) {
+        return ((MeshPrimitive) primitives[i]).placing();
     }
 
     /** The number of members. */
@@ -135,11 +170,6 @@ public final class MeshUnion {
 
     /** The number of a member; −1 if it is none. */
     private int memberOf(Primitive primitive) {
-        for (int k = 0; primitive != null && k < members.length; k++) {
-            if (members[k] == primitive) {
-                return k;
-            }
-        }
-        return -1;
+        return primitive instanceof MeshPrimitive ? numbers.getOrDefault(primitive, -1) : -1;
     }
 }

@@ -170,6 +170,16 @@ final class Placing {
         return Math.abs(row(3).cross(row(6)).dot(row(9)));
     }
 
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Placing o && Arrays.equals(numbers, o.numbers);
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(numbers);
+    }
+
     /** Its numbers: where it puts the origin, then the matrix. */
     double[] numbers() {
         return Arrays.copyOf(numbers, INVERSE);

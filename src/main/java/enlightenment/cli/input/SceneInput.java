@@ -24,7 +24,10 @@ public final class SceneInput {
     /** What standard input held, once it has been read. */
     private byte[] bytes;
 
-    /** What a file of another program became, once it has been read. */
+    /** Whether the file is one of another program; null until that is asked. */
+    private Boolean isForeign;
+
+    /** What it became, once it has been read. */
     private Scene imported;
 
     public SceneInput(Path file, Terminal terminal) {
@@ -48,10 +51,17 @@ public final class SceneInput {
             OptionalInt at = frame.map(OptionalInt::of).orElse(OptionalInt.empty());
             return SceneReader.readBytes(bytes(), Path.of(""), StandardStreams.INPUT, at);
         }
-        if (SceneImporter.reads(file)) {
+        if (isForeign()) {
             return imported();
         }
         return frame.isPresent() ? scenes.read(frame.get()) : scenes.read();
+    }
+
+    private boolean isForeign() {
+        if (isForeign == null) {
+            isForeign = !StandardStreams.isNamed(file) && SceneImporter.reads(file);
+        }
+        return isForeign;
     }
 
     /** The scene of another program's file, whose notes are shown once. */
@@ -66,7 +76,7 @@ public final class SceneInput {
 
     /** The same problems with their lines and columns, where they had none. */
     SceneException located(SceneException e) {
-        if (SceneImporter.reads(file)) {
+        if (isForeign()) {
             return e;
         }
         return StandardStreams.isNamed(file) ? SceneReader.located(e, bytes()) : SceneReader.located(e, file);

@@ -20,8 +20,7 @@ import java.util.Objects;
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
  * of range or a degenerate light, and {@link NullPointerException} for a missing value.
  */
-public sealed interface Light
-        permits Light.Sphere, Light.Rectangle, Light.Point, Light.Spot, Light.Projector, Light.Ies, Light.Distant {
+public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromPoint, Light.Distant {
 
     /** The light's colour: in classic shading, what a viewer looking straight at it sees. */
     Color color();
@@ -145,6 +144,27 @@ public sealed interface Light
         }
     }
 
+    /** A light without extent. */
+    sealed interface FromPoint extends Light permits Point, Spot, Projector, Ies {
+        /** Where it is. */
+        ExactPoint position();
+
+        @Override
+        default boolean hasSurface() {
+            return false;
+        }
+
+        @Override
+        default List<ExactPoint> anchors() {
+            return List.of(position());
+        }
+
+        @Override
+        default double reach() {
+            return 0;
+        }
+    }
+
     /**
      * A light without extent; it cannot be seen.
      *
@@ -152,7 +172,7 @@ public sealed interface Light
      * @param color its colour
      * @param emission intensity or power; intensity = power / (4 π)
      */
-    record Point(ExactPoint position, Color color, Emission emission) implements Light {
+    record Point(ExactPoint position, Color color, Emission emission) implements FromPoint {
         /** Validates the components, as {@link Light} states. */
         public Point {
             Objects.requireNonNull(position, "position");
@@ -168,21 +188,6 @@ public sealed interface Light
         public String type() {
             return "point";
         }
-
-        @Override
-        public boolean hasSurface() {
-            return false;
-        }
-
-        @Override
-        public List<ExactPoint> anchors() {
-            return List.of(position);
-        }
-
-        @Override
-        public double reach() {
-            return 0;
-        }
     }
 
     /**
@@ -197,7 +202,7 @@ public sealed interface Light
      * @param emission intensity on the axis, or power; intensity = power / (2π (1 − (cos {@code innerAngle} + cos {@code angle}) / 2))
      */
     record Spot(ExactPoint position, Vec3 direction, double angle, double innerAngle, Color color, Emission emission)
-            implements Light {
+            implements FromPoint {
         /** Validates the components, as {@link Light} states. */
         public Spot {
             Objects.requireNonNull(position, "position");
@@ -217,23 +222,8 @@ public sealed interface Light
         }
 
         @Override
-        public boolean hasSurface() {
-            return false;
-        }
-
-        @Override
         public boolean isForClassicShading() {
             return false;
-        }
-
-        @Override
-        public List<ExactPoint> anchors() {
-            return List.of(position);
-        }
-
-        @Override
-        public double reach() {
-            return 0;
         }
     }
 
@@ -251,7 +241,7 @@ public sealed interface Light
      * @param emission intensity: what the file's candelas are multiplied by; or power
      */
     record Ies(ExactPoint position, Path file, Vec3 direction, double rotation, Color color, Emission emission)
-            implements Light {
+            implements FromPoint {
         /** Validates the components, as {@link Light} states. */
         public Ies {
             Objects.requireNonNull(position, "position");
@@ -268,23 +258,8 @@ public sealed interface Light
         }
 
         @Override
-        public boolean hasSurface() {
-            return false;
-        }
-
-        @Override
         public boolean isForClassicShading() {
             return false;
-        }
-
-        @Override
-        public List<ExactPoint> anchors() {
-            return List.of(position);
-        }
-
-        @Override
-        public double reach() {
-            return 0;
         }
     }
 
@@ -308,7 +283,7 @@ public sealed interface Light
             double fieldOfView,
             Color color,
             Emission emission)
-            implements Light {
+            implements FromPoint {
         /** Validates the components, as {@link Light} states. */
         public Projector {
             Objects.requireNonNull(position, "position");
@@ -334,23 +309,8 @@ public sealed interface Light
         }
 
         @Override
-        public boolean hasSurface() {
-            return false;
-        }
-
-        @Override
         public boolean isForClassicShading() {
             return false;
-        }
-
-        @Override
-        public List<ExactPoint> anchors() {
-            return List.of(position);
-        }
-
-        @Override
-        public double reach() {
-            return 0;
         }
     }
 

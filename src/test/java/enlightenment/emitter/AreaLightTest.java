@@ -9,7 +9,7 @@ import enlightenment.primitive.MeshPrimitive;
 import enlightenment.primitive.Primitive;
 import enlightenment.sampling.ChiSquare;
 import enlightenment.sampling.RunningStatistics;
-import java.util.Arrays;
+import enlightenment.world.Descriptions;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -28,23 +28,16 @@ class AreaLightTest {
         return SeenLights.all().stream();
     }
 
-    /** The concrete classes of a sealed family. */
-    private static Stream<Class<?>> kinds(Class<?> family) {
-        return family.isSealed()
-                ? Arrays.stream(family.getPermittedSubclasses()).flatMap(AreaLightTest::kinds)
-                : Stream.of(family);
-    }
-
     @Test
     void everyKindOfPrimitiveAndOfLightIsTried() {
         // A mesh that glows becomes triangles before it becomes lights.
         assertEquals(
-                kinds(Primitive.class)
+                Descriptions.kinds(Primitive.class)
                         .filter(kind -> kind != MeshPrimitive.class)
                         .collect(toSet()),
                 lights().map(SeenLight::primitiveKind).collect(toSet()));
         assertEquals(
-                kinds(AreaLight.class).collect(toSet()),
+                Descriptions.kinds(AreaLight.class).collect(toSet()),
                 lights().map(seen -> seen.light.getClass()).collect(toSet()));
     }
 

@@ -31,9 +31,10 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.TriangleMesh;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * One example of every kind of shape, light, camera, material and texture, and the check that there is one of every kind: a
@@ -152,8 +153,15 @@ public final class Descriptions {
 
     private Descriptions() {}
 
+    /** The concrete classes of a sealed family. */
+    public static Stream<Class<?>> kinds(Class<?> family) {
+        return family.isSealed()
+                ? Arrays.stream(family.getPermittedSubclasses()).flatMap(Descriptions::kinds)
+                : Stream.of(family);
+    }
+
     private static <T> List<T> all(Class<T> family, List<T> examples) {
-        Set<Class<?>> missing = new HashSet<>(Arrays.asList(family.getPermittedSubclasses()));
+        Set<Class<?>> missing = kinds(family).collect(Collectors.toSet());
         for (T example : examples) {
             missing.remove(example.getClass());
         }

@@ -13,6 +13,7 @@ import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.world.Descriptions;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -22,6 +23,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -79,13 +81,7 @@ class SceneKindsTest {
     }
 
     private static Set<Class<?>> leaves(Class<?> type) {
-        if (!type.isSealed()) {
-            return Set.of(type);
-        }
-        Set<Class<?>> leaves = new HashSet<>();
-        for (Class<?> permitted : type.getPermittedSubclasses()) {
-            leaves.addAll(leaves(permitted));
-        }
+        Set<Class<?>> leaves = Descriptions.kinds(type).collect(Collectors.toSet());
         leaves.remove(Background.Constant.class);
         return leaves;
     }

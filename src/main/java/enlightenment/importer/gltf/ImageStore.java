@@ -2,9 +2,7 @@ package enlightenment.importer.gltf;
 
 import enlightenment.file.InputFile;
 import enlightenment.image.Image;
-import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.image.PngOptions;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.InputFolder;
 import enlightenment.text.Plain;
@@ -17,8 +15,6 @@ import java.util.Map;
 
 /** The images of a glTF file as files: those beside it where they lie, those inside it extracted, and others that are made of them. */
 final class ImageStore {
-    private static final PngOptions DEEP = new PngOptions(16, Map.of());
-
     /** What is made of an image. */
     interface Making {
         /** @throws IOException with the reason, if the image cannot be read */
@@ -113,7 +109,7 @@ final class ImageStore {
             } catch (IOException e) {
                 throw document.item("images", index).failure(Plain.lines(e.getMessage()));
             }
-            known = extracted.write("png", out -> ImageFiles.write(image, out, ImageFormat.PNG, DEEP));
+            known = extracted.picture(image);
             made.put(key, known);
         }
         return known;

@@ -187,8 +187,8 @@ final class PrimitiveReader {
             for (int i = 0; i < uv.length; i += 2) {
                 double u = uv[i];
                 double v = uv[i + 1];
-                uv[i] = (float) (frame.isPresent() ? frame.get().u(u, v) : u);
-                uv[i + 1] = (float) (1 - (frame.isPresent() ? frame.get().v(u, v) : v));
+                uv[i] = (float) (frame.isPresent() ? frame.get().map().u(u, v) : u);
+                uv[i + 1] = (float) (1 - (frame.isPresent() ? frame.get().map().v(u, v) : v));
             }
             return mesh.withUv(uv);
         }

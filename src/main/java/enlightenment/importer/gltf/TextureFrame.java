@@ -1,14 +1,14 @@
 package enlightenment.importer.gltf;
 
+import enlightenment.importer.support.UvMap;
 import java.io.IOException;
 
 /**
- * Which texture coordinates of a mesh a texture uses, and what is made of them: (u, v) becomes (a u + b v + x, c u + d v + y), where v points
- * downwards.
+ * Which texture coordinates of a mesh a texture uses, and what is made of them, where v points downwards.
  *
  * @param set the number of the set, as in TEXCOORD_0
  */
-record TextureFrame(int set, double a, double b, double x, double c, double d, double y) {
+record TextureFrame(int set, UvMap map) {
     private static final int MOST_SETS = 16;
 
     /** That of a {@code textureInfo}, by KHR_texture_transform: scaled, then turned, then moved. */
@@ -25,14 +25,7 @@ record TextureFrame(int set, double a, double b, double x, double c, double d, d
         double sin = StrictMath.sin(angle);
         // Counterclockwise where v points downwards.
         return new TextureFrame(
-                (int) set, cos * scale[0], sin * scale[1], offset[0], -sin * scale[0], cos * scale[1], offset[1]);
-    }
-
-    double u(double u, double v) {
-        return a * u + b * v + x;
-    }
-
-    double v(double u, double v) {
-        return c * u + d * v + y;
+                (int) set,
+                new UvMap(cos * scale[0], sin * scale[1], offset[0], -sin * scale[0], cos * scale[1], offset[1]));
     }
 }

@@ -1,6 +1,7 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.color.Rgb;
+import enlightenment.importer.support.UvMap;
 import enlightenment.material.Bump;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;

@@ -3,8 +3,6 @@ package enlightenment.importer.mitsuba;
 import enlightenment.color.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.ImageFormat;
-import enlightenment.image.PngOptions;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.material.Texture;
 import java.io.IOException;
@@ -15,8 +13,6 @@ import java.util.Map;
 
 /** Pictures that are made of those of a scene, as PNG files of 16 bits that hold linear numbers. Each is made once. */
 final class DerivedPictures {
-    private static final PngOptions DEEP = new PngOptions(16, Map.of());
-
     /** Columns and rows of a projection of one colour: neighbouring intensities differ by less than 2 % up to 100 degrees across. */
     private static final int PLAIN_SIZE = 256;
 
@@ -61,15 +57,12 @@ final class DerivedPictures {
         return new Texture.File(known.file(), of.filter(), Texture.Encoding.LINEAR);
     }
 
-    /** The size of a picture as width / height. */
-    static double aspect(Path file) throws IOException {
-        Image picture = ImageFiles.read(file);
-        return (double) picture.width() / picture.height();
-    }
-
-    /** Of a picture whose half width on the plane at distance 1 is given. */
-    Projection projection(Texture.File of, double halfWidth, boolean isMirrored) throws IOException {
-        Image source = ImageFiles.read(of.file());
+    /**
+     * Of a picture whose half width on the plane at distance 1 is given.
+     *
+     * @param source what the texture's file holds
+     */
+    Projection projection(Texture.File of, Image source, double halfWidth, boolean isMirrored) throws IOException {
         return projection(
                 source.width(), source.height(), linear(source, of.encoding()), halfWidth, isMirrored, of.filter());
     }
@@ -107,8 +100,7 @@ final class DerivedPictures {
     }
 
     private Texture.File written(Image image, Texture.Filter filter) throws IOException {
-        Path file = files.write("png", out -> ImageFiles.write(image, out, ImageFormat.PNG, DEEP));
-        return new Texture.File(file, filter, Texture.Encoding.LINEAR);
+        return new Texture.File(files.picture(image), filter, Texture.Encoding.LINEAR);
     }
 
     private static float[] linear(Image image, Texture.Encoding encoding) {

@@ -1,7 +1,10 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.color.Rgb;
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.UvMap;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Texture;
@@ -85,14 +88,14 @@ final class DirectedLights {
         try {
             Optional<Texture.File> picture = picture(p);
             Rgb color = picture.isPresent() ? Rgb.WHITE : emissions.light(p, "irradiance", 1);
-            double aspect =
-                    picture.isPresent() ? DerivedPictures.aspect(picture.get().file()) : 1;
+            Image source = picture.isPresent() ? ImageFiles.read(picture.get().file()) : null;
+            double aspect = source == null ? 1 : (double) source.width() / source.height();
             double halfWidth = SensorReader.halfWidth(p, aspect);
             // Ours has the picture's right where up × direction points.
             boolean isMirrored = up.cross(direction).dot(map.vector(Vec3.X)) > 0;
-            DerivedPictures.Projection made = picture.isPresent()
-                    ? scene.pictures().projection(picture.get(), halfWidth, isMirrored)
-                    : scene.pictures().plain(halfWidth);
+            DerivedPictures.Projection made = source == null
+                    ? scene.pictures().plain(halfWidth)
+                    : scene.pictures().projection(picture.get(), source, halfWidth, isMirrored);
             Rgb intensity = color.times(Rgb.gray(StrictMath.PI * scale * made.brightest()));
             if (!intensity.equals(Rgb.BLACK)) {
                 scene.draft()

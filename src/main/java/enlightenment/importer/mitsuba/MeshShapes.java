@@ -2,6 +2,7 @@ package enlightenment.importer.mitsuba;
 
 import enlightenment.geometry.Mesh;
 import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.UvMap;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFile;
 import enlightenment.mesh.MeshFiles;

@@ -6,6 +6,7 @@ import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.PlacedShapes;
+import enlightenment.importer.support.UvMap;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;

@@ -1,5 +1,6 @@
 package enlightenment.importer.mitsuba;
 
+import enlightenment.importer.support.UvMap;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import java.util.Optional;

@@ -4,6 +4,7 @@ import enlightenment.color.Rgb;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.UvMap;
 import enlightenment.material.Texture;
 import java.io.IOException;
 import java.nio.file.Path;

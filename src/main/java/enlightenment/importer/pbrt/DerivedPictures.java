@@ -4,19 +4,16 @@ import enlightenment.color.Encoding;
 import enlightenment.color.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
+import enlightenment.image.ImageFormat;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.material.Texture;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.Locale;
 import java.util.Map;
 
 /** Pictures that are made of the scene's, where our textures have no word for what is done with them: PNG files of 16 bits, linear, each made once. */
 final class DerivedPictures {
-    private static final PngOptions DEEP = PngOptions.DEFAULT.withDepth(16);
-
     private final ExtractedFiles extracted;
     private final Map<String, Texture.File> made = new HashMap<>();
 
@@ -32,7 +29,7 @@ final class DerivedPictures {
 
     /** Whether a file's name says that it holds linear floats. */
     static boolean isOfFloats(Path file) {
-        return file.toString().toLowerCase(Locale.ROOT).matches(".*\\.(exr|hdr|pfm)");
+        return ImageFormat.ofExtension(file).filter(ImageFormat::holdsFloats).isPresent();
     }
 
     /**
@@ -90,8 +87,7 @@ final class DerivedPictures {
     /** Writes numbers of 0..1 as the texture that has them as linear components. */
     Texture.File write(Image numbers, Texture.Filter filter, Place place) {
         try {
-            Path file = extracted.write("png", out -> ImageFiles.toPng(numbers, out, DEEP));
-            return new Texture.File(file, filter, Texture.Encoding.LINEAR);
+            return new Texture.File(extracted.picture(numbers), filter, Texture.Encoding.LINEAR);
         } catch (IOException e) {
             throw place.failure(e.getMessage());
         }

@@ -5,6 +5,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.importer.support.PlacedShapes;
+import enlightenment.importer.support.UvMap;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshBuilder;
 import enlightenment.mesh.TriangleMesh;
@@ -62,8 +63,8 @@ final class PlacedForms {
     private static TriangleMesh mapped(TriangleMesh mesh, UvMap map) {
         float[] uv = new float[2 * mesh.vertices()];
         for (int v = 0; v < mesh.vertices(); v++) {
-            uv[2 * v] = (float) map.u(mesh.uv(v, 0));
-            uv[2 * v + 1] = (float) map.v(mesh.uv(v, 1));
+            uv[2 * v] = (float) map.u(mesh.uv(v, 0), mesh.uv(v, 1));
+            uv[2 * v + 1] = (float) map.v(mesh.uv(v, 0), mesh.uv(v, 1));
         }
         return mesh.withUv(uv);
     }
@@ -81,7 +82,9 @@ final class PlacedForms {
                     Vec3 n = mesh.normal(v);
                     all.normal(n.x(), n.y(), n.z());
                 }
-                all.uv(map.u(corner == 0 ? 0 : 1), map.v(corner == 2 ? 1 : 0));
+                double u = corner == 0 ? 0 : 1;
+                double w = corner == 2 ? 1 : 0;
+                all.uv(map.u(u, w), map.v(u, w));
             }
             all.triangle(first, first + 1, first + 2);
         }

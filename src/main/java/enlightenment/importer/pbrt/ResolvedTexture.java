@@ -1,6 +1,7 @@
 package enlightenment.importer.pbrt;
 
 import enlightenment.color.Rgb;
+import enlightenment.importer.support.UvMap;
 import enlightenment.material.Texture;
 
 /**

@@ -1,5 +1,6 @@
 package enlightenment.importer.pbrt;
 
+import enlightenment.importer.support.UvMap;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 

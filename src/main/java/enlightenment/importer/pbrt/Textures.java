@@ -6,6 +6,7 @@ import enlightenment.color.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.support.ImportNotes;
+import enlightenment.importer.support.UvMap;
 import enlightenment.material.Texture;
 import enlightenment.text.Plain;
 import java.io.IOException;
@@ -211,7 +212,8 @@ final class Textures {
             notes.add(p.place().shown(), "a texture's mapping is replaced by texture coordinates");
             return UvMap.IDENTITY;
         }
-        return new UvMap(p.number("uscale", 1), p.number("vscale", 1), p.number("udelta", 0), p.number("vdelta", 0));
+        return new UvMap(
+                p.number("uscale", 1), 0, p.number("udelta", 0), 0, p.number("vscale", 1), p.number("vdelta", 0));
     }
 
     /** An image file whose numbers are no colours. */

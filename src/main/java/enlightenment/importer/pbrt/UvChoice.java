@@ -3,6 +3,7 @@ package enlightenment.importer.pbrt;
 import enlightenment.color.Color;
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
+import enlightenment.importer.support.UvMap;
 import enlightenment.material.Texture;
 import java.util.function.DoubleUnaryOperator;
 

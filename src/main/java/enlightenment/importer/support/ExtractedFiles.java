@@ -4,6 +4,9 @@ import enlightenment.file.FileFailure;
 import enlightenment.file.NumberedFiles;
 import enlightenment.file.TemporaryFolder;
 import enlightenment.file.WholeFile;
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
+import enlightenment.image.PngOptions;
 import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -15,6 +18,8 @@ import java.util.Optional;
  * {@link NumberedFiles}.
  */
 public final class ExtractedFiles {
+    private static final PngOptions DEEP = PngOptions.DEFAULT.withDepth(16);
+
     private final Optional<Path> folder;
 
     /** Null before the first file. */
@@ -47,6 +52,15 @@ public final class ExtractedFiles {
         } catch (IOException e) {
             throw FileFailure.because(folder.orElse(Path.of("image." + extension)), e.getMessage());
         }
+    }
+
+    /**
+     * Writes a picture as a PNG file of 16 bits.
+     *
+     * @throws FileSystemException as {@link #write}
+     */
+    public Path picture(Image image) throws FileSystemException {
+        return write("png", out -> ImageFiles.toPng(image, out, DEEP));
     }
 
     private Path place() throws IOException {

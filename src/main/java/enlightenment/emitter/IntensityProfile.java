@@ -1,6 +1,7 @@
 package enlightenment.emitter;
 
 import enlightenment.math.Vec3;
+import java.util.Arrays;
 
 /**
  * How the radiant intensity of a light without extent depends on direction, relative to its largest value: 0..1 by band. Directions are unit vectors
@@ -8,11 +9,13 @@ import enlightenment.math.Vec3;
  */
 public sealed interface IntensityProfile permits SpotProfile, TableProfile, PictureProfile {
     /**
-     * The relative intensity of a direction, by band.
+     * The relative intensity of a direction, by band; unless said otherwise, that of all bands is the luminance.
      *
      * @param rgb receives red, green and blue, 0..1
      */
-    void intensity(double dx, double dy, double dz, double[] rgb);
+    default void intensity(double dx, double dy, double dz, double[] rgb) {
+        Arrays.fill(rgb, luminance(dx, dy, dz));
+    }
 
     /** The luminance of the relative intensity of a direction, 0..1: 0 only if every band is 0. */
     double luminance(double dx, double dy, double dz);

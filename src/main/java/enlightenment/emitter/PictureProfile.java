@@ -1,6 +1,7 @@
 package enlightenment.emitter;
 
 import enlightenment.math.Vec3;
+import enlightenment.sampling.GridDistribution;
 
 /**
  * A projector: the intensity of a direction is the picture where the direction meets it, on a plane across the axis; dark elsewhere. Seen from the light along its axis the
@@ -82,7 +83,7 @@ public final class PictureProfile implements IntensityProfile {
 
     /** The mean brightness of the texels of each cell, and of a ring around them, which interpolation brings in, times its solid angle. */
     private double[] weights() {
-        double[] weights = new double[columns * rows];
+        double[] weights = new double[(columns + 1) * rows];
         double[] rgb = new double[3];
         for (int row = 0; row < rows; row++) {
             for (int c = 0; c < columns; c++) {
@@ -100,7 +101,7 @@ public final class PictureProfile implements IntensityProfile {
                 }
                 double u = 0.5 * (left + end) / picture.width();
                 double v = 0.5 * (top + bottom) / picture.height();
-                weights[row * columns + c] = sum * cubedCosine(u, v);
+                weights[row * (columns + 1) + c + 1] = sum * cubedCosine(u, v);
             }
         }
         return weights;

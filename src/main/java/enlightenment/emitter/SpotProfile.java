@@ -50,14 +50,6 @@ public final class SpotProfile implements IntensityProfile {
     }
 
     @Override
-    public void intensity(double dx, double dy, double dz, double[] rgb) {
-        double value = luminance(dx, dy, dz);
-        rgb[0] = value;
-        rgb[1] = value;
-        rgb[2] = value;
-    }
-
-    @Override
     public double luminance(double dx, double dy, double dz) {
         // Half of the squared chord is 1 − cos, without a difference that cancels.
         double ex = dx - axis.x();

@@ -3,6 +3,7 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Angles;
 import enlightenment.photometry.IntensityTable;
+import enlightenment.sampling.GridDistribution;
 import java.util.Arrays;
 
 /**
@@ -76,15 +77,15 @@ public final class TableProfile implements IntensityProfile {
         return Arrays.copyOf(rows, count);
     }
 
-    /** Mean intensity times solid angle: 0 only where the patch is dark, as it is bilinear. */
+    /** Of each patch, in the order of {@link GridDistribution}: mean intensity times solid angle, 0 only where the patch is dark, as it is bilinear. */
     private double[] weights() {
         int count = rows.length - 1;
-        double[] weights = new double[columns * count];
+        double[] weights = new double[(columns + 1) * count];
         for (int row = 0; row < count; row++) {
             for (int c = 0; c < columns; c++) {
                 double mean = corner(c, row) + corner(c + 1, row) + corner(c, row + 1) + corner(c + 1, row + 1);
                 double turn = table.horizontal(c + 1) - table.horizontal(c);
-                weights[row * columns + c] = mean * turn * (heights[row + 1] - heights[row]);
+                weights[row * (columns + 1) + c + 1] = mean * turn * (heights[row + 1] - heights[row]);
             }
         }
         return weights;
@@ -115,14 +116,6 @@ public final class TableProfile implements IntensityProfile {
             }
         }
         return sum;
-    }
-
-    @Override
-    public void intensity(double dx, double dy, double dz, double[] rgb) {
-        double value = luminance(dx, dy, dz);
-        rgb[0] = value;
-        rgb[1] = value;
-        rgb[2] = value;
     }
 
     @Override
@@ -178,29 +171,10 @@ public final class TableProfile implements IntensityProfile {
         if (angle < rows[0] || angle > rows[rows.length - 1]) {
             return 0;
         }
-        int row = Math.min(interval(rows, angle), rows.length - 2);
-        int column = column(around(dx, dy, dz));
+        int row = IntensityTable.interval(rows, angle);
+        int column = table.column(around(dx, dy, dz));
         double turn = StrictMath.toRadians(table.horizontal(column + 1) - table.horizontal(column));
         return cells.probability(column, row) / (turn * (heights[row + 1] - heights[row]));
-    }
-
-    private static int interval(double[] ascending, double number) {
-        int at = Arrays.binarySearch(ascending, number);
-        return Math.max(at < 0 ? -at - 2 : at, 0);
-    }
-
-    private int column(double around) {
-        int low = 0;
-        int high = columns;
-        while (high - low > 1) {
-            int middle = (low + high) >>> 1;
-            if (table.horizontal(middle) <= around) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
     }
 
     @Override

@@ -73,7 +73,7 @@ public final class IntensityTable {
             return 0;
         }
         int row = interval(vertical, fromNadir);
-        int column = interval(horizontal, around);
+        int column = column(around);
         double v = (fromNadir - vertical[row]) / (vertical[row + 1] - vertical[row]);
         double h = (around - horizontal[column]) / (horizontal[column + 1] - horizontal[column]);
         double low = mix(candela[column][row], candela[column][row + 1], v);
@@ -81,12 +81,17 @@ public final class IntensityTable {
         return Math.max(mix(low, high, Math.min(Math.max(h, 0), 1)), 0);
     }
 
+    /** The column of angles around the nadir, in degrees, that a direction lies in: from the half plane of this number to the next one. */
+    public int column(double around) {
+        return interval(horizontal, around);
+    }
+
     private static double mix(double a, double b, double t) {
         return a + t * (b - a);
     }
 
     /** The interval of ascending numbers that a number lies in: the first or the last one for what lies outside. */
-    private static int interval(double[] ascending, double number) {
+    public static int interval(double[] ascending, double number) {
         int at = Arrays.binarySearch(ascending, number);
         int below = at < 0 ? -at - 2 : at;
         return Math.min(Math.max(below, 0), ascending.length - 2);

@@ -1,6 +1,7 @@
 package enlightenment.surroundings;
 
 import enlightenment.codec.Raster;
+import enlightenment.sampling.GridDistribution;
 import java.io.IOException;
 
 /**
@@ -29,10 +30,7 @@ final class DirectionTable {
     /** Where columns begin, in turns. */
     private final double[] widths;
 
-    /** The probabilities of rows, added up; and those of cells within each row, each row beginning with 0. */
-    private final double[] byRow;
-
-    private final double[] byCell;
+    private final GridDistribution cells;
 
     /** The sum of brightness times solid angle over all directions. */
     final double total;
@@ -53,18 +51,17 @@ final class DirectionTable {
             cosines[row] = map.cosine(Math.min(row * block, map.height));
         }
         cosines[rows] = -1;
-        byRow = new double[rows + 1];
-        byCell = Raster.allocate(columns, rows, 8, () -> new double[rows * (columns + 1)]);
+        double[] weights = Raster.allocate(columns, rows, 8, () -> new double[rows * (columns + 1)]);
         widths = new double[columns + 1];
         for (int c = 0; c <= columns; c++) {
             widths[c] = Math.min((double) c * block / map.width, 1);
         }
-        total = fill(map, block, upper);
-        normalize();
+        total = fill(weights, map, block, upper);
+        cells = new GridDistribution(columns, rows, weights);
     }
 
     /** Fills in brightness times solid angle; returns the sum. */
-    private double fill(DirectionMap map, int block, int upper) {
+    private double fill(double[] weights, DirectionMap map, int block, int upper) {
         double ground = map.below.r() + map.below.g() + map.below.b();
         double bright = 0;
         double lit = 0;
@@ -73,7 +70,7 @@ final class DirectionTable {
             for (int c = 0; c < columns; c++) {
                 double weight = row < upper ? mean(map, block, c, row) : ground;
                 double angle = height * (widths[c + 1] - widths[c]);
-                byCell[row * (columns + 1) + c + 1] = weight * angle;
+                weights[row * (columns + 1) + c + 1] = weight * angle;
                 bright += weight * angle;
                 lit += weight > 0 ? angle : 0;
             }
@@ -83,8 +80,8 @@ final class DirectionTable {
             for (int c = 0; c < columns; c++) {
                 int i = row * (columns + 1) + c + 1;
                 double angle = height * (widths[c + 1] - widths[c]);
-                if (byCell[i] > 0) {
-                    byCell[i] = (1 - EVEN) * byCell[i] / bright + EVEN * angle / lit;
+                if (weights[i] > 0) {
+                    weights[i] = (1 - EVEN) * weights[i] / bright + EVEN * angle / lit;
                 }
             }
         }
@@ -103,25 +100,6 @@ final class DirectionTable {
         return sum / count;
     }
 
-    private void normalize() {
-        double sum = 0;
-        for (int row = 0; row < rows; row++) {
-            int first = row * (columns + 1);
-            for (int c = 1; c <= columns; c++) {
-                byCell[first + c] += byCell[first + c - 1];
-            }
-            double ofRow = byCell[first + columns];
-            for (int c = 1; c <= columns && ofRow > 0; c++) {
-                byCell[first + c] /= ofRow;
-            }
-            sum += ofRow;
-            byRow[row + 1] = sum;
-        }
-        for (int row = 1; row <= rows && sum > 0; row++) {
-            byRow[row] /= sum;
-        }
-    }
-
     /** Whether nothing comes from anywhere. */
     boolean isBlack() {
         return !(total > 0);
@@ -134,35 +112,17 @@ final class DirectionTable {
      * @return the density per solid angle
      */
     double sample(double u, double v, double[] out) {
-        int row = find(byRow, 0, rows, v);
-        double inRow = (v - byRow[row]) / (byRow[row + 1] - byRow[row]);
-        int first = row * (columns + 1);
-        int cell = find(byCell, first, columns, u);
-        double inCell = (u - byCell[first + cell]) / (byCell[first + cell + 1] - byCell[first + cell]);
+        int row = cells.row(v);
+        int cell = cells.column(row, u);
+        double inCell = cells.withinCell(cell, row, u);
         out[0] = Math.min(Math.fma(inCell, widths[cell + 1] - widths[cell], widths[cell]), 1);
-        out[1] = Math.fma(inRow, cosines[row + 1] - cosines[row], cosines[row]);
+        out[1] = Math.fma(cells.withinRow(row, v), cosines[row + 1] - cosines[row], cosines[row]);
         return density(row, cell);
     }
 
-    /** The interval of cumulative probabilities, which is not empty, that a number in 0..1 lies in. */
-    private static int find(double[] cumulative, int first, int count, double number) {
-        int low = 0;
-        int high = count;
-        while (high - low > 1) {
-            int middle = (low + high) >>> 1;
-            if (cumulative[first + middle] <= number) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
-    }
-
     private double density(int row, int cell) {
-        int i = row * (columns + 1) + cell;
-        double probability = (byRow[row + 1] - byRow[row]) * (byCell[i + 1] - byCell[i]);
-        return probability / (2 * Math.PI * (widths[cell + 1] - widths[cell]) * (cosines[row] - cosines[row + 1]));
+        return cells.probability(cell, row)
+                / (2 * Math.PI * (widths[cell + 1] - widths[cell]) * (cosines[row] - cosines[row + 1]));
     }
 
     /**

@@ -123,7 +123,7 @@ public final class Surroundings {
         return of(() -> skyMap(daylight, height, ground, sun, scale), azimuth, sun);
     }
 
-    /** The same radiance from everywhere, up to the rounding to floats. */
+    /** Constant radiance in all directions, up to the rounding to floats. */
     public static Surroundings constant(Rgb radiance) {
         double unit = radiance.max() == 0 ? 1 : Math.scalb(1.0, Scale.exponent(radiance.max()));
         float[] rgb = {(float) (radiance.r() / unit), (float) (radiance.g() / unit), (float) (radiance.b() / unit)};

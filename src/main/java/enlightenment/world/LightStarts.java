@@ -147,13 +147,13 @@ public final class LightStarts {
     }
 
     /**
-     * The density, per solid angle, of the direction in which paths leave a point of a light with extent, or a point light that shines evenly; of
-     * surroundings only if they are constant.
+     * The density, per solid angle, of the direction in which paths leave a point of a light with extent; of surroundings only if they are
+     * constant.
      *
-     * @param cosine between that and the normal on the side that it leaves to; has no influence where there is none
+     * @param cosine between that and the normal on the side that it leaves to; of surroundings it has no influence
      */
     public double directionDensity(int light, double cosine) {
-        if (light == background || lights[light].isPoint) {
+        if (light == background) {
             return 1 / (4 * Math.PI);
         }
         return cosine > 0 ? cosine / (shinesBothWays[light] ? 2 * Math.PI : Math.PI) : 0;

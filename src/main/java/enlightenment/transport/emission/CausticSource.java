@@ -63,9 +63,7 @@ public final class CausticSource extends PathSource {
         green = weight * l.g;
         blue = weight * l.b;
         ultraviolet = weight * l.ultraviolet;
-        if (l.profile != null) {
-            weighByProfile(l.profile);
-        }
+        weighByProfile(l);
         weighByTexture(l, ray.ox, ray.oy, ray.oz);
         return weight > 0 && weight < Double.POSITIVE_INFINITY;
     }

@@ -122,9 +122,7 @@ public final class LightSource extends PathSource {
         }
         directionDensity = starts.directionDensity(light, dx, dy, dz);
         weighEvenly(l.r, l.g, l.b, l.ultraviolet);
-        if (l.profile != null) {
-            weighByProfile(l.profile);
-        }
+        weighByProfile(l);
         ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
         l.lyingOn().startOn(ray, Ray.OUTSIDE, 0, 0, 0, probe);
     }

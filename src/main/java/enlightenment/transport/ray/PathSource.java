@@ -1,6 +1,5 @@
 package enlightenment.transport.ray;
 
-import enlightenment.emitter.IntensityProfile;
 import enlightenment.emitter.SurfacePoint;
 import enlightenment.frame.Basis;
 import enlightenment.primitive.EndFaces;
@@ -75,10 +74,12 @@ public abstract class PathSource {
         return true;
     }
 
-    /** Multiplies what the path brings by the relative intensity of its direction; of ultraviolet as of blue. */
-    protected final void weighByProfile(IntensityProfile profile) {
-        profile.intensity(dx, dy, dz, relative);
-        weigh();
+    /** Multiplies what the path brings by the relative intensity of its direction, if the light has a profile; of ultraviolet as of blue. */
+    protected final void weighByProfile(PhysicalLight l) {
+        if (l.profile != null) {
+            l.profile.intensity(dx, dy, dz, relative);
+            weigh();
+        }
     }
 
     /** Multiplies what the path brings by the factor of a textured light's point; of ultraviolet as of blue. */

@@ -280,7 +280,7 @@ class BidirectionalWeightsTest {
         double outside = starts.shinesBothWays(index) ? Math.abs(cosine) : cosine;
         double density = starts.probability(index)
                 * starts.pointDensity(index)
-                * starts.directionDensity(index, light.isPoint ? 1 : outside);
+                * (light.isPoint ? starts.directionDensity(index, 0, 0, 1) : starts.directionDensity(index, outside));
         for (int k = 0; k < j - 1; k++) {
             Vertex a = p.get(k);
             Vertex b = p.get(k + 1);

@@ -79,7 +79,12 @@ class LightSourceTest {
             assertEquals(1, ray.dd, 1e-12);
             assertEquals(starts.probability(source.light), source.probability);
             assertEquals(starts.pointDensity(source.light), source.pointDensity);
-            assertEquals(starts.directionDensity(source.light, source.cosine), source.directionDensity);
+            boolean isPoint = !source.isBackground() && scene.physical.lights[source.light].isPoint;
+            assertEquals(
+                    isPoint
+                            ? starts.directionDensity(source.light, ray.dx, ray.dy, ray.dz)
+                            : starts.directionDensity(source.light, source.cosine),
+                    source.directionDensity);
             double radiance =
                     source.isBackground() ? scene.physical.backgroundR : scene.physical.lights[source.light].r;
             double density = source.probability * source.pointDensity * source.directionDensity;

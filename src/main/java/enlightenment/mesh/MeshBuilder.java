@@ -102,12 +102,12 @@ public final class MeshBuilder {
      *     {@link TriangleMesh#withUv}
      */
     public TriangleMesh build() {
-        TriangleMesh mesh = new TriangleMesh(
+        VertexArrays vertices = new VertexArrays(
                 doubles == null ? floats.toArray() : null,
                 doubles == null ? null : Arrays.copyOf(doubles, numbers),
-                indices.toArray(),
                 all(normals),
                 all(uv));
+        TriangleMesh mesh = new TriangleMesh(vertices, indices.toArray());
         floats = new Floats(0);
         doubles = null;
         numbers = 0;

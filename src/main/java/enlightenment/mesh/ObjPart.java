@@ -37,7 +37,7 @@ final class ObjPart {
         float[] p = gathered(positions, 3, 0);
         float[] t = lacksUv ? null : gathered(uv, 2, 1);
         float[] n = hasNormals ? gathered(normals, 3, 2) : null;
-        MeshMaking making = () -> new TriangleMesh(p, null, indices.toArray(), n, t);
+        MeshMaking making = () -> new TriangleMesh(new VertexArrays(p, null, n, t), indices.toArray());
         return making.withArea(source);
     }
 

@@ -62,9 +62,10 @@ final class PlyReader {
         }
         int[] corners = indices.toArray();
         indices = null; // its array is a longer one, and no longer needed
-        return longPositions == null
-                ? new TriangleMesh(positions, null, corners, normals, uv)
-                : TriangleMesh.of(longPositions, corners, normals, uv);
+        VertexArrays vertices = longPositions == null
+                ? new VertexArrays(positions, null, normals, uv)
+                : VertexArrays.of(longPositions, normals, uv);
+        return new TriangleMesh(vertices, corners);
     }
 
     private int count(String name) throws IOException {

@@ -63,9 +63,13 @@ final class PlyWriter {
                 piece.putDouble(mesh.coordinate(v, axis));
             }
         }
-        mesh.normals()
-                .ifPresent(n -> piece.putFloat(n[3 * v]).putFloat(n[3 * v + 1]).putFloat(n[3 * v + 2]));
-        mesh.uv().ifPresent(uv -> piece.putFloat(uv[2 * v]).putFloat(uv[2 * v + 1]));
+        VertexArrays of = mesh.arrays();
+        if (of.normals != null) {
+            piece.putFloat(of.normals[3 * v]).putFloat(of.normals[3 * v + 1]).putFloat(of.normals[3 * v + 2]);
+        }
+        if (of.uv != null) {
+            piece.putFloat(of.uv[2 * v]).putFloat(of.uv[2 * v + 1]);
+        }
     }
 
     /** Writes the piece if less than some bytes of it are free. */

@@ -173,9 +173,9 @@ final class SerializedReader {
         float[] uv = hasUv ? floats(2 * vertices, isDouble) : null;
         in.skip(hasColors ? 3L * width * vertices : 0);
         int[] indices = indices(faces, vertices, false);
-        return isDouble
-                ? TriangleMesh.of(longPositions, indices, normals, uv)
-                : new TriangleMesh(positions, null, indices, normals, uv);
+        VertexArrays read =
+                isDouble ? VertexArrays.of(longPositions, normals, uv) : new VertexArrays(positions, null, normals, uv);
+        return new TriangleMesh(read, indices);
     }
 
     /** Version 5: records of 8 floats for each vertex and 4 integers for each triangle. What follows them is not needed. */
@@ -212,12 +212,12 @@ final class SerializedReader {
             }
         }
         int[] indices = indices(faces, vertices, true);
-        return new TriangleMesh(
+        VertexArrays read = new VertexArrays(
                 positions.toArray(),
                 null,
-                indices,
                 hasNormals ? normals.toArray() : null,
                 (flags & PACKED_UV) != 0 ? uv.toArray() : null);
+        return new TriangleMesh(read, indices);
     }
 
     private void skipTerminated() throws IOException {

@@ -132,6 +132,6 @@ final class StlReader {
         for (int i = 0; i < positions.length; i++) {
             positions[i] = Float.intBitsToFloat(places.part(i / 3, i % 3));
         }
-        return new TriangleMesh(positions, null, indices.toArray(), null, null);
+        return new TriangleMesh(new VertexArrays(positions, null, null, null), indices.toArray());
     }
 }

@@ -1,15 +1,9 @@
 package enlightenment.mesh;
 
 import enlightenment.check.Check;
-import enlightenment.file.ContentHash;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
-import enlightenment.numeric.Products;
-import java.nio.ByteBuffer;
-import java.security.MessageDigest;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
@@ -24,14 +18,8 @@ public final class TriangleMesh {
     /** Coordinates beyond this have squares that doubles cannot multiply; a transform makes meshes larger. */
     private static final double LARGEST = 1e30;
 
-    private final float[] positions;
-
-    /** Coordinates as doubles where they are no floats; else null. */
-    private final double[] longPositions;
-
+    private final VertexArrays arrays;
     private final int[] indices;
-    private final float[] normals;
-    private final float[] uv;
 
     /** The triangles that were left out. */
     private final int[] withoutArea;
@@ -47,16 +35,13 @@ public final class TriangleMesh {
 
     private Union union;
 
-    /** Takes the arrays as they are: positions, or the longer ones; normals and texture coordinates may be null. */
-    TriangleMesh(float[] positions, double[] longPositions, int[] indices, float[] normals, float[] uv) {
-        this.positions = positions;
-        this.longPositions = longPositions;
-        this.normals = normals;
-        this.uv = uv;
+    /** Takes the arrays as they are. */
+    TriangleMesh(VertexArrays arrays, int[] indices) {
+        this.arrays = arrays;
         check(indices);
-        int[] flat = trianglesWithoutArea(indices);
-        withoutArea = corners(indices, flat);
-        this.indices = flat.length == 0 ? indices : cornersOfOthers(indices, flat);
+        FlatTriangles flat = new FlatTriangles(arrays, indices);
+        withoutArea = flat.corners();
+        this.indices = flat.cornersOfOthers();
         Check.that(this.indices.length > 0, "indices", "must hold at least one triangle with an area");
         bounds = boundsOf(this);
         double size = bounds.maxAbs();
@@ -66,15 +51,25 @@ public final class TriangleMesh {
                 "must have a largest coordinate between 1e-30 and 1e30, not " + size);
     }
 
-    private TriangleMesh(TriangleMesh of, float[] normals, float[] uv) {
-        positions = of.positions;
-        longPositions = of.longPositions;
+    private TriangleMesh(TriangleMesh of, VertexArrays arrays) {
+        this.arrays = arrays;
         indices = of.indices;
         withoutArea = of.withoutArea;
         bounds = of.bounds;
-        this.normals = normals;
-        this.uv = uv;
-        checkAttributes();
+    }
+
+    private void check(int[] all) {
+        Check.that(all.length % 3 == 0, "indices", "must be three for each triangle, not " + all.length + " in all");
+        int vertices = arrays.size();
+        for (int i = 0; i < all.length; i++) {
+            int v = all[i];
+            if (v < 0 || v >= vertices) {
+                Check.that(
+                        false,
+                        "indices",
+                        "triangle " + i / 3 + " has the vertex " + v + "; there are " + vertices + " from 0");
+            }
+        }
     }
 
     /**
@@ -86,24 +81,12 @@ public final class TriangleMesh {
      *     index that is out of range, an incomplete vertex or triangle, or if no triangle has an area
      */
     public static TriangleMesh of(float[] positions, int[] indices) {
-        return new TriangleMesh(positions.clone(), null, indices.clone(), null, null);
+        return new TriangleMesh(new VertexArrays(positions.clone(), null, null, null), indices.clone());
     }
 
     /** {@link #of(float[], int[])} with coordinates of twice the precision. */
     public static TriangleMesh of(double[] positions, int[] indices) {
-        return of(positions.clone(), indices.clone(), null, null);
-    }
-
-    /** {@link #of(double[], int[])} with arrays that are kept, and attributes or null. */
-    static TriangleMesh of(double[] positions, int[] indices, float[] normals, float[] uv) {
-        float[] floats = new float[positions.length];
-        for (int i = 0; i < floats.length; i++) {
-            floats[i] = (float) positions[i];
-            if (floats[i] != positions[i]) {
-                return new TriangleMesh(null, positions, indices, normals, uv);
-            }
-        }
-        return new TriangleMesh(floats, null, indices, normals, uv);
+        return new TriangleMesh(VertexArrays.of(positions.clone(), null, null), indices.clone());
     }
 
     /**
@@ -113,12 +96,12 @@ public final class TriangleMesh {
      * @throws enlightenment.math.InvalidValueException (key {@code normals}) unless there is a finite one for each vertex
      */
     public TriangleMesh withNormals(float[] values) {
-        return new TriangleMesh(this, values.clone(), uv);
+        return new TriangleMesh(this, arrays.withNormals(values.clone()));
     }
 
     /** This mesh without normals of vertices: each triangle is flat. */
     public TriangleMesh flat() {
-        return normals == null ? this : new TriangleMesh(this, null, uv);
+        return hasNormals() ? new TriangleMesh(this, arrays.withNormals(null)) : this;
     }
 
     /** This mesh, smooth everywhere: the normal of a vertex is the mean of those of the triangles around it, weighted by their angles. */
@@ -144,136 +127,17 @@ public final class TriangleMesh {
      * @throws enlightenment.math.InvalidValueException (key {@code uv}) unless there are two finite numbers for each vertex
      */
     public TriangleMesh withUv(float[] values) {
-        return new TriangleMesh(this, normals, values.clone());
-    }
-
-    private void check(int[] all) {
-        int numbers = positions == null ? longPositions.length : positions.length;
-        Check.that(numbers % 3 == 0, "positions", "must be three numbers for each vertex, not " + numbers + " in all");
-        Check.that(all.length % 3 == 0, "indices", "must be three for each triangle, not " + all.length + " in all");
-        for (int i = 0; i < numbers; i++) {
-            double v = number(i);
-            if (!Double.isFinite(v)) {
-                Check.that(false, "positions", "vertex " + i / 3 + " has a coordinate that is not finite: " + v);
-            }
-        }
-        for (int i = 0; i < all.length; i++) {
-            int v = all[i];
-            if (v < 0 || v >= numbers / 3) {
-                Check.that(
-                        false,
-                        "indices",
-                        "triangle " + i / 3 + " has the vertex " + v + "; there are " + numbers / 3 + " from 0");
-            }
-        }
-        checkAttributes();
-    }
-
-    private void checkAttributes() {
-        check(normals, 3, "normals");
-        check(uv, 2, "uv");
-    }
-
-    private void check(float[] attribute, int each, String key) {
-        if (attribute == null) {
-            return;
-        }
-        Check.that(
-                attribute.length == each * vertices(),
-                key,
-                "must be " + each + " numbers for each of " + vertices() + " vertices, not " + attribute.length);
-        for (int i = 0; i < attribute.length; i++) {
-            if (!Float.isFinite(attribute[i])) {
-                Check.that(false, key, "vertex " + i / each + " has a number that is not finite: " + attribute[i]);
-            }
-        }
-    }
-
-    /** The numbers of those triangles whose three corners lie in one line, as far as doubles can tell. */
-    private int[] trianglesWithoutArea(int[] all) {
-        double[] n = new double[3];
-        Ints some = new Ints(0);
-        for (int i = 0; i < all.length; i += 3) {
-            if (!normal(all[i], all[i + 1], all[i + 2], n)) {
-                some.add(i / 3);
-            }
-        }
-        return some.toArray();
-    }
-
-    private static int[] corners(int[] all, int[] triangles) {
-        int[] some = new int[3 * triangles.length];
-        for (int i = 0; i < some.length; i++) {
-            some[i] = all[3 * triangles[i / 3] + i % 3];
-        }
-        return some;
-    }
-
-    /** @param left the triangles that are left out, in ascending order */
-    private static int[] cornersOfOthers(int[] all, int[] left) {
-        int[] some = new int[all.length - 3 * left.length];
-        int to = 0;
-        for (int i = 0; i <= left.length; i++) {
-            int from = i == 0 ? 0 : 3 * left[i - 1] + 3;
-            int end = i == left.length ? all.length : 3 * left[i];
-            System.arraycopy(all, from, some, to, end - from);
-            to += end - from;
-        }
-        return some;
+        return new TriangleMesh(this, arrays.withUv(values.clone()));
     }
 
     /** Writes the geometric normal of a triangle, as long as twice its area. */
     void normal(int triangle, double[] out) {
-        normal(vertex(triangle, 0), vertex(triangle, 1), vertex(triangle, 2), out);
-    }
-
-    private boolean normal(int a, int b, int c, double[] out) {
-        double ux = coordinate(b, 0) - coordinate(a, 0);
-        double uy = coordinate(b, 1) - coordinate(a, 1);
-        double uz = coordinate(b, 2) - coordinate(a, 2);
-        double vx = coordinate(c, 0) - coordinate(a, 0);
-        double vy = coordinate(c, 1) - coordinate(a, 1);
-        double vz = coordinate(c, 2) - coordinate(a, 2);
-        out[0] = Products.difference(uy, vz, uz, vy);
-        out[1] = Products.difference(uz, vx, ux, vz);
-        out[2] = Products.difference(ux, vy, uy, vx);
-        double size = Math.abs(out[0]) + Math.abs(out[1]) + Math.abs(out[2]);
-        return size > 0 && size < Double.POSITIVE_INFINITY;
-    }
-
-    private double number(int i) {
-        return positions == null ? longPositions[i] : positions[i];
-    }
-
-    /**
-     * These triangles with other vertices, which are copies of the old ones; the first of them are the old ones.
-     *
-     * @param old by new vertex: the old one
-     * @param corners the new indices
-     * @param newNormals by new vertex
-     */
-    TriangleMesh rearranged(int[] old, int[] corners, float[] newNormals) {
-        float[] p = positions == null ? null : picked(positions, 3, old);
-        double[] q = positions == null ? new double[3 * old.length] : null;
-        for (int i = 0; q != null && i < q.length; i++) {
-            q[i] = longPositions[3 * old[i / 3] + i % 3];
-        }
-        int[] all = Arrays.copyOf(corners, corners.length + withoutArea.length);
-        System.arraycopy(withoutArea, 0, all, corners.length, withoutArea.length);
-        return new TriangleMesh(p, q, all, newNormals, uv == null ? null : picked(uv, 2, old));
-    }
-
-    private static float[] picked(float[] values, int each, int[] old) {
-        float[] some = new float[each * old.length];
-        for (int i = 0; i < some.length; i++) {
-            some[i] = values[each * old[i / each] + i % each];
-        }
-        return some;
+        arrays.normal(vertex(triangle, 0), vertex(triangle, 1), vertex(triangle, 2), out);
     }
 
     /** The number of vertices. */
     public int vertices() {
-        return (positions == null ? longPositions.length : positions.length) / 3;
+        return arrays.size();
     }
 
     /** The number of triangles, at least 1, without those that were left out. */
@@ -293,7 +157,7 @@ public final class TriangleMesh {
 
     /** A coordinate of a vertex; axis 0, 1 or 2. */
     public double coordinate(int vertex, int axis) {
-        return number(3 * vertex + axis);
+        return arrays.coordinate(vertex, axis);
     }
 
     /** The position of a vertex. */
@@ -303,27 +167,28 @@ public final class TriangleMesh {
 
     /** Whether each coordinate is a float. */
     public boolean isOfFloats() {
-        return positions != null;
+        return arrays.floats != null;
     }
 
     /** Whether vertices have normals. */
     public boolean hasNormals() {
-        return normals != null;
+        return arrays.normals != null;
     }
 
     /** Whether vertices have texture coordinates. */
     public boolean hasUv() {
-        return uv != null;
+        return arrays.uv != null;
     }
 
     /** The normal of a vertex, as it was given: of any length. */
     public Vec3 normal(int vertex) {
-        return new Vec3(normals[3 * vertex], normals[3 * vertex + 1], normals[3 * vertex + 2]);
+        float[] n = arrays.normals;
+        return new Vec3(n[3 * vertex], n[3 * vertex + 1], n[3 * vertex + 2]);
     }
 
     /** A texture coordinate of a vertex: 0 for u, 1 for v. */
     public double uv(int vertex, int which) {
-        return uv[2 * vertex + which];
+        return arrays.uv[2 * vertex + which];
     }
 
     /** The geometric normal of a triangle, as long as twice its area: the sum of these over a closed mesh is 0. */
@@ -399,7 +264,7 @@ public final class TriangleMesh {
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
         for (int v : mesh.indices) {
             for (int axis = 0; axis < 3; axis++) {
-                double c = mesh.number(3 * v + axis);
+                double c = mesh.coordinate(v, axis);
                 low[axis] = Math.min(low[axis], c);
                 high[axis] = Math.max(high[axis], c);
             }
@@ -449,19 +314,17 @@ public final class TriangleMesh {
 
     /** The bytes that its arrays take. */
     public long bytes() {
-        return 4L * indices.length
-                + (positions == null ? 8L * longPositions.length : 4L * positions.length)
-                + 4L * ((normals == null ? 0 : normals.length) + (uv == null ? 0 : uv.length));
+        return 4L * indices.length + arrays.bytes();
     }
 
     /** The arrays themselves, for this package and for reading only: x, y, z of the vertices, or null if they are doubles. */
     float[] floatPositions() {
-        return positions;
+        return arrays.floats;
     }
 
     /** Those of doubles, for this package and for reading only; null if they are floats. */
     double[] doublePositions() {
-        return longPositions;
+        return arrays.doubles;
     }
 
     /** Three vertices of each triangle that was left out. */
@@ -473,56 +336,19 @@ public final class TriangleMesh {
         return indices;
     }
 
-    Optional<float[]> normals() {
-        return Optional.ofNullable(normals);
-    }
-
-    Optional<float[]> uv() {
-        return Optional.ofNullable(uv);
+    /** The vertices themselves, for this package. */
+    VertexArrays arrays() {
+        return arrays;
     }
 
     /** A hash of all its numbers: 64 hexadecimal digits, equal for equal meshes and, as far as anybody knows, for no others. */
     public String digest() {
         String known = digest;
         if (known == null) {
-            known = computeDigest();
+            known = MeshDigest.of(arrays, indices);
             digest = known;
         }
         return known;
-    }
-
-    private String computeDigest() {
-        MessageDigest sha = ContentHash.sha256();
-        ByteBuffer piece = ByteBuffer.allocate(1 << 13);
-        int numbers = 3 * vertices();
-        piece.putInt(numbers).putInt(indices.length);
-        piece.putInt((normals == null ? 0 : 1) + (uv == null ? 0 : 2));
-        for (int i = 0; i < numbers; i++) {
-            flushIfFull(sha, piece);
-            piece.putDouble(number(i) + 0.0);
-        }
-        for (int v : indices) {
-            flushIfFull(sha, piece);
-            piece.putInt(v);
-        }
-        update(sha, piece, normals);
-        update(sha, piece, uv);
-        sha.update(piece.flip());
-        return ContentHash.fromBytes(sha.digest()).toString();
-    }
-
-    private static void update(MessageDigest sha, ByteBuffer piece, float[] values) {
-        for (int i = 0; values != null && i < values.length; i++) {
-            flushIfFull(sha, piece);
-            piece.putFloat(values[i] + 0f);
-        }
-    }
-
-    private static void flushIfFull(MessageDigest sha, ByteBuffer piece) {
-        if (piece.remaining() < Double.BYTES) {
-            sha.update(piece.flip());
-            piece.clear();
-        }
     }
 
     @Override

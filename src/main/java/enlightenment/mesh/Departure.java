@@ -52,24 +52,30 @@ final class Departure {
     }
 
     /**
-     * Looks at the triangle; only a ray that comes near a triangle that touches it needs that.
+     * Finds the corner that the origin cannot be told from.
      *
-     * @param corners three coordinates of each corner of it, relative to the ray's origin
+     * @param corners three coordinates of each corner, relative to the ray's origin
      */
-    void prepare(double[] corners) {
+    void findCorner(double[] corners) {
+        corner = -1;
+        double near = NEAR * tolerance;
+        for (int k = 0; k < 3; k++) {
+            boolean isNear = Math.abs(corners[3 * k]) <= near
+                    && Math.abs(corners[3 * k + 1]) <= near
+                    && Math.abs(corners[3 * k + 2]) <= near;
+            corner = isNear ? k : corner;
+        }
+    }
+
+    /** Looks at the triangle; only a ray that comes near a triangle that touches it needs that. */
+    void prepare() {
         if (isReady) {
             return;
         }
         isReady = true;
         hasNormal = false;
-        corner = -1;
-        double near = NEAR * tolerance;
         for (int k = 0; k < 3; k++) {
             vertices[k] = mesh.vertex(triangle, k);
-            boolean isNear = Math.abs(corners[3 * k]) <= near
-                    && Math.abs(corners[3 * k + 1]) <= near
-                    && Math.abs(corners[3 * k + 2]) <= near;
-            corner = isNear ? k : corner;
         }
     }
 

@@ -50,6 +50,10 @@ final class TriangleTest {
     int start;
 
     int leftOut;
+
+    /** An edge function that is larger tells for certain that the ray passes on its side of the edge, where it leaves the start triangle. */
+    private double near;
+
     private final Departure departure = new Departure();
 
     /** Three coordinates of each corner of the start triangle, relative to the origin and with the axes turned. */
@@ -132,6 +136,9 @@ final class TriangleTest {
         s[6] = cx;
         s[7] = cy;
         s[8] = cz;
+        departure.findCorner(s);
+        double far = 2 * (largest + size(ox, oy, oz));
+        near = NEAR * (departure.tolerance + EdgeFunctions.ERROR * far) * far;
     }
 
     /** Bounds how far each coordinate of the origin is off. */
@@ -145,10 +152,15 @@ final class TriangleTest {
             return MeshRay.MISS;
         }
         boolean covered = covers(candidate);
-        if (start != MeshRay.NONE && touchesStart()) {
+        if (start != MeshRay.NONE && (covered || isNear()) && touchesStart()) {
             return leaving(candidate, covered);
         }
         return covered ? distance(candidate) : MeshRay.MISS;
+    }
+
+    /** Whether the ray could meet the loaded triangle, which it does not cover, if that were a neighbour of the start triangle. */
+    private boolean isNear() {
+        return departure.corner >= 0 || Math.abs(e0) <= near || Math.abs(e1) <= near || Math.abs(e2) <= near;
     }
 
     /** Whether the ray's line meets a triangle; loads it. */
@@ -253,7 +265,7 @@ final class TriangleTest {
         if (!isAtStart) {
             return false;
         }
-        departure.prepare(startCorners);
+        departure.prepare();
         return departure.isInPlane(candidate);
     }
 
@@ -286,7 +298,7 @@ final class TriangleTest {
 
     /** The t of a triangle that touches the one that the ray starts on. */
     private double leaving(int candidate, boolean covered) {
-        departure.prepare(startCorners);
+        departure.prepare();
         if (departure.corner >= 0) {
             int k = departure.cornerAt(candidate);
             if (k >= 0) {

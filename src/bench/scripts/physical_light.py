@@ -5,7 +5,8 @@
     python3 src/bench/scripts/physical_light.py reference FOLDER --scene SCENE [--jar JAR] [--seeds K] [--samples N] [--size WxH] [--options "..."]
     python3 src/bench/scripts/physical_light.py race FOLDER... [--jar JAR] [--runs K] [--pictures K] [--samples N] [--size WxH] [--methods ...] [--peers ...]
 
-FOLDER has scene.json, reference.pfm, variance.pfm (linear, rows from the bottom) and, for `race`, scene.xml of Mitsuba 3.
+FOLDER has scene.json, reference.pfm, variance.pfm (linear, rows from the bottom) and, for `race`, scene.xml of Mitsuba 3. Where there is no scene.json, ours reads
+scene.xml as well: a copy of the folder, with paths of any length and pixels that are boxes, as the references have.
 `agree` renders K seeds and compares the means of blocks of 8 x 8 pixels with the reference: docs/physical-light.md says by which rule.
 `kept` renders K seeds with `--error E` and counts in how many the displayed error against the reference is no larger.
 `reference` makes a folder: the mean of K seeds by ours; a scene.xml beside SCENE comes with it, at that size.
@@ -22,6 +23,7 @@ import pathlib
 import re
 import resource
 import shlex
+import shutil
 import statistics
 import subprocess
 import sys
@@ -57,8 +59,9 @@ def ours(jar, folder, seed, out, samples, options, size=None):
     antialias = ["--samples", str(samples)]
     sizes = ["--size", size] if size else []
     program = ["java", "-jar", jar] if str(jar).endswith(".jar") else [jar]
+    scene = folder / "scene.json"
     return run(
-        program + ["render", folder / "scene.json", "-o", out, "--seed", str(seed), "--progress", "none"]
+        program + ["render", scene if scene.exists() else folder / "scene.xml", "-o", out, "--seed", str(seed), "--progress", "none"]
         + antialias + sizes + shlex.split(options)
     )
 
@@ -68,6 +71,8 @@ def resized(xml, size):
     if not size:
         return xml
     width, height = size.split("x")
+    xml = re.sub(r'(<default name="resx" value=)"\d+"', rf'\1"{width}"', xml)
+    xml = re.sub(r'(<default name="resy" value=)"\d+"', rf'\1"{height}"', xml)
     xml = re.sub(r'(name="width" value=)"\d+"', rf'\1"{width}"', xml)
     return re.sub(r'(name="height" value=)"\d+"', rf'\1"{height}"', xml)
 
@@ -81,9 +86,28 @@ def mitsuba(variant, folder, seed, out, samples, size, scratch, built_in=False):
     text = re.sub(r'(name="rr_depth" value=)"\d+"', r'\1"5"', text)
     text = re.sub(r'(name="spp" value=)"\d+"', rf'\1"{samples}"', text)
     text = re.sub(r'(name="seed" value=)"\d+"', rf'\1"{seed}"', text, count=1)
-    scene = scratch / "scene.xml"
+    # What a scene refers to lies beside it.
+    scene = (folder if is_scene_of_files(folder) else scratch) / "raced.xml"
     scene.write_text(resized(text, size))
     return run([sys.executable, HERE / "peer_mitsuba.py", variant, scene, out])
+
+
+def is_scene_of_files(folder):
+    return not (folder / "scene.json").exists()
+
+
+def copied(folder, scratch):
+    """A scene of files at the size of its reference, in a folder that may be written to."""
+    copy = scratch / folder.name
+    shutil.copytree(folder, copy, copy_function=shutil.copyfile)
+    for made in (copy, *copy.rglob("*")):
+        made.chmod(0o755 if made.is_dir() else 0o644)
+    height, width, _ = read_pfm(folder / "reference.pfm").shape
+    text = re.sub(r'(name="max_depth" value=)"[^"]*"', r'\1"-1"', (folder / "scene.xml").read_text())
+    text = re.sub(r'<rfilter type="[^"]*"/>', '<rfilter type="box"/>', text)
+    text = re.sub(r'(<integer name="sample_count"[^>]*/>)', r'\1<integer name="seed" value="0"/>', text)
+    (copy / "scene.xml").write_text(resized(text, f"{width}x{height}"))
+    return copy
 
 
 def agree(folder, jar, seeds, samples, options, scratch):
@@ -221,20 +245,24 @@ def racers(folder, chosen, scratch):
     def peer(variant, built_in=False):
         return lambda seed, out, size: mitsuba(variant, folder, seed, out, chosen.samples, size, scratch, built_in)
 
+    # A window is seen from the other side than Mitsuba's cameras.
+    mirrored = not is_scene_of_files(folder)
     timed = {m: (own_program(folder, chosen, f"--method {m} {chosen.options}"), m, False) for m in chosen.methods.split(",")}
     if "scalar" in chosen.peers:
-        timed["mitsuba scalar"] = peer("scalar_rgb"), "mitsuba scalar", True
-    timed["mitsuba llvm"] = peer("llvm_ad_rgb"), "mitsuba llvm", True
+        timed["mitsuba scalar"] = peer("scalar_rgb"), "mitsuba scalar", mirrored
+    timed["mitsuba llvm"] = peer("llvm_ad_rgb"), "mitsuba llvm", mirrored
     if METAL in (folder / "scene.xml").read_text():
         # Mitsuba's own metal masks otherwise: its errors mean nothing here, its time does. Python's calls for each bounce make the plug-in hopeless
         # in the scalar variant, whose errors are therefore taken with it and whose time without.
         if "scalar" in chosen.peers:
-            timed["mitsuba scalar, its own metal"] = peer("scalar_rgb", True), "mitsuba scalar", True
+            timed["mitsuba scalar, its own metal"] = peer("scalar_rgb", True), "mitsuba scalar", mirrored
         timed["mitsuba llvm, its own metal"] = peer("llvm_ad_rgb", True), None, True
     return timed
 
 
 def usual_size(folder):
+    if is_scene_of_files(folder):
+        return "320x180" if read_pfm(folder / "reference.pfm").shape[0] < 128 else "512x512"
     return "800x400" if json.loads((folder / "scene.json").read_text())["camera"]["type"] == "window" else "512x512"
 
 
@@ -308,7 +336,8 @@ def main():
     chosen = parser.parse_args()
     ok = True
     with tempfile.TemporaryDirectory() as name:
-        for folder in chosen.folders:
+        for given in chosen.folders:
+            folder = copied(given, pathlib.Path(name)) if chosen.what != "reference" and is_scene_of_files(given) else given
             if chosen.what == "agree":
                 ok &= agree(folder, chosen.jar, chosen.seeds, chosen.samples or 64, chosen.options, pathlib.Path(name))
             elif chosen.what == "kept":

@@ -12,6 +12,7 @@ import enlightenment.cli.render.MergeCommand;
 import enlightenment.cli.render.RenderCommand;
 import enlightenment.cli.scene.ConvertCommand;
 import enlightenment.cli.scene.InspectCommand;
+import enlightenment.cli.scene.NewCommand;
 import enlightenment.cli.scene.SchemaCommand;
 import enlightenment.cli.scene.ValidateCommand;
 import enlightenment.cli.serve.ServerCommand;
@@ -30,6 +31,7 @@ final class Commands {
     static final String[] NAMES = {
         "render",
         "animate",
+        "new",
         "validate",
         "inspect",
         "schema",
@@ -53,6 +55,7 @@ final class Commands {
         return switch (name) {
             case "render" -> new RenderCommand(terminal);
             case "animate" -> new AnimateCommand(terminal);
+            case "new" -> new NewCommand(terminal);
             case "validate" -> new ValidateCommand(terminal);
             case "inspect" -> new InspectCommand(terminal);
             case "schema" -> new SchemaCommand(terminal);

@@ -23,10 +23,12 @@ import picocli.CommandLine.Parameters;
 @Command(name = "new", description = "Writes a scene file to begin with, whose comments explain what is in it.")
 public final class NewCommand extends Subcommand {
     private static final String EXTENSION = ".json";
+    private static final int LONGEST_LINE = 10_000;
 
     @Parameters(
             paramLabel = "NAME",
-            description = "the scene file to write, which must not be there yet; .json is added if there is no extension")
+            description =
+                    "the scene file to write, which must not be there yet; .json is added if there is no extension")
     private Path name;
 
     @Option(
@@ -60,8 +62,8 @@ public final class NewCommand extends Subcommand {
         }
         new CommandFiles().reads("--model", model).writes("NAME", file).check();
         WholeFile.write(file, text(file));
-        terminal.show("wrote " + file);
-        terminal.show("next: " + next(file));
+        terminal.show("wrote " + line(file.toString()));
+        terminal.show("next: " + line(next(file)));
         return ExitCode.DONE;
     }
 
@@ -87,6 +89,10 @@ public final class NewCommand extends Subcommand {
                     + "; copy it beside the scene, and change \"file\" there, before the scene is moved");
         }
         return StarterScene.text(kind, stem, StarterModel.read(model), path);
+    }
+
+    private static String line(String text) {
+        return Plain.line(text, LONGEST_LINE);
     }
 
     /** The command that renders the scene, for the user to copy. */

@@ -82,8 +82,12 @@ record StarterModel(Vec3 min, Vec3 max, boolean isUpZ, boolean hasNormals) {
                 .toString();
         String smooth = hasNormals ? "" : ", \"normals\": \"smooth\", \"crease\": 40";
         return indent + "// The model: its box is moved over the origin, made as large as fits, and put in its place.\n"
-                + indent + "// Mesh files are right-handed, this scene is left-handed: the factor below 0 turns that round.\n"
-                + (hasNormals ? "" : indent + "// Edges sharper than \"crease\" stay; \"normals\": \"flat\" shows each triangle.\n")
+                + indent
+                + "// Mesh files are right-handed, this scene is left-handed: the factor below 0 turns that round.\n"
+                + (hasNormals
+                        ? ""
+                        : indent
+                                + "// Edges sharper than \"crease\" stay; \"normals\": \"flat\" shows each triangle.\n")
                 + indent + "{ \"name\": \"model\", \"type\": \"mesh\", \"file\": " + file + smooth + ",\n"
                 + indent + "  \"material\": \"" + place.material() + "\",\n"
                 + indent + "  \"transform\": [\n"

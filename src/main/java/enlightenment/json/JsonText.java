@@ -45,6 +45,11 @@ public final class JsonText {
         return text.append('\n').toString();
     }
 
+    /** A text as a JSON string, with its quotation marks and without a line feed at the end. */
+    public static String quoted(String text) {
+        return of(json -> json.writeString(text)).strip();
+    }
+
     /** Asks for {@code "key": value}, one in a line. */
     private static final class Indented extends ObjectWriteContext.Base {
         private static final DefaultIndenter INDENTER = new DefaultIndenter("  ", "\n");

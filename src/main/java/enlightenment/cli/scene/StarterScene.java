@@ -42,7 +42,7 @@ final class StarterScene {
                 isMain = true;
             } else if (line.strip().equals(END)) {
                 String indent = line.substring(0, line.indexOf(END));
-                lines.add(model.object(kind.place(), quoted(file), indent) + end);
+                lines.add(model.object(kind.place(), JsonText.quoted(file), indent) + end);
                 isMain = false;
             } else if (isMain) {
                 // Whether more objects come after the main one.
@@ -59,11 +59,6 @@ final class StarterScene {
     }
 
     private static String named(List<String> lines, String name) {
-        return (String.join("\n", lines) + "\n").replace(NAME, quoted(Plain.line(name, LONGEST_NAME)));
-    }
-
-    /** As a JSON string. */
-    private static String quoted(String text) {
-        return JsonText.of(json -> json.writeString(text)).strip();
+        return (String.join("\n", lines) + "\n").replace(NAME, JsonText.quoted(Plain.line(name, LONGEST_NAME)));
     }
 }

@@ -2,7 +2,12 @@ package enlightenment.bsdf;
 
 /** Surfaces all of whose lobes are delta lobes: only {@link #sample} finds what they do. */
 public sealed interface DeltaBsdf extends Bsdf
-        permits SpecularReflection, SmoothConductor, ClassicDielectric, SmoothDielectric, ThinDielectric {
+        permits SpecularReflection,
+                SmoothConductor,
+                ClassicDielectric,
+                SmoothDielectric,
+                SmoothRefraction,
+                ThinDielectric {
     @Override
     default boolean isDelta() {
         return true;

@@ -412,6 +412,8 @@ public sealed interface Material
      * @param dispersion the Abbe number V_d = (n_d − 1) / (n_F − n_C), where n_d is {@code indexOfRefraction}: greater than 0, and such
      *     that the index is positive at all visible wavelengths (Cauchy's formula of two terms). About 60 for crown glass, 36 for flint
      *     glass; a smaller number disperses more. Empty: the index does not depend on the wavelength
+     * @param smoothRefraction whether, in physical shading, a closed mesh with normals at its vertices refracts and reflects by these,
+     *     interpolated, and not by the normals of its triangles; all other shapes refract by their own normal. Needs roughness 0
      */
     record Glass(
             Texture color,
@@ -422,7 +424,8 @@ public sealed interface Material
             double roughness,
             Rgb absorption,
             boolean multipleScattering,
-            OptionalDouble dispersion)
+            OptionalDouble dispersion,
+            boolean smoothRefraction)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Glass {
@@ -434,6 +437,10 @@ public sealed interface Material
             if (dispersion.isPresent()) {
                 checkDispersion(indexOfRefraction, dispersion.getAsDouble());
             }
+            Check.that(
+                    !smoothRefraction || roughness == 0,
+                    "smoothRefraction",
+                    "must stand without \"roughness\": rough glass refracts by the normals of its triangles");
         }
 
         private static void checkDispersion(double index, double abbe) {
@@ -446,6 +453,30 @@ public sealed interface Material
                     "dispersion",
                     "is too small: indices of refraction must be positive, but would be " + violet
                             + " at the violet end and " + red + " at the red end of visible light");
+        }
+
+        /** Glass that refracts by the surface's own normals. */
+        public Glass(
+                Texture color,
+                double indexOfRefraction,
+                double transparency,
+                int priority,
+                boolean receivesShadows,
+                double roughness,
+                Rgb absorption,
+                boolean multipleScattering,
+                OptionalDouble dispersion) {
+            this(
+                    color,
+                    indexOfRefraction,
+                    transparency,
+                    priority,
+                    receivesShadows,
+                    roughness,
+                    absorption,
+                    multipleScattering,
+                    dispersion,
+                    false);
         }
 
         /** Glass that refracts all wavelengths alike. */
@@ -483,20 +514,25 @@ public sealed interface Material
 
         /** The same glass with another roughness. */
         public Glass withRoughness(double value) {
-            return with(value, absorption, dispersion);
+            return with(value, absorption, dispersion, smoothRefraction);
         }
 
         /** The same glass that absorbs this per scene unit. */
         public Glass withAbsorption(Rgb value) {
-            return with(roughness, value, dispersion);
+            return with(roughness, value, dispersion, smoothRefraction);
         }
 
         /** The same glass with this Abbe number. */
         public Glass withDispersion(double value) {
-            return with(roughness, absorption, OptionalDouble.of(value));
+            return with(roughness, absorption, OptionalDouble.of(value), smoothRefraction);
         }
 
-        private Glass with(double rough, Rgb absorbed, OptionalDouble abbe) {
+        /** The same glass that refracts by interpolated normals, or by the surface's own ({@link #smoothRefraction()}). */
+        public Glass withSmoothRefraction(boolean value) {
+            return with(roughness, absorption, dispersion, value);
+        }
+
+        private Glass with(double rough, Rgb absorbed, OptionalDouble abbe, boolean smoothly) {
             return new Glass(
                     color,
                     indexOfRefraction,
@@ -506,7 +542,8 @@ public sealed interface Material
                     rough,
                     absorbed,
                     multipleScattering,
-                    abbe);
+                    abbe,
+                    smoothly);
         }
 
         @Override

@@ -14,6 +14,7 @@ import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
+import enlightenment.render.TestScenes;
 import enlightenment.scene.SceneBuilder;
 import java.util.Map;
 
@@ -43,6 +44,21 @@ final class MeshScenes {
                         .object(ball(-0.45, 0.5, 0.1, 0.45), Material.Glossy.of(linear(0.9, 0.6, 0.3), 0.7))
                         .object(ball(0.5, 0.6, 0.3, 0.4), Material.Coated.of(linear(0.1, 0.5, 0.9), 0))
                         .object(ball(0.1, 0.4, -0.5, 0.3), Material.Coated.of(linear(0.2, 0.9, 0.6), 0.5)));
+        Material.Glass glass = Material.Glass.of(linear(0.95, 1, 0.9), 1.5).withSmoothRefraction(true);
+        scenes.put(
+                "meshes that refract smoothly",
+                room().light(panel(0.05, 1.9, 0, 0.6, new Rgb(5, 4, 2), false))
+                        .object(ball(-0.35, 0.8, 0.1, 0.55), glass.withAbsorption(new Rgb(0.2, 0.1, 0.6)))
+                        .object(ball(0.5, 0.5, -0.2, 0.4), glass));
+        // Paths from lights that end at the eye do not see glass: a screen is before it.
+        scenes.put(
+                "hidden mesh that refracts smoothly",
+                room().light(panel(0.05, 1.9, 0, 0.6, new Rgb(5, 4, 2), false))
+                        .object(
+                                TestScenes.rectangle(
+                                        -0.5, 0.8, -0.95, -0.5, 1.75, -0.95, 0.5, 1.75, -0.95, 0.5, 0.8, -0.95),
+                                PhysicalScenes.RED)
+                        .object(ball(0, 1.3, -0.3, 0.4), glass));
         Transform cube = Transform.of(
                 new Transform.Rotate(new Vec3(0, 30, 0)),
                 new Transform.Scale(new Vec3(0.6, 0.6, 0.6)),

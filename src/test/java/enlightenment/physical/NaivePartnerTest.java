@@ -51,6 +51,8 @@ class NaivePartnerTest {
                 "lights of all kinds",
                 "many lights of all kinds",
                 "metals",
+                "hidden mesh that refracts smoothly",
+                "meshes that refract smoothly",
                 "meshes whose normals are bent",
                 "milk in glass",
                 "nested glass",

@@ -320,7 +320,8 @@ final class NaiveTracer {
 
     private double[] throughGlass(
             Material.Glass glass, NaiveScene.Hit hit, Vec3 d, int scattered, int events, Path path) {
-        double cosine = Math.min(1, -d.dot(hit.normal()));
+        Vec3 n = glass.smoothRefraction() && hit.surface().isSolid() ? interpolated(hit) : hit.normal();
+        double cosine = Math.min(1, -d.dot(n));
         NaiveScene.Surface before = scene.medium(hit, 1);
         double from = NaiveScene.index(before);
         if (!hit.surface().isSolid()) {
@@ -338,10 +339,18 @@ final class NaiveTracer {
         if (glass.roughness() > 0) {
             return throughFacets(glass, hit, d, from, to, scattered, events, path);
         }
-        if (path.random.nextDouble() < NaiveFresnel.dielectric(cosine, from, to)) {
-            return mirrored(hit, hit.normal(), d, scattered, events, path);
+        if (cosine <= 0) {
+            return new double[3];
         }
-        return refracted(hit, hit.normal(), d, from, to, scattered, events, path);
+        if (path.random.nextDouble() < NaiveFresnel.dielectric(cosine, from, to)) {
+            return mirrored(hit, n, d, scattered, events, path);
+        }
+        return refracted(hit, n, d, from, to, scattered, events, path);
+    }
+
+    /** On the side of the triangle's own that the path is on, wherever that is of it. */
+    private static Vec3 interpolated(NaiveScene.Hit hit) {
+        return hit.surface().shape().shadingNormal(hit.point()).times(hit.front() ? 1 : -1);
     }
 
     private double[] mirrored(NaiveScene.Hit hit, Vec3 facet, Vec3 d, int scattered, int events, Path path) {
@@ -355,7 +364,7 @@ final class NaiveTracer {
 
     /** On the side of the eye: where it turns away from that, its mirror image in the plane across the view. */
     private static Vec3 shadingNormal(NaiveScene.Hit hit, Vec3 d) {
-        Vec3 n = hit.surface().shape().shadingNormal(hit.point()).times(hit.front() ? 1 : -1);
+        Vec3 n = interpolated(hit);
         return n.dot(d) > 0 ? n.minus(d.times(2 * n.dot(d))) : n;
     }
 

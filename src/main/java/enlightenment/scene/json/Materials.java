@@ -48,7 +48,7 @@ final class Materials {
                     "glass",
                     Material.Glass.class,
                     "color indexOfRefraction | transparency priority roughness absorption multipleScattering dispersion"
-                            + " receivesShadows",
+                            + " smoothRefraction receivesShadows",
                     Map.of("radiance", GLASS_IS_DARK, "radianceMap", GLASS_IS_DARK, "ultraviolet", GLASS_IS_DARK))
             .with(
                     "scattering",
@@ -135,7 +135,8 @@ final class Materials {
                     .bandsUnless(Rgb.BLACK, "absorption", g.absorption())
                     .flagUnless(true, "multipleScattering", g.multipleScattering());
             g.dispersion().ifPresent(abbe -> p.number("dispersion", abbe));
-            p.flagUnless(true, "receivesShadows", g.receivesShadows());
+            p.flagUnless(false, "smoothRefraction", g.smoothRefraction())
+                    .flagUnless(true, "receivesShadows", g.receivesShadows());
         } else if (value instanceof Material.Scattering s) {
             Media.write(s.medium(), p)
                     .numberUnless(1, "indexOfRefraction", s.indexOfRefraction())
@@ -296,11 +297,12 @@ final class Materials {
         Rgb absorption = f.bands("absorption", Rgb.BLACK);
         boolean several = f.flag("multipleScattering", true);
         OptionalDouble abbe = f.has("dispersion") ? OptionalDouble.of(f.number("dispersion")) : OptionalDouble.empty();
+        boolean smoothly = f.flag("smoothRefraction", false);
         if (color == null) {
             return null;
         }
         return f.make(() -> new Material.Glass(
-                color, index, transparency, priority, shadows, roughness, absorption, several, abbe));
+                color, index, transparency, priority, shadows, roughness, absorption, several, abbe, smoothly));
     }
 
     private static Material scattering(Fields f) {

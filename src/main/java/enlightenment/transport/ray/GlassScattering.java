@@ -2,6 +2,7 @@ package enlightenment.transport.ray;
 
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
+import enlightenment.bsdf.SmoothRefraction;
 import enlightenment.bsdf.ThinDielectric;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
@@ -41,11 +42,15 @@ final class GlassScattering {
     /**
      * Lets a ray leave the border of two media. Classic glass needs no random numbers.
      *
+     * @param at the hit on the surface that is the border
      * @param eta the index of refraction before the border over that behind it
      * @return false if the light is lost there
      */
-    boolean atBorder(Ray ray, Hit hit, Bsdf border, double eta) {
+    boolean atBorder(Ray ray, Hit hit, Bsdf border, Hit at, double eta) {
         Optics.arrive(sampled, ray, hit);
+        if (border == SmoothRefraction.INSTANCE && at.primitive.shadingNormal(at)) {
+            Optics.shade(sampled, at);
+        }
         sampled.eta = eta;
         boolean scatters = border.sample(sampled, u, v, choice);
         Optics.leave(ray, hit, sampled);

@@ -221,7 +221,8 @@ public final class GlassTracer {
             coincident.startBehind(ray, next != NONE);
             return true;
         }
-        lost = !scattering.atBorder(ray, hit, coincident.material(boundary).bsdf, from / to);
+        Bsdf bsdf = coincident.material(boundary).bsdf;
+        lost = !scattering.atBorder(ray, hit, bsdf, coincident.hit(boundary), from / to);
         if (border.transmitted) {
             counters.refractedRays++;
             coincident.startBehind(ray, next != NONE);

@@ -31,6 +31,13 @@ public final class Optics {
         s.gz = s.nz;
     }
 
+    /** Sets the shading normal to that of a hit; the geometric one stays. */
+    static void shade(Scattering s, Hit hit) {
+        s.nx = hit.sx * hit.side;
+        s.ny = hit.sy * hit.side;
+        s.nz = hit.sz * hit.side;
+    }
+
     /** Sets the unit direction to where the ray came from. */
     private static void setOutgoing(Scattering s, Ray ray) {
         double scale = 1 / Math.sqrt(ray.dd);

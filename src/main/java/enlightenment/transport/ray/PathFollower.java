@@ -109,7 +109,7 @@ public final class PathFollower {
 
     /** The same with one that is not counted, as it begins no sample. */
     public void beginAgain(Ray ray) {
-        scattering.fromLight = false;
+        beginFrom(false);
         glass.begin(ray, scene.cameraSolids, null);
         begin(0);
     }
@@ -120,7 +120,7 @@ public final class PathFollower {
      * @param source it has just been emitted there
      */
     public void beginAtLight(Ray ray, PathSource source) {
-        scattering.fromLight = true;
+        beginFrom(true);
         glass.begin(ray, source.media(), source.faces());
         begin(1);
     }
@@ -142,6 +142,11 @@ public final class PathFollower {
     void beginShadowOnTheWay(PathFollower from) {
         glass.beginOnTheWay(from.glass);
         begin(1);
+    }
+
+    private void beginFrom(boolean light) {
+        scattering.fromLight = light;
+        glass.border.fromLight = light;
     }
 
     private void begin(int left) {

@@ -12,6 +12,7 @@ import enlightenment.bsdf.RoughDiffuse;
 import enlightenment.bsdf.SmoothCoating;
 import enlightenment.bsdf.SmoothConductor;
 import enlightenment.bsdf.SmoothDielectric;
+import enlightenment.bsdf.SmoothRefraction;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.material.Amount;
 import enlightenment.material.Conductor;
@@ -54,7 +55,9 @@ public final class MaterialBsdfs {
                     : Lambert.INSTANCE;
         }
         if (material instanceof Material.Glass glass) {
-            return border(glass.roughness(), glass.multipleScattering());
+            return glass.smoothRefraction()
+                    ? SmoothRefraction.INSTANCE
+                    : border(glass.roughness(), glass.multipleScattering());
         }
         if (material instanceof Material.Scattering scattering) {
             return border(scattering.roughness(), true);

@@ -57,6 +57,7 @@ public record PhysicalSurface(
                         glass.indexOfRefraction(), glass.dispersion().getAsDouble());
                 look += " " + dispersion;
             }
+            look += glass.smoothRefraction() ? " refracting smoothly" : "";
         } else if (material instanceof Material.Scattering scattering) {
             medium = HomogeneousMedium.of(scattering.medium(), frame);
             absorption = medium.extinction();

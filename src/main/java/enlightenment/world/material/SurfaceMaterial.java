@@ -19,7 +19,7 @@ public final class SurfaceMaterial {
     /** How the surface scatters light. */
     public final Bsdf bsdf;
 
-    /** {@link #bsdf} where surfaces are shaded by normals of vertices; null for glass, which refracts by the normals of its triangles. */
+    /** {@link #bsdf} where surfaces are shaded by normals of vertices; null for glass, which has its own ({@link enlightenment.bsdf.SmoothRefraction}). */
     public final Bsdf smooth;
 
     /** Whether all that it scatters goes in single directions: {@link Bsdf#isDelta}. */

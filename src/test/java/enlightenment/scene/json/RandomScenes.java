@@ -556,7 +556,8 @@ final class RandomScenes {
                         random.nextBoolean() ? 0 : unit(),
                         radiance(),
                         random.nextBoolean(),
-                        hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive())));
+                        hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive()),
+                        random.nextInt(4) == 0));
         }
     }
 

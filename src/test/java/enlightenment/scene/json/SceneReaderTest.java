@@ -93,6 +93,7 @@ class SceneReaderTest {
         Material chrome = new Material.Mirror(Texture.of(DisplayRgb.of(0.1, 0.2, 0.3)), true, Rgb.gray(0.5));
         Material glass = new Material.Glass(plain(254, 254, 254), 1.5, 0.875, -2, true, 0.25, new Rgb(0.5, 0, 2), false)
                 .withDispersion(36.5);
+        Material lens = Material.Glass.of(plain(254, 254, 254), 1.8125).withSmoothRefraction(true);
         Material ember = new Material.Matte(
                 Texture.of(new Rgb(0.25, 0.5, 1)), true, 0.625, new Rgb(4, 2, 0), 2.5, Optional.of(checks));
         Material copper = new Material.Glossy(
@@ -132,8 +133,8 @@ class SceneReaderTest {
         Material grooves = new NormalMap(rust, plain(0, 0, 255));
         Material hammered = new Bump(grooves, ice, -0.0625);
         Map<String, Material> materials = new HashMap<>(Map.of(
-                "ice", matte, "chrome", chrome, "glass", glass, "ember", ember, "copper", copper, "varnish", varnish,
-                "wax", wax, "milk", milk, "marker", marker));
+                "ice", matte, "chrome", chrome, "glass", glass, "lens", lens, "ember", ember, "copper", copper,
+                "varnish", varnish, "wax", wax, "milk", milk, "marker", marker));
         materials.putAll(
                 Map.of("enamel", enamel, "leaf", leaf, "rust", rust, "grooves", grooves, "hammered", hammered));
         assertEquals(materials, s.materials());

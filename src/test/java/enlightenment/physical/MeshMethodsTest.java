@@ -31,8 +31,8 @@ class MeshMethodsTest {
         "CLUSTER, meshes that refract smoothly",
         "METROPOLIS, meshes that refract smoothly",
         "BIDIRECTIONAL, meshes that refract smoothly",
-        "LIGHT, hidden mesh that refracts smoothly",
-        "BIDIRECTIONAL, hidden mesh that refracts smoothly",
+        "LIGHT, hidden cube that refracts smoothly",
+        "BIDIRECTIONAL, hidden cube that refracts smoothly",
         "METROPOLIS, 'smooth meshes of matte, mirror and glass'",
         "METROPOLIS, smooth meshes of metal and coats"
     })

@@ -50,19 +50,23 @@ final class MeshScenes {
                 room().light(panel(0.05, 1.9, 0, 0.6, new Rgb(5, 4, 2), false))
                         .object(ball(-0.35, 0.8, 0.1, 0.55), glass.withAbsorption(new Rgb(0.2, 0.1, 0.6)))
                         .object(ball(0.5, 0.5, -0.2, 0.4), glass));
+        Transform cube = Transform.of(
+                new Transform.Rotate(new Vec3(0, 30, 0)),
+                new Transform.Scale(new Vec3(0.6, 0.6, 0.6)),
+                new Transform.Translate(at(-0.6, 0.2, -0.3)));
+        Transform above = Transform.of(
+                new Transform.Rotate(new Vec3(0, 30, 0)),
+                new Transform.Scale(new Vec3(0.55, 0.55, 0.55)),
+                new Transform.Translate(at(-0.2, 1, -0.4)));
         // Paths from lights that end at the eye do not see glass: a screen is before it.
         scenes.put(
-                "hidden mesh that refracts smoothly",
+                "hidden cube that refracts smoothly",
                 room().light(panel(0.05, 1.9, 0, 0.6, new Rgb(5, 4, 2), false))
                         .object(
                                 TestScenes.rectangle(
                                         -0.5, 0.8, -0.95, -0.5, 1.75, -0.95, 0.5, 1.75, -0.95, 0.5, 0.8, -0.95),
                                 PhysicalScenes.RED)
-                        .object(ball(0, 1.3, -0.3, 0.4), glass));
-        Transform cube = Transform.of(
-                new Transform.Rotate(new Vec3(0, 30, 0)),
-                new Transform.Scale(new Vec3(0.6, 0.6, 0.6)),
-                new Transform.Translate(at(-0.6, 0.2, -0.3)));
+                        .object(Mesh.of(TestMeshes.cube().smooth(), above), glass));
         scenes.put(
                 "meshes whose normals are bent",
                 room().light(panel(0.3, 1.9, 0, 0.4, new Rgb(8, 8, 8), false))

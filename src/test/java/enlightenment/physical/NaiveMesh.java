@@ -4,7 +4,7 @@ import enlightenment.geometry.Mesh;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TriangleMesh;
 
-/** All triangles of a mesh, asked one after the other: a closed mesh, moved and scaled alike in all directions. */
+/** All triangles of a mesh, asked one after the other: a closed mesh, moved, turned and scaled alike in all directions. */
 final class NaiveMesh extends NaiveShape {
     private final Flat[] triangles;
     private final Vec3[][] normals;
@@ -21,9 +21,11 @@ final class NaiveMesh extends NaiveShape {
             Vec3[] v = new Vec3[3];
             for (int k = 0; k < 3; k++) {
                 v[k] = at(shape.transform().apply(mesh.position(mesh.vertex(t, k))));
-                normals[t][k] = mesh.hasNormals()
+                Vec3 n = mesh.hasNormals()
                         ? mesh.normal(mesh.vertex(t, k))
                         : mesh.areaNormal(t).normalized();
+                Vec3 tip = mesh.position(mesh.vertex(t, k)).plus(n);
+                normals[t][k] = at(shape.transform().apply(tip)).minus(v[k]).normalized();
             }
             triangles[t] = new Flat(v[0], v[1], v[2], true);
             sum = sum.plus(v[0]);

@@ -51,7 +51,7 @@ class NaivePartnerTest {
                 "lights of all kinds",
                 "many lights of all kinds",
                 "metals",
-                "hidden mesh that refracts smoothly",
+                "hidden cube that refracts smoothly",
                 "meshes that refract smoothly",
                 "meshes whose normals are bent",
                 "milk in glass",

@@ -527,7 +527,7 @@ public sealed interface Material
             return with(roughness, absorption, OptionalDouble.of(value), smoothRefraction);
         }
 
-        /** The same glass that refracts by interpolated normals, or by the surface's own ({@link #smoothRefraction()}). */
+        /** This glass with another {@link #smoothRefraction()}; needs roughness 0 if true. */
         public Glass withSmoothRefraction(boolean value) {
             return with(roughness, absorption, dispersion, value);
         }

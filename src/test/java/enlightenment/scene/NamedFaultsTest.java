@@ -49,6 +49,9 @@ class NamedFaultsTest {
         fails("top: must differ from \"base\"", () -> new Cylinder(O, O, 1, true));
         fails("max/1: must be greater than the same coordinate of \"min\"", () -> new Box(O, ExactPoint.of(1, 0, 1)));
         fails("transparency: must lie in 0.0..1.0, not 2.0", () -> new Material.Glass(WHITE, 1, 2, 0, true));
+        fails(
+                "smoothRefraction: must stand without \"roughness\": rough glass refracts by the normals of its triangles",
+                () -> Material.Glass.of(WHITE, 1.5).withRoughness(0.5).withSmoothRefraction(true));
         fails("radius: must be a number greater than 0, not 0.0", () -> new Light.Sphere(O, 0, DisplayRgb.WHITE));
         fails(
                 "intensity: belongs to point lights; a sphere light has \"radiance\" or \"power\"",

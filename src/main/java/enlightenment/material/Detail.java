@@ -51,12 +51,16 @@ final class Detail {
         }
     }
 
-    /** A texture only of what glows; what its colours make of the radiance is no more than may be emitted. */
-    static void checkRadiance(Rgb radiance, double ultraviolet, Optional<Texture> map) {
-        Objects.requireNonNull(map, RADIANCE_MAP);
-        map.ifPresent(texture -> {
+    /** A texture, or one side alone, only of what glows; what its colours make of the radiance is no more than may be emitted. */
+    static void checkRadiance(Rgb radiance, double ultraviolet, EmissionPattern pattern) {
+        boolean glows = !radiance.equals(Rgb.BLACK) || ultraviolet > 0;
+        Check.that(
+                glows || pattern.side() == EmissionPattern.Side.BOTH,
+                "radianceSide",
+                "must stand with \"radiance\" or \"ultraviolet\", which are emitted to that side");
+        pattern.map().ifPresent(texture -> {
             Check.that(
-                    !radiance.equals(Rgb.BLACK) || ultraviolet > 0,
+                    glows,
                     RADIANCE_MAP,
                     "must stand with \"radiance\" or \"ultraviolet\", which it is multiplied onto");
             if (texture instanceof Texture.Solid solid) {

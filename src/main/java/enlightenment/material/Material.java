@@ -41,7 +41,7 @@ public sealed interface Material
     }
 
     /**
-     * The radiance with which the surface glows by itself, to both of its sides, in physical shading: the object is a light then.
+     * The radiance with which the surface glows by itself, on the sides that its {@link #pattern} names, in physical shading: the object is a light then.
      * Black for glass and media: only what is opaque glows.
      */
     default Rgb radiance() {
@@ -49,19 +49,24 @@ public sealed interface Material
     }
 
     /**
-     * The radiance with which it glows in the near ultraviolet (300 to 400 nm), in the unit of {@link #radiance}, to both of its
-     * sides. Only fluorescent surfaces show it.
+     * The radiance with which it glows in the near ultraviolet (300 to 400 nm), in the unit of {@link #radiance}, on the sides
+     * that its {@link #pattern} names. Only fluorescent surfaces show it.
      */
     default double ultraviolet() {
         return 0;
     }
 
     /**
-     * The factor, by band and in linear light, that {@link #radiance} is multiplied by at each point of the surface; that of {@link
-     * #ultraviolet} is the blue one. Empty if all points glow alike.
+     * The points and sides of the surface that emit {@link #radiance} and {@link #ultraviolet}, and by which factors: evenly and to both sides, unless
+     * the kind of material has something else.
      */
+    default EmissionPattern pattern() {
+        return EmissionPattern.EVEN;
+    }
+
+    /** The {@link EmissionPattern#map} of its pattern. */
     default Optional<Texture> radianceMap() {
-        return Optional.empty();
+        return pattern().map();
     }
 
     /** The textures that it has besides its colour. */
@@ -89,7 +94,7 @@ public sealed interface Material
      *     energy-preserving rough diffuse BRDF", 2025)
      * @param radiance see {@link Material#radiance}
      * @param ultraviolet see {@link Material#ultraviolet}
-     * @param radianceMap see {@link Material#radianceMap}
+     * @param pattern see {@link Material#pattern}
      */
     record Matte(
             Texture color,
@@ -97,7 +102,7 @@ public sealed interface Material
             double roughness,
             Rgb radiance,
             double ultraviolet,
-            Optional<Texture> radianceMap)
+            EmissionPattern pattern)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Matte {
@@ -105,12 +110,12 @@ public sealed interface Material
             Check.range("roughness", roughness, 0, 1);
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
-            Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+            Detail.checkRadiance(radiance, ultraviolet, pattern);
         }
 
         /** A surface whose points glow alike, if at all. */
         public Matte(Texture color, boolean receivesShadows, double roughness, Rgb radiance, double ultraviolet) {
-            this(color, receivesShadows, roughness, radiance, ultraviolet, Optional.empty());
+            this(color, receivesShadows, roughness, radiance, ultraviolet, EmissionPattern.EVEN);
         }
 
         /** A surface that glows, if at all, in visible light alone. */
@@ -130,22 +135,27 @@ public sealed interface Material
 
         /** The same surface with another roughness. */
         public Matte withRoughness(double value) {
-            return new Matte(color, receivesShadows, value, radiance, ultraviolet, radianceMap);
+            return new Matte(color, receivesShadows, value, radiance, ultraviolet, pattern);
         }
 
         /** The same surface with another radiance. */
         public Matte withRadiance(Rgb value) {
-            return new Matte(color, receivesShadows, roughness, value, ultraviolet, radianceMap);
+            return new Matte(color, receivesShadows, roughness, value, ultraviolet, pattern);
+        }
+
+        /** This surface, whose radiance is emitted by other points or to other sides. */
+        public Matte withPattern(EmissionPattern value) {
+            return new Matte(color, receivesShadows, roughness, radiance, ultraviolet, value);
         }
 
         /** This surface, whose radiance is multiplied by a texture. */
         public Matte withRadianceMap(Texture value) {
-            return new Matte(color, receivesShadows, roughness, radiance, ultraviolet, Optional.of(value));
+            return new Matte(color, receivesShadows, roughness, radiance, ultraviolet, pattern.withMap(value));
         }
 
         @Override
         public List<Texture> textures() {
-            return radianceMap.stream().toList();
+            return radianceMap().stream().toList();
         }
 
         @Override
@@ -166,27 +176,26 @@ public sealed interface Material
      * @param receivesShadows has no effect: a mirror shows no shadows of its own
      * @param radiance see {@link Material#radiance}
      * @param ultraviolet see {@link Material#ultraviolet}
-     * @param radianceMap see {@link Material#radianceMap}
+     * @param pattern see {@link Material#pattern}
      */
-    record Mirror(
-            Texture color, boolean receivesShadows, Rgb radiance, double ultraviolet, Optional<Texture> radianceMap)
+    record Mirror(Texture color, boolean receivesShadows, Rgb radiance, double ultraviolet, EmissionPattern pattern)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Mirror {
             Reflectance.check(color);
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
-            Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+            Detail.checkRadiance(radiance, ultraviolet, pattern);
         }
 
         /** A mirror whose points glow alike, if at all. */
         public Mirror(Texture color, boolean receivesShadows, Rgb radiance, double ultraviolet) {
-            this(color, receivesShadows, radiance, ultraviolet, Optional.empty());
+            this(color, receivesShadows, radiance, ultraviolet, EmissionPattern.EVEN);
         }
 
         @Override
         public List<Texture> textures() {
-            return radianceMap.stream().toList();
+            return radianceMap().stream().toList();
         }
 
         /** A mirror that glows, if at all, in visible light alone. */
@@ -226,7 +235,7 @@ public sealed interface Material
      * @param multipleScattering whether light that meets several facets is counted; without it, rough surfaces are too dark
      * @param radiance see {@link Material#radiance}
      * @param ultraviolet see {@link Material#ultraviolet}
-     * @param radianceMap see {@link Material#radianceMap}
+     * @param pattern see {@link Material#pattern}
      */
     record Glossy(
             Texture color,
@@ -235,7 +244,7 @@ public sealed interface Material
             boolean multipleScattering,
             Rgb radiance,
             double ultraviolet,
-            Optional<Texture> radianceMap)
+            EmissionPattern pattern)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Glossy {
@@ -244,7 +253,7 @@ public sealed interface Material
             Objects.requireNonNull(conductor, "conductor");
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
-            Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+            Detail.checkRadiance(radiance, ultraviolet, pattern);
         }
 
         /** A surface whose points glow alike, if at all. */
@@ -255,7 +264,7 @@ public sealed interface Material
                 boolean multipleScattering,
                 Rgb radiance,
                 double ultraviolet) {
-            this(color, roughness, conductor, multipleScattering, radiance, ultraviolet, Optional.empty());
+            this(color, roughness, conductor, multipleScattering, radiance, ultraviolet, EmissionPattern.EVEN);
         }
 
         /** A surface of the same roughness everywhere. */
@@ -281,12 +290,12 @@ public sealed interface Material
 
         /** This surface with another roughness. */
         public Glossy withRoughness(Amount value) {
-            return new Glossy(color, value, conductor, multipleScattering, radiance, ultraviolet, radianceMap);
+            return new Glossy(color, value, conductor, multipleScattering, radiance, ultraviolet, pattern);
         }
 
         @Override
         public List<Texture> textures() {
-            return Detail.textures(roughness.textures(), radianceMap);
+            return Detail.textures(roughness.textures(), radianceMap());
         }
 
         /** A surface with Schlick's Fresnel term and multiple scattering that does not glow. */
@@ -320,7 +329,7 @@ public sealed interface Material
      * @param nonlinear whether light that goes to and fro between coat and base is coloured by the base each time, which saturates its colour
      * @param radiance see {@link Material#radiance}
      * @param ultraviolet see {@link Material#ultraviolet}
-     * @param radianceMap see {@link Material#radianceMap}
+     * @param pattern see {@link Material#pattern}
      */
     record Coated(
             Texture color,
@@ -329,7 +338,7 @@ public sealed interface Material
             boolean nonlinear,
             Rgb radiance,
             double ultraviolet,
-            Optional<Texture> radianceMap)
+            EmissionPattern pattern)
             implements Material {
         /** The index of refraction unless another one is given: that of most plastics and varnishes. */
         public static final double USUAL_INDEX = 1.5;
@@ -344,7 +353,7 @@ public sealed interface Material
             Check.range("indexOfRefraction", indexOfRefraction, 1, LARGEST_INDEX);
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
-            Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+            Detail.checkRadiance(radiance, ultraviolet, pattern);
         }
 
         /** A surface whose points glow alike, if at all. */
@@ -355,7 +364,7 @@ public sealed interface Material
                 boolean nonlinear,
                 Rgb radiance,
                 double ultraviolet) {
-            this(color, roughness, indexOfRefraction, nonlinear, radiance, ultraviolet, Optional.empty());
+            this(color, roughness, indexOfRefraction, nonlinear, radiance, ultraviolet, EmissionPattern.EVEN);
         }
 
         /** A surface whose coat has the same roughness everywhere. */
@@ -371,12 +380,12 @@ public sealed interface Material
 
         /** This surface, whose coat has another roughness. */
         public Coated withRoughness(Amount value) {
-            return new Coated(color, value, indexOfRefraction, nonlinear, radiance, ultraviolet, radianceMap);
+            return new Coated(color, value, indexOfRefraction, nonlinear, radiance, ultraviolet, pattern);
         }
 
         @Override
         public List<Texture> textures() {
-            return Detail.textures(roughness.textures(), radianceMap);
+            return Detail.textures(roughness.textures(), radianceMap());
         }
 
         /** A surface of this colour with a coat of index 1.5 that does not glow. */
@@ -607,7 +616,7 @@ public sealed interface Material
      * @param yield the photons that it emits for each that it absorbs, 0..1
      * @param radiance see {@link Material#radiance}
      * @param ultraviolet see {@link Material#ultraviolet}
-     * @param radianceMap see {@link Material#radianceMap}
+     * @param pattern see {@link Material#pattern}
      */
     record Fluorescent(
             Texture color,
@@ -616,7 +625,7 @@ public sealed interface Material
             double yield,
             Rgb radiance,
             double ultraviolet,
-            Optional<Texture> radianceMap)
+            EmissionPattern pattern)
             implements Material {
         /** Validates the components, as {@link Material} states. */
         public Fluorescent {
@@ -631,7 +640,7 @@ public sealed interface Material
             Check.range("yield", yield, 0, 1);
             Radiance.check("radiance", radiance);
             Radiance.check("ultraviolet", ultraviolet);
-            Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+            Detail.checkRadiance(radiance, ultraviolet, pattern);
         }
 
         /** A surface whose points glow alike, if at all. */
@@ -642,12 +651,12 @@ public sealed interface Material
                 double yield,
                 Rgb radiance,
                 double ultraviolet) {
-            this(color, absorption, emission, yield, radiance, ultraviolet, Optional.empty());
+            this(color, absorption, emission, yield, radiance, ultraviolet, EmissionPattern.EVEN);
         }
 
         @Override
         public List<Texture> textures() {
-            return radianceMap.stream().toList();
+            return radianceMap().stream().toList();
         }
 
         /** A surface that does not glow by itself. */

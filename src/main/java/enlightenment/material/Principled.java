@@ -6,7 +6,6 @@ import enlightenment.color.Rgb;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 
 /**
  * The opaque material of metallic-roughness workflows: a metal, or a matte base under a dielectric coat, or a mixture of both; over it, a
@@ -24,7 +23,7 @@ import java.util.Optional;
  * @param clearcoatRoughness of the clear coat, as {@code roughness}
  * @param radiance see {@link Material#radiance}
  * @param ultraviolet see {@link Material#ultraviolet}
- * @param radianceMap see {@link Material#radianceMap}
+ * @param pattern see {@link Material#pattern}
  */
 public record Principled(
         Texture color,
@@ -36,7 +35,7 @@ public record Principled(
         double clearcoatRoughness,
         Rgb radiance,
         double ultraviolet,
-        Optional<Texture> radianceMap)
+        EmissionPattern pattern)
         implements Material {
     /** The roughness unless another one is given. */
     public static final double USUAL_ROUGHNESS = 0.5;
@@ -52,7 +51,7 @@ public record Principled(
         Check.range("clearcoatRoughness", clearcoatRoughness, 0, 1);
         Radiance.check("radiance", radiance);
         Radiance.check("ultraviolet", ultraviolet);
-        Detail.checkRadiance(radiance, ultraviolet, radianceMap);
+        Detail.checkRadiance(radiance, ultraviolet, pattern);
     }
 
     /** A surface whose points glow alike, if at all. */
@@ -76,7 +75,7 @@ public record Principled(
                 clearcoatRoughness,
                 radiance,
                 ultraviolet,
-                Optional.empty());
+                EmissionPattern.EVEN);
     }
 
     /** A surface of index 1.5 without a clear coat that does not glow. */
@@ -105,7 +104,7 @@ public record Principled(
                 clearcoatRoughness,
                 radiance,
                 ultraviolet,
-                radianceMap);
+                pattern);
     }
 
     /** This surface with another roughness. */
@@ -120,7 +119,7 @@ public record Principled(
                 clearcoatRoughness,
                 radiance,
                 ultraviolet,
-                radianceMap);
+                pattern);
     }
 
     /** This surface, whose radiance is multiplied by a texture. */
@@ -135,7 +134,7 @@ public record Principled(
                 clearcoatRoughness,
                 radiance,
                 ultraviolet,
-                Optional.of(value));
+                pattern.withMap(value));
     }
 
     /** This surface under another clear coat. */
@@ -150,14 +149,14 @@ public record Principled(
                 roughnessOfIt,
                 radiance,
                 ultraviolet,
-                radianceMap);
+                pattern);
     }
 
     @Override
     public List<Texture> textures() {
         List<Texture> all = new ArrayList<>(metallic.textures());
         all.addAll(roughness.textures());
-        radianceMap.ifPresent(all::add);
+        radianceMap().ifPresent(all::add);
         return List.copyOf(all);
     }
 

@@ -3,6 +3,7 @@ package enlightenment.physical;
 import enlightenment.camera.Camera;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.scene.PhysicalShading;
@@ -58,8 +59,13 @@ final class NaiveScene {
         }
         for (SceneObject object : scene.objects()) {
             double[] glow = NaiveColors.of(object.material().radiance());
-            surfaces.add(new Surface(NaiveShape.of(object.shape()), object.material(), glow, glow));
+            surfaces.add(new Surface(
+                    NaiveShape.of(object.shape()), object.material(), glow, isOneSided(object) ? new double[3] : glow));
         }
+    }
+
+    private static boolean isOneSided(SceneObject object) {
+        return object.material().pattern().side() == EmissionPattern.Side.FRONT;
     }
 
     /** Whether anything scatters light beside surfaces. */

@@ -47,7 +47,7 @@ final class PartnerScenes {
     private static final Material GLASS = Material.Glass.of(linear(0.95, 1, 0.9), 1.5);
     private static final Conductor COPPER = new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
     private static final Shape BALL = ball(-0.35, 0.45, -0.1, 0.42);
-    private static final Shape BLOCK = new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1));
+    static final Shape BLOCK = new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1));
     private static final Light CEILING = panel(0.05, 1.9, 0, 0.6, WARM, false);
     private static final Light LAMP = sphereLight(0.2, 1.5, -0.1, 0.3, 6);
 

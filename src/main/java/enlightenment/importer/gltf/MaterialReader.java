@@ -3,6 +3,7 @@ package enlightenment.importer.gltf;
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.material.Amount;
+import enlightenment.material.EmissionPattern;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.NormalMap;
@@ -264,7 +265,7 @@ final class MaterialReader {
                 share(coat, "clearcoatRoughnessFactor", 0),
                 emitted(),
                 0,
-                radianceMap());
+                EmissionPattern.of(radianceMap()));
     }
 
     /** A channel of the metallic-roughness texture, if there is one. */

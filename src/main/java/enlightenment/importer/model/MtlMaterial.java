@@ -4,6 +4,7 @@ import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.importer.support.InputFolder;
 import enlightenment.material.Amount;
+import enlightenment.material.EmissionPattern;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -62,12 +63,13 @@ final class MtlMaterial {
                 && mtl.ns().orElse(0) > 0
                 && mtl.illum().orElse(2) >= 2;
         if (!isShiny) {
-            return new Material.Matte(color, true, 0, radiance, 0, map);
+            return new Material.Matte(color, true, 0, radiance, 0, EmissionPattern.of(map));
         }
         // Blinn's exponent n has the width of the distribution of alpha² = 2 / (n + 2) (Walter et al. 2007); roughness
         // is the root of alpha.
         double alpha = StrictMath.sqrt(2 / (mtl.ns().getAsDouble() + 2));
-        return new Material.Coated(color, Amount.of(StrictMath.sqrt(alpha)), USUAL_INDEX, false, radiance, 0, map);
+        return new Material.Coated(
+                color, Amount.of(StrictMath.sqrt(alpha)), USUAL_INDEX, false, radiance, 0, EmissionPattern.of(map));
     }
 
     private boolean isTint(Vec3 kd) {

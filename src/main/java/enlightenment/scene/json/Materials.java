@@ -5,6 +5,7 @@ import enlightenment.color.Rgb;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Conductor;
+import enlightenment.material.EmissionPattern;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -27,17 +28,23 @@ final class Materials {
 
     static final Family<Material> FAMILY = new Family<Material>(
                     "material", "a material", null, Map.of(), Materials::read, Materials::write)
-            .with("matte", Material.Matte.class, "color | roughness radiance radianceMap ultraviolet receivesShadows")
-            .with("mirror", Material.Mirror.class, "color | radiance radianceMap ultraviolet receivesShadows")
+            .with(
+                    "matte",
+                    Material.Matte.class,
+                    "color | roughness radiance radianceMap radianceSide ultraviolet receivesShadows")
+            .with(
+                    "mirror",
+                    Material.Mirror.class,
+                    "color | radiance radianceMap radianceSide ultraviolet receivesShadows")
             .with(
                     "glossy",
                     Material.Glossy.class,
-                    "roughness | color metal eta k multipleScattering radiance radianceMap ultraviolet",
+                    "roughness | color metal eta k multipleScattering radiance radianceMap radianceSide ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no glossy surfaces"))
             .with(
                     "coated",
                     Material.Coated.class,
-                    "color | roughness indexOfRefraction nonlinear radiance radianceMap ultraviolet",
+                    "color | roughness indexOfRefraction nonlinear radiance radianceMap radianceSide ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no coated surfaces"))
             .with(
                     "principled",
@@ -49,7 +56,15 @@ final class Materials {
                     Material.Glass.class,
                     "color indexOfRefraction | transparency priority roughness absorption multipleScattering dispersion"
                             + " smoothRefraction receivesShadows",
-                    Map.of("radiance", GLASS_IS_DARK, "radianceMap", GLASS_IS_DARK, "ultraviolet", GLASS_IS_DARK))
+                    Map.of(
+                            "radiance",
+                            GLASS_IS_DARK,
+                            "radianceMap",
+                            GLASS_IS_DARK,
+                            "radianceSide",
+                            GLASS_IS_DARK,
+                            "ultraviolet",
+                            GLASS_IS_DARK))
             .with(
                     "scattering",
                     Material.Scattering.class,
@@ -60,6 +75,8 @@ final class Materials {
                             MEDIA_ARE_DARK,
                             "radianceMap",
                             MEDIA_ARE_DARK,
+                            "radianceSide",
+                            MEDIA_ARE_DARK,
                             "ultraviolet",
                             MEDIA_ARE_DARK,
                             "absorption",
@@ -69,7 +86,7 @@ final class Materials {
             .with(
                     "fluorescent",
                     Material.Fluorescent.class,
-                    "color absorption emission yield | radiance radianceMap ultraviolet",
+                    "color absorption emission yield | radiance radianceMap radianceSide ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no fluorescent surfaces"));
 
     static {
@@ -103,12 +120,20 @@ final class Materials {
                     .numberUnless(0, "roughness", m.roughness())
                     .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
                     .textureIfPresent("radianceMap", m.radianceMap())
+                    .wordUnless(
+                            EmissionPattern.Side.BOTH,
+                            "radianceSide",
+                            m.pattern().side())
                     .numberUnless(0, "ultraviolet", m.ultraviolet())
                     .flagUnless(true, "receivesShadows", m.receivesShadows());
         } else if (value instanceof Material.Mirror m) {
             p.texture("color", m.color())
                     .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
                     .textureIfPresent("radianceMap", m.radianceMap())
+                    .wordUnless(
+                            EmissionPattern.Side.BOTH,
+                            "radianceSide",
+                            m.pattern().side())
                     .numberUnless(0, "ultraviolet", m.ultraviolet())
                     .flagUnless(true, "receivesShadows", m.receivesShadows());
         } else if (value instanceof Material.Glossy g) {
@@ -117,6 +142,10 @@ final class Materials {
             p.flagUnless(true, "multipleScattering", g.multipleScattering())
                     .bandsUnless(Rgb.BLACK, "radiance", g.radiance())
                     .textureIfPresent("radianceMap", g.radianceMap())
+                    .wordUnless(
+                            EmissionPattern.Side.BOTH,
+                            "radianceSide",
+                            g.pattern().side())
                     .numberUnless(0, "ultraviolet", g.ultraviolet());
         } else if (value instanceof Material.Coated c) {
             p.texture("color", c.color())
@@ -125,6 +154,10 @@ final class Materials {
                     .flagUnless(false, "nonlinear", c.nonlinear())
                     .bandsUnless(Rgb.BLACK, "radiance", c.radiance())
                     .textureIfPresent("radianceMap", c.radianceMap())
+                    .wordUnless(
+                            EmissionPattern.Side.BOTH,
+                            "radianceSide",
+                            c.pattern().side())
                     .numberUnless(0, "ultraviolet", c.ultraviolet());
         } else if (value instanceof Material.Glass g) {
             p.texture("color", g.color())
@@ -149,6 +182,10 @@ final class Materials {
                     .number("yield", d.yield())
                     .bandsUnless(Rgb.BLACK, "radiance", d.radiance())
                     .textureIfPresent("radianceMap", d.radianceMap())
+                    .wordUnless(
+                            EmissionPattern.Side.BOTH,
+                            "radianceSide",
+                            d.pattern().side())
                     .numberUnless(0, "ultraviolet", d.ultraviolet());
         } else if (value instanceof Principled m) {
             PrincipledMaterials.write(m, p);
@@ -201,20 +238,20 @@ final class Materials {
         boolean shadows = receivesShadows(f);
         double roughness = f.number("roughness", 0);
         Rgb radiance = radiance(f);
-        Optional<Texture> map = radianceMap(f);
+        EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         return color == null
                 ? null
-                : f.make(() -> new Material.Matte(color, shadows, roughness, radiance, ultraviolet, map));
+                : f.make(() -> new Material.Matte(color, shadows, roughness, radiance, ultraviolet, pattern));
     }
 
     private static Material mirror(Fields f) {
         Texture color = Textures.color(f, "color");
         boolean shadows = receivesShadows(f);
         Rgb radiance = radiance(f);
-        Optional<Texture> map = radianceMap(f);
+        EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
-        return color == null ? null : f.make(() -> new Material.Mirror(color, shadows, radiance, ultraviolet, map));
+        return color == null ? null : f.make(() -> new Material.Mirror(color, shadows, radiance, ultraviolet, pattern));
     }
 
     private static Material glossy(Fields f) {
@@ -226,7 +263,7 @@ final class Materials {
         Amount roughness = Amounts.read(f, "roughness");
         boolean several = f.flag("multipleScattering", true);
         Rgb radiance = radiance(f);
-        Optional<Texture> map = radianceMap(f);
+        EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         Rgb eta = constant(f, "eta", hasConstants);
         Rgb k = constant(f, "k", hasConstants);
@@ -241,7 +278,7 @@ final class Materials {
                 several,
                 radiance,
                 ultraviolet,
-                map));
+                pattern));
     }
 
     /** The constants of the metal that has a name; empty without one, and after a problem. */
@@ -280,11 +317,11 @@ final class Materials {
         double index = f.number("indexOfRefraction", Material.Coated.USUAL_INDEX);
         boolean nonlinear = f.flag("nonlinear", false);
         Rgb radiance = radiance(f);
-        Optional<Texture> map = radianceMap(f);
+        EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         return color == null || roughness == null
                 ? null
-                : f.make(() -> new Material.Coated(color, roughness, index, nonlinear, radiance, ultraviolet, map));
+                : f.make(() -> new Material.Coated(color, roughness, index, nonlinear, radiance, ultraviolet, pattern));
     }
 
     private static Material glass(Fields f) {
@@ -319,12 +356,13 @@ final class Materials {
         WavelengthBand emission = f.wavelengths("emission");
         double yield = f.number("yield");
         Rgb radiance = radiance(f);
-        Optional<Texture> map = radianceMap(f);
+        EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         if (color == null) {
             return null;
         }
-        return f.make(() -> new Material.Fluorescent(color, absorption, emission, yield, radiance, ultraviolet, map));
+        return f.make(
+                () -> new Material.Fluorescent(color, absorption, emission, yield, radiance, ultraviolet, pattern));
     }
 
     private static boolean receivesShadows(Fields f) {
@@ -335,8 +373,10 @@ final class Materials {
         return f.bands("radiance", Rgb.BLACK);
     }
 
-    /** What radiance is multiplied by; empty without it, and after a problem. */
-    static Optional<Texture> radianceMap(Fields f) {
-        return f.has("radianceMap") ? Optional.ofNullable(Textures.color(f, "radianceMap")) : Optional.empty();
+    /** The points and sides that glow; evenly and to both sides after a problem. */
+    static EmissionPattern pattern(Fields f) {
+        Optional<Texture> map =
+                f.has("radianceMap") ? Optional.ofNullable(Textures.color(f, "radianceMap")) : Optional.empty();
+        return new EmissionPattern(map, f.word("radianceSide", EmissionPattern.Side.BOTH));
     }
 }

@@ -2,16 +2,16 @@ package enlightenment.scene.json;
 
 import enlightenment.color.Rgb;
 import enlightenment.material.Amount;
+import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
-import java.util.Optional;
 
 /** Materials of metallic-roughness workflows. */
 final class PrincipledMaterials {
     static final String KEYS =
             "color | metallic roughness indexOfRefraction specular clearcoat clearcoatRoughness radiance radianceMap"
-                    + " ultraviolet";
+                    + " radianceSide ultraviolet";
 
     private PrincipledMaterials() {}
 
@@ -25,7 +25,7 @@ final class PrincipledMaterials {
         double clearcoat = f.number("clearcoat", 0);
         double clearcoatRoughness = f.number("clearcoatRoughness", 0);
         Rgb radiance = Materials.radiance(f);
-        Optional<Texture> map = Materials.radianceMap(f);
+        EmissionPattern pattern = Materials.pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         if (color == null || metallic == null || roughness == null) {
             return null;
@@ -40,7 +40,7 @@ final class PrincipledMaterials {
                 clearcoatRoughness,
                 radiance,
                 ultraviolet,
-                map));
+                pattern));
     }
 
     static void write(Principled m, JsonObjectBuilder p) {
@@ -53,6 +53,8 @@ final class PrincipledMaterials {
                 .numberUnless(0, "clearcoatRoughness", m.clearcoatRoughness())
                 .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
                 .textureIfPresent("radianceMap", m.radianceMap())
+                .wordUnless(
+                        EmissionPattern.Side.BOTH, "radianceSide", m.pattern().side())
                 .numberUnless(0, "ultraviolet", m.ultraviolet());
     }
 }

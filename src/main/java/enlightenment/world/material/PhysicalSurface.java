@@ -6,6 +6,7 @@ import enlightenment.bsdf.Reradiation;
 import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import enlightenment.frame.SceneFrame;
+import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
@@ -48,7 +49,8 @@ public record PhysicalSurface(
                 : Rgb.WHITE;
         Rgb glow = material.radiance().times(factor);
         double ultraviolet = material.ultraviolet() * factor.b();
-        String look = text(glow, ultraviolet);
+        boolean isTwoSided = material.pattern().side() == EmissionPattern.Side.BOTH;
+        String look = text(glow, ultraviolet) + (isTwoSided ? "" : " front");
         if (material instanceof Material.Glass glass) {
             absorption = scaled(glass.absorption(), frame.exponent());
             look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
@@ -77,7 +79,7 @@ public record PhysicalSurface(
             look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
         }
         return new PhysicalSurface(
-                bsdfs.of(material), glow, true, absorption, dispersion, ultraviolet, reradiation, medium, look);
+                bsdfs.of(material), glow, isTwoSided, absorption, dispersion, ultraviolet, reradiation, medium, look);
     }
 
     /** The surface of a light: black, and opaque. */

@@ -38,7 +38,7 @@ final class Documents {
                 "glass": { "type": "glass", "color": "#fefefe", "indexOfRefraction": 1.5, "transparency": 0.875,
                   "priority": -2, "roughness": 0.25, "absorption": [0.5, 0, 2], "multipleScattering": false,
                   "dispersion": 36.5, "receivesShadows": true }, "lens": { "type": "glass", "color": "#fefefe", "indexOfRefraction": 1.8125, "smoothRefraction": true },
-                "ember": { "type": "matte", "color": { "linear": [0.25, 0.5, 1] }, "roughness": 0.625, "radiance": [4, 2, 0], "radianceMap": {"texture": "checks"}, "ultraviolet": 2.5 },
+                "ember": { "type": "matte", "color": { "linear": [0.25, 0.5, 1] }, "roughness": 0.625, "radiance": [4, 2, 0], "radianceMap": {"texture": "checks"}, "radianceSide": "front", "ultraviolet": 2.5 },
                 "copper": { "type": "glossy", "color": "#ffeeff", "roughness": 0.375, "eta": [0.2, 0.92, 1.1], "k": [3.91, 2.45, 2.14],
                   "multipleScattering": false, "radiance": 1.5, "ultraviolet": 0.25 }, "enamel": { "type": "principled", "color": "#112131", "metallic": {"texture": "ice", "channel": "blue"}, "roughness": {"texture": "checks", "factor": 0.75}, "indexOfRefraction": 1.625, "specular": 0.5, "clearcoat": 0.25, "clearcoatRoughness": 0.125, "radiance": 0.0625, "ultraviolet": 3 }, "varnish": { "type": "coated", "color": "#804020", "roughness": 0.6875, "indexOfRefraction": 1.75, "nonlinear": true, "radiance": 0.375, "ultraviolet": 0.125 },
                 "wax": { "type": "scattering", "color": "#f0e0c0", "meanFreePath": [0.3, 0.2, 0.1], "anisotropy": 0.375,

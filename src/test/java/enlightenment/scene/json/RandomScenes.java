@@ -25,6 +25,7 @@ import enlightenment.light.Light;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Conductor;
+import enlightenment.material.EmissionPattern;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -508,12 +509,12 @@ final class RandomScenes {
         switch (random.nextInt(!isPhysical ? 3 : hasDyes ? 9 : 8)) {
             case 0:
                 return new Material.Matte(
-                        color, shadows, random.nextBoolean() ? 0 : unit(), light, near, map(light, near));
+                        color, shadows, random.nextBoolean() ? 0 : unit(), light, near, pattern(light, near));
             case 1:
-                return new Material.Mirror(color, shadows, light, near, map(light, near));
+                return new Material.Mirror(color, shadows, light, near, pattern(light, near));
             case 3:
                 return new Material.Glossy(
-                        color, amount(), conductor(), random.nextBoolean(), light, near, map(light, near));
+                        color, amount(), conductor(), random.nextBoolean(), light, near, pattern(light, near));
             case 4:
                 return new Material.Scattering(
                         retry(this::medium),
@@ -528,7 +529,7 @@ final class RandomScenes {
                         random.nextBoolean(),
                         light,
                         near,
-                        map(light, near));
+                        pattern(light, near));
             case 6:
                 return detailed();
             case 7:
@@ -542,10 +543,10 @@ final class RandomScenes {
                         random.nextBoolean() ? 0 : unit(),
                         light,
                         near,
-                        map(light, near));
+                        pattern(light, near));
             case 8:
                 return retry(() -> new Material.Fluorescent(
-                        color, wavelengths(), wavelengths(), unit(), light, near, map(light, near)));
+                        color, wavelengths(), wavelengths(), unit(), light, near, pattern(light, near)));
             default:
                 return retry(() -> new Material.Glass(
                         color,
@@ -561,13 +562,16 @@ final class RandomScenes {
         }
     }
 
-    /** What the radiance of a surface is multiplied by, if it glows. */
-    private Optional<Texture> map(Rgb light, double near) {
+    /** The points and sides of a surface that glow. */
+    private EmissionPattern pattern(Rgb light, double near) {
         if (light.equals(Rgb.BLACK) && near == 0 || random.nextBoolean()) {
-            return Optional.empty();
+            return EmissionPattern.EVEN;
         }
         List<Texture> named = new ArrayList<>(textures.values());
-        return Optional.of(named.isEmpty() ? Texture.of(surfaceColor()) : named.get(random.nextInt(named.size())));
+        Texture map = named.isEmpty() ? Texture.of(surfaceColor()) : named.get(random.nextInt(named.size()));
+        return new EmissionPattern(
+                random.nextBoolean() ? Optional.empty() : Optional.of(map),
+                random.nextBoolean() ? EmissionPattern.Side.BOTH : EmissionPattern.Side.FRONT);
     }
 
     /** A material that is made of others. */

@@ -28,6 +28,7 @@ import enlightenment.light.Light;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Conductor;
+import enlightenment.material.EmissionPattern;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -95,7 +96,12 @@ class SceneReaderTest {
                 .withDispersion(36.5);
         Material lens = Material.Glass.of(plain(254, 254, 254), 1.8125).withSmoothRefraction(true);
         Material ember = new Material.Matte(
-                Texture.of(new Rgb(0.25, 0.5, 1)), true, 0.625, new Rgb(4, 2, 0), 2.5, Optional.of(checks));
+                Texture.of(new Rgb(0.25, 0.5, 1)),
+                true,
+                0.625,
+                new Rgb(4, 2, 0),
+                2.5,
+                new EmissionPattern(Optional.of(checks), EmissionPattern.Side.FRONT));
         Material copper = new Material.Glossy(
                 plain(255, 238, 255),
                 0.375,

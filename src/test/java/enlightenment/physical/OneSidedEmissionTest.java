@@ -1,0 +1,224 @@
+package enlightenment.physical;
+
+import static enlightenment.physical.PhysicalScenes.at;
+import static enlightenment.physical.PhysicalScenes.ball;
+import static enlightenment.physical.PhysicalScenes.matte;
+import static enlightenment.physical.PhysicalScenes.shading;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.camera.Camera;
+import enlightenment.color.Rgb;
+import enlightenment.geometry.Cylinder;
+import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
+import enlightenment.geometry.Shape;
+import enlightenment.geometry.Transform;
+import enlightenment.geometry.Triangle;
+import enlightenment.image.Image;
+import enlightenment.material.EmissionPattern;
+import enlightenment.material.Material;
+import enlightenment.math.InvalidValueException;
+import enlightenment.math.Vec3;
+import enlightenment.mesh.MeshBuilder;
+import enlightenment.render.Renderer;
+import enlightenment.render.TestScenes;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneBuilder;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Surfaces that glow to their front alone: darkness behind them, closed forms before them, the same picture by every method. */
+class OneSidedEmissionTest {
+    private static final double REFLECTANCE = 0.6;
+
+    private static final EmissionPattern FRONT = EmissionPattern.EVEN.withSide(EmissionPattern.Side.FRONT);
+
+    private static Material.Matte lamp(double color, Rgb radiance, EmissionPattern pattern) {
+        return matte(color, color, color).withRadiance(radiance).withPattern(pattern);
+    }
+
+    private static RenderSettings settings(Scene scene, BuiltInMethod method, int antialias) {
+        return RenderSettings.of(scene).withMethod(method).withThreads(1).withAntialias(antialias);
+    }
+
+    /** The floor around the origin, lit by lamps above it. */
+    private static Scene floor(List<Shape> lamps, Material material) {
+        SceneBuilder scene = Scene.builder()
+                .size(4, 4)
+                .shading(shading(0))
+                .camera(new Camera.Perspective(at(0, 0.25, 0), at(0, 0, 0), Vec3.Z, 0.01))
+                .object(
+                        TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9),
+                        matte(REFLECTANCE, REFLECTANCE, REFLECTANCE));
+        lamps.forEach(shape -> scene.object(shape, material));
+        return scene.build();
+    }
+
+    /** Triangles whose normals point down, unless they are turned. */
+    private static Mesh quad(boolean isTurned, Transform transform) {
+        MeshBuilder mesh = new MeshBuilder();
+        mesh.vertex(-1, 0.5, -1);
+        mesh.vertex(1, 0.5, -1);
+        mesh.vertex(1, 0.5, 1);
+        mesh.vertex(-1, 0.5, 1);
+        mesh.triangle(0, isTurned ? 2 : 1, isTurned ? 1 : 2);
+        mesh.triangle(0, isTurned ? 3 : 2, isTurned ? 2 : 3);
+        return Mesh.of(mesh.build(), transform);
+    }
+
+    /**
+     * Lamps half a unit above the floor. Which way they face is computed by the rules of the scene format.
+     *
+     * @param isUp whether their fronts look away from the floor
+     * @param factor the view factor from the middle of the floor to them
+     */
+    private record Lamps(String name, boolean isUp, List<Shape> shapes, double factor) {
+        @Override
+        public String toString() {
+            return name + (isUp ? " up" : " down");
+        }
+    }
+
+    /** The view factor from a point to a square of side 2 that is half a unit above it: four times that of a quarter. */
+    private static double square() {
+        double a = 1 / 0.5;
+        double root = Math.sqrt(1 + a * a);
+        return 4 * a / root * Math.atan(a / root) / Math.PI;
+    }
+
+    private static Stream<Lamps> lamps() {
+        Transform mirror = Transform.of(new Transform.Scale(new Vec3(-1, 1, 1)));
+        List<Lamps> all = new ArrayList<>();
+        for (boolean isUp : new boolean[] {false, true}) {
+            double z = isUp ? 1 : -1;
+            // (upper left − lower left) × (lower right − lower left) = (2, 0, 0) × (0, 0, −2z) = (0, 4z, 0)
+            Shape rectangle = TestScenes.rectangle(-1, 0.5, z, 1, 0.5, z, 1, 0.5, -z, -1, 0.5, -z);
+            // (b − a) × (c − a) = (2, 0, 0) × (2, 0, −2z), and (2, 0, −2z) × (0, 0, −2z)
+            Shape one = new Triangle(at(-1, 0.5, z), at(1, 0.5, z), at(1, 0.5, -z));
+            Shape two = new Triangle(at(-1, 0.5, z), at(1, 0.5, -z), at(-1, 0.5, -z));
+            all.add(new Lamps("rectangle", isUp, List.of(rectangle), square()));
+            all.add(new Lamps("triangles", isUp, List.of(one, two), square()));
+            all.add(new Lamps("mesh", isUp, List.of(quad(isUp, Transform.IDENTITY)), square()));
+            all.add(new Lamps("mirrored mesh", isUp, List.of(quad(!isUp, mirror)), square()));
+            Disk disk = new Disk(at(0, 0.5, 0), new Vec3(0, isUp ? 1 : -1, 0), 0.75);
+            all.add(new Lamps("disk", isUp, List.of(disk), 0.75 * 0.75 / (0.75 * 0.75 + 0.25)));
+        }
+        return all.stream();
+    }
+
+    private static Stream<Arguments> lampsAndMethods() {
+        return lamps().flatMap(l -> Stream.of(BuiltInMethod.values()).map(m -> Arguments.of(l, m)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("lampsAndMethods")
+    void behindIsNoLightAtAllAndBeforeThatOfBothSides(Lamps lamps, BuiltInMethod method) {
+        Rgb radiance = new Rgb(2, 1, 0.5);
+        Scene scene = floor(lamps.shapes(), lamp(0, radiance, FRONT));
+        if (lamps.isUp()) {
+            assertBlack(Renderer.render(scene, settings(scene, method, 4)));
+        } else if (method != BuiltInMethod.LIGHT && method != BuiltInMethod.METROPOLIS) {
+            // Of light paths few hit what the eye sees of this floor.
+            double e = REFLECTANCE * lamps.factor();
+            new ClosedForms.Known(lamps.name(), scene, 2 * e, e, e / 2).assertShown(settings(scene, method, 8));
+        }
+    }
+
+    private static void assertBlack(Image picture) {
+        assertArrayEquals(new float[3 * picture.width() * picture.height()], picture.toArray());
+    }
+
+    @ParameterizedTest
+    @EnumSource(BuiltInMethod.class)
+    void anOpenTubeShinesOutwardsAlone(BuiltInMethod method) {
+        List<Shape> tube = List.of(new Cylinder(at(0, 0, 0), at(0, 1, 0), 0.75, false));
+        Scene dark = floor(tube, lamp(0, Rgb.WHITE, FRONT));
+        assertBlack(Renderer.render(dark, settings(dark, method, 4)));
+        Scene lit = floor(tube, lamp(0, Rgb.WHITE, EmissionPattern.EVEN));
+        assertTrue(Rendered.mean(lit, settings(lit, BuiltInMethod.RAYTRACE, 4)) > 0.1);
+    }
+
+    @Test
+    void theFrontOfSolidsIsTheirOutside() {
+        Scene both = balls(EmissionPattern.EVEN);
+        Scene front = balls(FRONT);
+        RenderSettings settings = settings(both, BuiltInMethod.RAYTRACE, 4);
+        assertEquals(Rendered.mean(both, settings), Rendered.mean(front, settings));
+        assertTrue(Rendered.mean(front, settings) > 0.01);
+    }
+
+    private static Scene balls(EmissionPattern pattern) {
+        return PhysicalScenes.room()
+                .object(ball(0.3, 0.5, 0.1, 0.25), lamp(0.4, Rgb.WHITE, pattern))
+                .object(PartnerScenes.BLOCK, lamp(0.4, Rgb.WHITE, pattern))
+                .build();
+    }
+
+    @Test
+    void oneSideBelongsToWhatGlows() {
+        String message = assertThrows(
+                        InvalidValueException.class, () -> matte(0.5, 0.5, 0.5).withPattern(FRONT))
+                .getMessage();
+        assertTrue(message.contains("radianceSide"), message);
+    }
+
+    /** Strips that together are a curved sheet of 40 triangles, which glows towards the viewer and up. */
+    private static Mesh sheet() {
+        MeshBuilder mesh = new MeshBuilder();
+        int strips = 20;
+        for (int k = 0; k <= strips; k++) {
+            double angle = 0.5 * Math.PI * k / strips;
+            mesh.vertex(-0.9, 1 - 0.6 * Math.cos(angle), 0.2 + 0.6 * Math.sin(angle));
+            mesh.vertex(-0.2, 1 - 0.6 * Math.cos(angle), 0.2 + 0.6 * Math.sin(angle));
+        }
+        for (int k = 0; k < strips; k++) {
+            mesh.triangle(2 * k, 2 * k + 2, 2 * k + 1);
+            mesh.triangle(2 * k + 1, 2 * k + 2, 2 * k + 3);
+        }
+        return Mesh.of(mesh.build());
+    }
+
+    /** Lamps with one side, as many as make a tree of lights, with or without a mirror that throws caustics. */
+    private static Scene room(boolean hasMirror) {
+        SceneBuilder room = PhysicalScenes.room()
+                .object(sheet(), lamp(0.5, new Rgb(1, 2, 3), FRONT))
+                // Lit from behind by what the wall reflects.
+                .object(
+                        TestScenes.rectangle(0.1, 1.2, 0.8, 0.1, 1.8, 0.8, 0.9, 1.8, 0.6, 0.9, 1.2, 0.6),
+                        lamp(0.5, new Rgb(4, 3, 2), FRONT))
+                .object(new Disk(at(-0.5, 1.7, -0.2), new Vec3(0.3, 1, 0.1), 0.3), lamp(0.5, new Rgb(5, 2, 5), FRONT))
+                .object(new Cylinder(at(0.5, 0, -0.5), at(0.5, 0.3, -0.5), 0.2, false), lamp(0.3, Rgb.WHITE, FRONT));
+        if (hasMirror) {
+            room.object(ball(0.3, 0.6, 0.2, 0.3), Material.Mirror.of(PhysicalScenes.linear(0.9, 0.9, 0.9)));
+        }
+        return room.build();
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = BuiltInMethod.class,
+            names = {"CLUSTER", "LIGHT", "BIDIRECTIONAL", "METROPOLIS"})
+    void allMethodsMakeThePictureOfSinglePaths(BuiltInMethod method) {
+        // Light paths do not find what mirrors show.
+        Scene scene = room(method != BuiltInMethod.LIGHT);
+        List<Image> traced = Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE, 4), 100, 12);
+        List<Image> others = Rendered.seeds(scene, settings(scene, method, 4), 1, 12);
+        Rendered.assertPartsAgree(traced, others, 48);
+    }
+
+    @Test
+    void singlePathsMakeThePictureOfPathsThatAimAtNoLight() {
+        NaivePartnerTest.compare(room(true), 2, 8, 3_000);
+    }
+}

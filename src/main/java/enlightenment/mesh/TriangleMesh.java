@@ -51,9 +51,9 @@ public final class TriangleMesh {
                 "must have a largest coordinate between 1e-30 and 1e30, not " + size);
     }
 
-    private TriangleMesh(TriangleMesh of, VertexArrays arrays) {
+    private TriangleMesh(TriangleMesh of, VertexArrays arrays, int[] indices) {
         this.arrays = arrays;
-        indices = of.indices;
+        this.indices = indices;
         withoutArea = of.withoutArea;
         bounds = of.bounds;
     }
@@ -96,12 +96,12 @@ public final class TriangleMesh {
      * @throws enlightenment.math.InvalidValueException (key {@code normals}) unless there is a finite one for each vertex
      */
     public TriangleMesh withNormals(float[] values) {
-        return new TriangleMesh(this, arrays.withNormals(values.clone()));
+        return new TriangleMesh(this, arrays.withNormals(values.clone()), indices);
     }
 
     /** This mesh without normals of vertices: each triangle is flat. */
     public TriangleMesh flat() {
-        return hasNormals() ? new TriangleMesh(this, arrays.withNormals(null)) : this;
+        return hasNormals() ? new TriangleMesh(this, arrays.withNormals(null), indices) : this;
     }
 
     /** This mesh, smooth everywhere: the normal of a vertex is the mean of those of the triangles around it, weighted by their angles. */
@@ -127,7 +127,20 @@ public final class TriangleMesh {
      * @throws enlightenment.math.InvalidValueException (key {@code uv}) unless there are two finite numbers for each vertex
      */
     public TriangleMesh withUv(float[] values) {
-        return new TriangleMesh(this, arrays.withUv(values.clone()));
+        return new TriangleMesh(this, arrays.withUv(values.clone()), indices);
+    }
+
+    /**
+     * This mesh with its front where its back is: the corners of each triangle in the opposite order, normals of vertices negated. Texture coordinates
+     * stay.
+     */
+    public TriangleMesh turned() {
+        int[] order = indices.clone();
+        for (int i = 0; i < order.length; i += 3) {
+            order[i + 1] = indices[i + 2];
+            order[i + 2] = indices[i + 1];
+        }
+        return new TriangleMesh(this, arrays.withNegatedNormals(), order);
     }
 
     /** Writes the geometric normal of a triangle, as long as twice its area. */

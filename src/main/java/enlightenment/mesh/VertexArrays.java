@@ -64,6 +64,15 @@ final class VertexArrays {
         return new VertexArrays(this, values, uv);
     }
 
+    /** These coordinates with normals, if there are any, in opposite directions. */
+    VertexArrays withNegatedNormals() {
+        float[] opposite = normals == null ? null : normals.clone();
+        for (int i = 0; opposite != null && i < opposite.length; i++) {
+            opposite[i] = 0 - opposite[i];
+        }
+        return withNormals(opposite);
+    }
+
     /** These coordinates with other texture coordinates. */
     VertexArrays withUv(float[] values) {
         return new VertexArrays(this, normals, values);

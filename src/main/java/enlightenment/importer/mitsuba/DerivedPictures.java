@@ -24,12 +24,11 @@ final class DerivedPictures {
     }
 
     /**
-     * A picture that is projected such that a plane across the axis is lit by it evenly.
+     * A picture whose largest component is 1.
      *
-     * @param picture of intensities, whose largest component is 1
-     * @param brightest by what they are to be multiplied
+     * @param brightest by what its components are to be multiplied; 0 if it is black
      */
-    record Projection(Texture.File picture, double brightest) {}
+    record Scaled(Texture.File picture, double brightest) {}
 
     private record Root(Path file, Texture.Encoding encoding, boolean isGray) {}
 
@@ -58,24 +57,24 @@ final class DerivedPictures {
     }
 
     /**
-     * Of a picture whose half width on the plane at distance 1 is given.
+     * A picture that is projected such that a plane across the axis is lit by it evenly. Its half width on the plane at distance 1 is given.
      *
      * @param source what the texture's file holds
      */
-    Projection projection(Texture.File of, Image source, double halfWidth, boolean isMirrored) throws IOException {
+    Scaled projection(Texture.File of, Image source, double halfWidth, boolean isMirrored) throws IOException {
         return projection(
                 source.width(), source.height(), linear(source, of.encoding()), halfWidth, isMirrored, of.filter());
     }
 
-    /** Of a white square whose half width on the plane at distance 1 is given. */
-    Projection plain(double halfWidth) throws IOException {
+    /** Such a projection of a white square whose half width on the plane at distance 1 is given. */
+    Scaled plain(double halfWidth) throws IOException {
         float[] white = new float[3 * PLAIN_SIZE * PLAIN_SIZE];
         Arrays.fill(white, 1);
         return projection(PLAIN_SIZE, PLAIN_SIZE, white, halfWidth, false, Texture.Filter.BILINEAR);
     }
 
     /** Intensity of a point light that lights a plane evenly is 1 / cos³ of the angle to the axis. */
-    private Projection projection(
+    private Scaled projection(
             int width, int height, float[] rgb, double halfWidth, boolean isMirrored, Texture.Filter filter)
             throws IOException {
         double[] intensity = new double[rgb.length];
@@ -92,11 +91,33 @@ final class DerivedPictures {
                 }
             }
         }
+        return scaled(width, height, intensity, brightest, filter);
+    }
+
+    private Scaled scaled(int width, int height, double[] rgb, double brightest, Texture.Filter filter)
+            throws IOException {
         float[] scaled = new float[rgb.length];
         for (int i = 0; i < rgb.length; i++) {
-            scaled[i] = brightest > 0 ? (float) (intensity[i] / brightest) : 0;
+            scaled[i] = brightest > 0 ? (float) (rgb[i] / brightest) : 0;
         }
-        return new Projection(written(new Image(width, height, scaled), filter), brightest);
+        return new Scaled(written(new Image(width, height, scaled), filter), brightest);
+    }
+
+    /**
+     * A picture of light, divided by its largest component.
+     *
+     * @throws IOException if the picture cannot be read, or the new one not written
+     */
+    Scaled scaled(Texture.File of) throws IOException {
+        Image source = ImageFiles.read(of.file());
+        float[] linear = linear(source, of.encoding());
+        double[] rgb = new double[linear.length];
+        double brightest = 0;
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = linear[i];
+            brightest = StrictMath.max(brightest, rgb[i]);
+        }
+        return scaled(source.width(), source.height(), rgb, brightest, of.filter());
     }
 
     private Texture.File written(Image image, Texture.Filter filter) throws IOException {

@@ -93,7 +93,7 @@ final class DirectedLights {
             double halfWidth = SensorReader.halfWidth(p, aspect);
             // Ours has the picture's right where up × direction points.
             boolean isMirrored = up.cross(direction).dot(map.vector(Vec3.X)) > 0;
-            DerivedPictures.Projection made = source == null
+            DerivedPictures.Scaled made = source == null
                     ? scene.pictures().plain(halfWidth)
                     : scene.pictures().projection(picture.get(), source, halfWidth, isMirrored);
             Rgb intensity = color.times(Rgb.gray(StrictMath.PI * scale * made.brightest()));

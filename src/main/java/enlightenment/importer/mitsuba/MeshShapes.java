@@ -61,6 +61,28 @@ final class MeshShapes {
                 new Mesh(triangles, isChanged ? Optional.empty() : Optional.of(origin), toWorld.transform()));
     }
 
+    /**
+     * Whether the shading normals of a mesh point to the side from which its triangles, once they are placed, wind clockwise.
+     *
+     * @param isMirrored whether the map that places it mirrors
+     */
+    boolean isTurned(Properties p, Mesh placed, boolean isMirrored) throws IOException {
+        Path file = scene.file(p.text("filename", ""));
+        String type = p.element().type();
+        String part = type.equals("serialized") ? Integer.toString(p.whole("shape_index", 0)) : "";
+        if (normals(p, file, part) != MeshOrigin.Normals.FILE) {
+            return false;
+        }
+        TriangleMesh mesh = placed.triangles();
+        double sum = 0;
+        for (int t = 0; t < mesh.triangles(); t++) {
+            for (int corner = 0; corner < 3; corner++) {
+                sum += mesh.areaNormal(t).dot(mesh.normal(mesh.vertex(t, corner)));
+            }
+        }
+        return sum < 0 != isMirrored;
+    }
+
     private MeshFile read(Path file) throws IOException {
         MeshFile known = files.get(file);
         if (known == null) {

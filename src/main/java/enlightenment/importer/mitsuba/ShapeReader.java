@@ -1,6 +1,5 @@
 package enlightenment.importer.mitsuba;
 
-import enlightenment.color.Rgb;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
@@ -8,7 +7,6 @@ import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.PlacedShapes;
 import enlightenment.importer.support.UvMap;
 import enlightenment.material.Material;
-import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import java.io.IOException;
@@ -28,6 +26,7 @@ final class ShapeReader {
     private final EmissionReader emissions;
     private final MeshShapes meshes;
     private final PlacedShapes placed;
+    private final LampShapes lamps;
     private int count;
 
     /** @param world from the coordinates of the file to those of the scene */
@@ -38,6 +37,7 @@ final class ShapeReader {
         emissions = new EmissionReader(scene);
         meshes = new MeshShapes(scene);
         placed = new PlacedShapes(scene.notes(), true);
+        lamps = new LampShapes(scene, meshes, placed);
     }
 
     /** Adds a shape of the scene to it. */
@@ -93,16 +93,18 @@ final class ShapeReader {
             }
         }
         p.ignore("id", "interior", "exterior");
-        Optional<Rgb> radiance = emissions.area(e);
-        if (surface.material().isEmpty() && radiance.isEmpty()) {
+        Optional<AreaEmission> emission = emissions.area(e, surface);
+        if (surface.material().isEmpty() && emission.isEmpty()) {
             return;
         }
-        boolean isFlipped = p.flag("flip_normals", false);
-        List<Shape> shapes = shapes(p, map, surface);
-        scene.noteUnused(p);
-        if (radiance.isPresent()) {
-            addEmitter(p, shapes, map, isFlipped, surface, radiance.get());
+        p.ignore("flip_normals");
+        if (emission.isPresent()) {
+            Surface glowing = lamps.glowing(e, surface, emission.get());
+            lamps.add(p, shapes(p, map, glowing), map, glowing);
+            scene.noteUnused(p);
         } else {
+            List<Shape> shapes = shapes(p, map, surface);
+            scene.noteUnused(p);
             for (Shape shape : shapes) {
                 scene.draft().object(e.attribute("id"), shape, fitting(p, surface, shape));
             }
@@ -178,80 +180,5 @@ final class ShapeReader {
             return isSolid ? glass : glass.withRoughness(0);
         }
         return m;
-    }
-
-    private void addEmitter(
-            Properties p, List<Shape> shapes, Affine map, boolean isFlipped, Surface surface, Rgb radiance) {
-        XmlElement e = p.element();
-        boolean isCube = e.type().equals("cube");
-        for (Shape shape : shapes) {
-            Optional<Rectangle> flat = flat(shape, map);
-            if (flat.isPresent()) {
-                Vec3 out = isCube ? outwards(flat.get(), map) : front(shape, map);
-                noteBlack(e, surface);
-                scene.draft().light(PlacedShapes.oneSided(flat.get(), isFlipped ? out.times(-1) : out, radiance));
-                continue;
-            }
-            if (!shape.enclosesVolume() || isFlipped) {
-                scene.note(e, e.described() + " that emits to one side emits to both");
-            }
-            scene.draft().object(e.attribute("id"), shape, glowing(e, surface, radiance));
-        }
-    }
-
-    private Optional<Rectangle> flat(Shape shape, Affine map) {
-        if (shape instanceof Rectangle r) {
-            return Optional.of(r);
-        }
-        return shape instanceof Mesh m && m.origin().isPresent()
-                ? MeshShapes.parallelogram(m.triangles()).map(q -> placed.rectangle(map.after(q)))
-                : Optional.empty();
-    }
-
-    /** Where the front of a flat shape looks: what was outside before a map is outside after it. */
-    private static Vec3 front(Shape shape, Affine map) {
-        Vec3 before = shape instanceof Mesh m ? m.triangles().areaNormal(0) : Vec3.Z;
-        Vec3 after = cofactors(map, before);
-        return map.determinant() < 0 ? after.times(-1) : after;
-    }
-
-    /** The cofactor matrix of the linear part times a vector. */
-    private static Vec3 cofactors(Affine map, Vec3 v) {
-        Vec3 a = map.column(0);
-        Vec3 b = map.column(1);
-        Vec3 c = map.column(2);
-        return b.cross(c)
-                .times(v.x())
-                .plus(c.cross(a).times(v.y()))
-                .plus(a.cross(b).times(v.z()));
-    }
-
-    private static Vec3 outwards(Rectangle face, Affine map) {
-        Vec3 middle = face.lowerLeft().toVec3().plus(face.upperRight().toVec3()).times(0.5);
-        return middle.minus(map.offset());
-    }
-
-    private void noteBlack(XmlElement e, Surface surface) {
-        boolean isBlack = surface.material()
-                .filter(m -> m instanceof Material.Matte matte && matte.color().equals(Texture.of(Rgb.BLACK)))
-                .isPresent();
-        if (!isBlack && surface.material().isPresent()) {
-            scene.note(e, "a flat lamp emits to its front, and reflects nothing");
-        }
-    }
-
-    private Material glowing(XmlElement e, Surface surface, Rgb radiance) {
-        Material m = surface.material().orElse(Material.Matte.of(Texture.of(Rgb.BLACK)));
-        if (m instanceof Material.Matte matte) {
-            return matte.withRadiance(radiance);
-        } else if (m instanceof Material.Mirror mirror) {
-            return new Material.Mirror(mirror.color(), true, radiance);
-        } else if (m instanceof Material.Glossy g) {
-            return new Material.Glossy(g.color(), g.roughness(), g.conductor(), g.multipleScattering(), radiance, 0);
-        } else if (m instanceof Material.Coated c) {
-            return new Material.Coated(c.color(), c.roughness(), c.indexOfRefraction(), c.nonlinear(), radiance, 0);
-        }
-        scene.note(e, "what emits is " + m.type() + " besides, which is left out");
-        return new Material.Matte(Texture.of(Rgb.BLACK), true, 0, radiance);
     }
 }

@@ -8,7 +8,7 @@ import enlightenment.mesh.MeshBuilder;
 import enlightenment.mesh.TriangleMesh;
 import java.util.List;
 
-/** A parallelogram as two triangles, for texture coordinates of its own. */
+/** A parallelogram as two triangles with the same front, for texture coordinates of its own. */
 final class TexturedRectangle {
     private TexturedRectangle() {}
 
@@ -20,8 +20,8 @@ final class TexturedRectangle {
             mesh.vertex(p.x(), p.y(), p.z());
             mesh.uv(i == 1 || i == 2 ? 1 : 0, i >= 2 ? 1 : 0);
         }
-        mesh.triangle(0, 1, 2);
-        mesh.triangle(0, 2, 3);
+        mesh.triangle(0, 2, 1);
+        mesh.triangle(0, 3, 2);
         return map.mapped(mesh.build(), false);
     }
 }

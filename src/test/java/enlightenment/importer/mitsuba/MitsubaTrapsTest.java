@@ -182,54 +182,6 @@ class MitsubaTrapsTest {
         assertEquals(ExactPoint.of(5, 6, 7), ((Light.Point) draft.lights().get(0)).position());
     }
 
-    private static Vec3 front(Light.Rectangle r) {
-        return ExactPoint.normal(r.lowerLeft(), r.upperLeft(), r.lowerRight()).normalized();
-    }
-
-    private Light.Rectangle lamp(String inside) throws IOException {
-        return (Light.Rectangle)
-                scenes.read("<shape type=\"rectangle\">" + inside + "<emitter type=\"area\"/></shape>" + BALL)
-                        .lights()
-                        .get(0);
-    }
-
-    @Test
-    void flatLampsShineToTheSideOfTheirNormalOnly() throws IOException {
-        Light.Rectangle usual = lamp("");
-        assertFalse(usual.twoSided());
-        assertEquals(Vec3.Z, front(usual));
-        assertEquals(
-                -1,
-                front(lamp("<boolean name=\"flip_normals\" value=\"true\"/>")).z());
-        String turned = "<transform name=\"to_world\"><rotate x=\"1\" angle=\"90\"/></transform>";
-        assertEquals(1, front(lamp(turned)).dot(Vec3.Y.negated()), 1e-12);
-        String mirrored = "<transform name=\"to_world\"><scale x=\"-2\"/></transform>";
-        assertEquals(Vec3.Z, front(lamp(mirrored)));
-    }
-
-    @Test
-    void lampsOfTwoTrianglesShineToTheirFrontOnly() throws IOException {
-        scenes.write("q.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
-        ImportDraft draft = scenes.read("<shape type=\"obj\"><string name=\"filename\" value=\"q.obj\"/>"
-                + "<emitter type=\"area\"/></shape>" + BALL);
-        Light.Rectangle lamp = (Light.Rectangle) draft.lights().get(0);
-        assertEquals(Vec3.Z, front(lamp));
-        double area = lamp.lowerLeft()
-                .minus(lamp.upperLeft())
-                .cross(lamp.lowerLeft().minus(lamp.lowerRight()))
-                .length();
-        assertEquals(2, area, 1e-12);
-    }
-
-    @Test
-    void openLampsThatShineToBothSidesAreNoted() throws IOException {
-        ImportDraft draft =
-                scenes.read("<shape type=\"disk\"><emitter type=\"area\"><rgb name=\"radiance\" value=\"3\"/>"
-                        + "</emitter></shape>");
-        assertEquals(Rgb.gray(3), draft.objects().get(0).material().radiance());
-        assertTrue(draft.notes().list().get(0).contains("emits to both"));
-    }
-
     private static final String PICTURE = "<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\">"
             + "<string name=\"filename\" value=\"p.png\"/></texture></bsdf>";
 

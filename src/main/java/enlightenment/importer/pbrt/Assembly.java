@@ -23,7 +23,8 @@ final class Assembly {
     private final Map<ShapeDefinition, Prepared> prepared = new IdentityHashMap<>();
 
     /** What a definition becomes, before it is placed: instances share it. */
-    private record Prepared(Form form, Surface surface, Optional<Medium.Coefficients> medium) {}
+    private record Prepared(
+            Form form, Surface surface, Optional<Medium.Coefficients> medium, Optional<LampPicture> lamp) {}
 
     Assembly(Materials materials, Textures textures, Media media, GlowingShapes lamps, ImportDraft draft) {
         this.materials = materials;
@@ -49,7 +50,7 @@ final class Assembly {
             Shape placed = forms.place(p.form(), map, place);
             Surface surface = fitted(shape, p, placed.enclosesVolume());
             if (isLamp) {
-                lamps.add(shape, p.form(), map, placed, surface);
+                lamps.add(shape, p.form(), map, placed, surface, p.lamp());
             } else if (!surface.isInterface()) {
                 draft.object("", placed, surface.material());
             }
@@ -60,9 +61,12 @@ final class Assembly {
 
     private Prepared prepare(ShapeDefinition shape) {
         Surface surface = cutOut(shape, materials.resolve(shape.material()));
-        Form form = surface.isTextured() ? PlacedForms.textured(shape.form(), surface.uv()) : shape.form();
+        Optional<LampPicture> lamp = lamps.picture(shape.areaLight(), surface);
+        boolean isTextured =
+                surface.isTextured() || lamp.flatMap(LampPicture::texture).isPresent();
+        Form form = isTextured ? PlacedForms.textured(shape.form(), surface.uv()) : shape.form();
         Place place = shape.parameters().place();
-        return new Prepared(form, surface, media.find(shape.insideMedium(), place));
+        return new Prepared(form, surface, media.find(shape.insideMedium(), place), lamp);
     }
 
     private Surface cutOut(ShapeDefinition shape, Surface surface) {

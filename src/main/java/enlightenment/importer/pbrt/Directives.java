@@ -59,7 +59,7 @@ final class Directives {
         media = new Media(spectra, draft.notes());
         shapes = new Shapes(in, draft.notes());
         lights = new Lights(in, spectra, draft, extracted, pictures);
-        lamps = new GlowingShapes(spectra, draft);
+        lamps = new GlowingShapes(spectra, draft, in, pictures);
         views = new Views(draft.notes());
         draft.maxBounces(USUAL_DEPTH);
         addHandlers();

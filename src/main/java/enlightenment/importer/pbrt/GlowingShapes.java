@@ -1,66 +1,122 @@
 package enlightenment.importer.pbrt;
 
 import enlightenment.color.Rgb;
+import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Shape;
+import enlightenment.geometry.Sphere;
 import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.Fronts;
+import enlightenment.importer.support.GlowingMaterial;
 import enlightenment.importer.support.ImportDraft;
+import enlightenment.importer.support.UvMap;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TriangleMesh;
+import java.util.IdentityHashMap;
+import java.util.Map;
 import java.util.Optional;
 
-/**
- * Area lights: shapes that glow. They shine from the side of their normal; ours shine from both sides, unless they are solids, where the other side is
- * never seen, or parallelograms.
- */
+/** Area lights: shapes that glow from the side of their normal, or from both. */
 final class GlowingShapes {
     private final Spectra spectra;
     private final ImportDraft draft;
+    private final TokenSource files;
+    private final DerivedPictures pictures;
+    private final Map<Parameters, LampPicture> read = new IdentityHashMap<>();
 
-    GlowingShapes(Spectra spectra, ImportDraft draft) {
+    GlowingShapes(Spectra spectra, ImportDraft draft, TokenSource files, DerivedPictures pictures) {
         this.spectra = spectra;
         this.draft = draft;
+        this.files = files;
+        this.pictures = pictures;
     }
 
-    /** Adds a shape with the light that it is. */
-    void add(ShapeDefinition shape, Form form, Affine map, Shape placed, Surface surface) {
-        Parameters light = shape.areaLight();
-        boolean isTwoSided = light.isTrue("twosided", false);
-        Rgb radiance = radiance(shape, form, map, isTwoSided);
+    /**
+     * The picture of a lamp; empty if it has none.
+     *
+     * @param light the lamp's parameters; null for a shape that is no lamp
+     * @param surface what the shape is made of, whose textures share one map of texture coordinates
+     */
+    Optional<LampPicture> picture(Parameters light, Surface surface) {
+        if (light == null || !light.has("filename")) {
+            return Optional.empty();
+        }
+        LampPicture picture = read.computeIfAbsent(light, p -> LampPicture.read(p, files, pictures, draft.notes()));
+        if (surface.isTextured() && !surface.uv().equals(UvMap.IDENTITY)) {
+            String place = light.place().shown();
+            draft.notes().add(place, "the picture of a lamp whose surface has scaled textures becomes its mean");
+            return Optional.of(picture.even(pictures, light.place()));
+        }
+        return Optional.of(picture);
+    }
+
+    /**
+     * Adds a shape with the light that it is.
+     *
+     * @param picture what its radiance is multiplied by, if there is one
+     */
+    void add(
+            ShapeDefinition shape,
+            Form form,
+            Affine map,
+            Shape placed,
+            Surface surface,
+            Optional<LampPicture> picture) {
+        boolean isTwoSided = shape.areaLight().isTrue("twosided", false);
+        Rgb radiance = radiance(shape, form, map, isTwoSided, picture);
         if (radiance.max() == 0) {
             draft.object("", placed, reflecting(surface));
             return;
         }
         String place = shape.parameters().place().shown();
-        if (!isTwoSided && !shinesOutwards(form, shape.isReversed())) {
+        if (!isTwoSided && picture.isEmpty() && isBlack(surface)) {
             Optional<Light> pane = parallelogram(form, map, shape.isReversed(), radiance);
             if (pane.isPresent()) {
-                if (!isBlack(surface)) {
-                    draft.notes().add(place, "a lamp that shines from one side reflects nothing");
-                }
                 draft.light(pane.get());
                 return;
             }
-            draft.notes().add(place, "a lamp that is no solid and no parallelogram shines from both sides");
         }
-        draft.object("", placed, glowing(surface, radiance, place));
+        boolean isTurned = !isTwoSided && isTurned(form, placed, map, shape.isReversed());
+        boolean isInwards = isTurned && !Fronts.isTurnable(placed);
+        if (isInwards) {
+            draft.notes().add(place, "a sphere or cylinder that shines inwards shines from both sides");
+        }
+        boolean isBoth = isTwoSided || isInwards || placed instanceof Sphere;
+        EmissionPattern pattern = new EmissionPattern(
+                picture.flatMap(LampPicture::texture), isBoth ? EmissionPattern.Side.BOTH : EmissionPattern.Side.FRONT);
+        draft.object(
+                "",
+                isTurned && !isInwards ? Fronts.turned(placed) : placed,
+                glowing(surface, radiance, pattern, place));
     }
 
-    private Rgb radiance(ShapeDefinition shape, Form form, Affine map, boolean isTwoSided) {
-        Parameters p = shape.areaLight();
-        if (p.has("filename")) {
-            draft.notes().add(p.place().shown(), "an image on a lamp is left out: it shines evenly");
+    /** Whether the front of a placed shape is not the side of its normal. */
+    private static boolean isTurned(Form form, Shape placed, Affine map, boolean isReversed) {
+        if (placed instanceof Mesh) {
+            return facesBack(PlacedForms.triangles(form), map, isReversed);
         }
-        Rgb color = spectra.rgb(p, "L", Spectra.Kind.LIGHT, shape.areaLightSpace(), Rgb.WHITE);
+        return isReversed != (placed instanceof Disk && map.determinant() < 0);
+    }
+
+    private Rgb radiance(
+            ShapeDefinition shape, Form form, Affine map, boolean isTwoSided, Optional<LampPicture> picture) {
+        Parameters p = shape.areaLight();
+        Rgb color = picture.isPresent()
+                ? picture.get().factor()
+                : spectra.rgb(p, "L", Spectra.Kind.LIGHT, shape.areaLightSpace(), Rgb.WHITE);
         double scale = Math.max(0, p.number("scale", 1));
         double power = p.number("power", -1);
         if (power > 0) {
-            scale *= power / (StrictMath.PI * area(form, map) * (isTwoSided ? 2 : 1));
+            double mean = picture.map(LampPicture::luminance).orElse(1.0);
+            double sides = isTwoSided ? 2 : 1;
+            scale *= mean > 0 ? power / (StrictMath.PI * area(form, map) * sides * mean) : 0;
         }
         return color.times(Rgb.gray(scale));
     }
@@ -70,42 +126,20 @@ final class GlowingShapes {
     }
 
     private static boolean isBlack(Surface surface) {
-        return surface.isInterface()
-                || surface.material() instanceof Material.Matte m
-                        && m.color() instanceof Texture.Solid s
-                        && s.color().linear().max() == 0;
+        return surface.isInterface() || GlowingMaterial.isBlack(surface.material());
     }
 
-    private Material glowing(Surface surface, Rgb radiance, String place) {
-        Material m = surface.isInterface() ? Material.Matte.of(Texture.of(Rgb.BLACK)) : surface.material();
-        if (m instanceof Material.Matte matte) {
-            return matte.withRadiance(radiance);
-        } else if (m instanceof Material.Glossy g) {
-            return new Material.Glossy(g.color(), g.roughness(), g.conductor(), g.multipleScattering(), radiance, 0);
-        } else if (m instanceof Material.Coated c) {
-            return new Material.Coated(
-                    c.color(), c.roughness(), c.indexOfRefraction(), c.nonlinear(), radiance, c.ultraviolet());
+    private Material glowing(Surface surface, Rgb radiance, EmissionPattern pattern, String place) {
+        Optional<Material> both =
+                surface.isInterface() ? Optional.empty() : GlowingMaterial.of(surface.material(), radiance, pattern);
+        if (both.isEmpty() && !surface.isInterface()) {
+            draft.notes()
+                    .add(
+                            place,
+                            "a lamp whose material is " + surface.material().type()
+                                    + " reflects nothing and has no holes");
         }
-        draft.notes().add(place, "a lamp whose material is " + m.type() + " reflects nothing and has no holes");
-        return Material.Matte.of(Texture.of(Rgb.BLACK)).withRadiance(radiance);
-    }
-
-    /** Whether the side that does not shine is never seen: inside of a solid. */
-    private static boolean shinesOutwards(Form form, boolean isReversed) {
-        if (form instanceof Form.Ball) {
-            return !isReversed;
-        }
-        return form instanceof Form.Triangles t && t.mesh().isClosed() && isOutwards(t.mesh()) != isReversed;
-    }
-
-    /** Whether the triangles of a closed mesh wind counterclockwise as seen from outside, by the sign of its volume. */
-    private static boolean isOutwards(TriangleMesh mesh) {
-        Vec3 middle = mesh.min().plus(mesh.max()).times(0.5);
-        double sum = 0;
-        for (int t = 0; t < mesh.triangles(); t++) {
-            sum += mesh.areaNormal(t).dot(mesh.position(mesh.vertex(t, 0)).minus(middle));
-        }
-        return sum > 0;
+        return both.orElseGet(() -> GlowingMaterial.black(radiance, pattern));
     }
 
     private static double area(Form form, Affine map) {

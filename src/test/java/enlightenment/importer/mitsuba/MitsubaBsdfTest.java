@@ -21,6 +21,7 @@ import enlightenment.material.Texture;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -283,5 +284,32 @@ class MitsubaBsdfTest {
         assertEquals(0.6, c.g(), 1e-15);
         assertEquals(0.2, m.roughness(), 1e-15);
         assertEquals(1.5, m.indexOfRefraction());
+    }
+
+    /** Mitsuba 3.9 evaluates to the same numbers whatever these parameters of the dielectric part are. */
+    @Test
+    void principledMetalIsGlossyWithoutANote() throws IOException {
+        String metal = "<rgb name=\"base_color\" value=\"0.9 0.5 0.1\"/><float name=\"metallic\" value=\"1\"/>"
+                + "<float name=\"roughness\" value=\"0.3\"/>";
+        Material expected =
+                new Material.Glossy(Texture.of(new Rgb(0.9, 0.5, 0.1)), 0.3, Optional.empty(), false, Rgb.BLACK, 0);
+        for (String name : List.of("sheen", "sheen_tint", "flatness", "spec_tint", "eta", "specular", "spec_trans")) {
+            ImportDraft draft = scenes.read("<shape type=\"sphere\">"
+                    + bsdf("principled", metal + "<float name=\"" + name + "\" value=\"0.75\"/>") + "</shape>");
+            assertEquals(List.of(), draft.notes().list());
+            assertEquals(expected, draft.objects().get(0).material());
+        }
+        for (String name : List.of("anisotropic", "clearcoat")) {
+            ImportDraft draft = scenes.read("<shape type=\"sphere\">"
+                    + bsdf("principled", metal + "<float name=\"" + name + "\" value=\"0.75\"/>") + "</shape>");
+            assertEquals(1, draft.notes().list().size(), name);
+        }
+    }
+
+    @Test
+    void principledWithAMatteBaseIsNoted() throws IOException {
+        ImportDraft draft = scenes.read("<shape type=\"sphere\">"
+                + bsdf("principled", "<float name=\"metallic\" value=\"0.5\"/>") + "</shape>");
+        assertTrue(draft.notes().list().get(0).contains("another matte base"));
     }
 }

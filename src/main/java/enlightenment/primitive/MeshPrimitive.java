@@ -20,6 +20,9 @@ public final class MeshPrimitive extends Primitive {
     private final Placing placing;
     private final Bounds bounds;
 
+    /** Its number in the {@link MeshUnion} that it was joined to last, which saves a look into the union's table; 0 if there is none. */
+    int likelyMember;
+
     MeshPrimitive(TriangleMesh mesh, Placing placing) {
         this(mesh, placing, bounds(mesh, placing));
     }

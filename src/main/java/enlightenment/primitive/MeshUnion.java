@@ -40,6 +40,7 @@ public final class MeshUnion {
             first[k + 1] = first[k] + members[k].mesh().triangles();
             box = box.union(members[k].bounds());
             numbers.put(members[k], k);
+            members[k].likelyMember = k;
         }
         bounds = box;
         List<TriangleMesh> meshes =
@@ -170,6 +171,10 @@ public final class MeshUnion {
 
     /** The number of a member; −1 if it is none. */
     private int memberOf(Primitive primitive) {
-        return primitive instanceof MeshPrimitive ? numbers.getOrDefault(primitive, -1) : -1;
+        if (!(primitive instanceof MeshPrimitive m)) {
+            return -1;
+        }
+        int likely = m.likelyMember;
+        return likely < members.length && members[likely] == m ? likely : numbers.getOrDefault(m, -1);
     }
 }

@@ -9,37 +9,91 @@ public final class JoinedMesh {
 
     /** All triangles in one mesh, in their order, without normals and texture coordinates; the first mesh keeps what was made last. */
     public static TriangleMesh positionsOf(List<TriangleMesh> meshes) {
-        return meshes.get(0).union(meshes.subList(1, meshes.size()), () -> joined(meshes));
+        return meshes.get(0).union(meshes.subList(1, meshes.size()), List.of(), () -> joined(meshes));
     }
 
-    private static TriangleMesh joined(List<TriangleMesh> meshes) {
-        int vertices = Math.toIntExact(
-                meshes.stream().mapToLong(TriangleMesh::vertices).sum());
+    /**
+     * All triangles in one mesh, in their order and as they are placed, with their outside where it was; the first mesh keeps what was made last. Triangles that lose
+     * their area by rounding are left out, and counted.
+     */
+    public static TriangleMesh positionsOf(List<TriangleMesh> meshes, List<? extends PlacedVertices> placings) {
+        return meshes.get(0)
+                .union(
+                        meshes.subList(1, meshes.size()),
+                        placings,
+                        () -> TriangleMesh.of(placed(meshes, placings), corners(meshes, placings)));
+    }
+
+    private static double[] placed(List<TriangleMesh> meshes, List<? extends PlacedVertices> placings) {
+        double[] all = new double[Math.multiplyExact(3, vertices(meshes))];
+        int at = 0;
+        for (int k = 0; k < meshes.size(); k++) {
+            VertexArrays of = meshes.get(k).arrays();
+            PlacedVertices placing = placings.get(k);
+            for (int v = 0; v < of.size(); v++) {
+                double x = of.coordinate(v, 0);
+                double y = of.coordinate(v, 1);
+                double z = of.coordinate(v, 2);
+                for (int axis = 0; axis < 3; axis++) {
+                    all[at++] = placing.coordinate(axis, x, y, z);
+                }
+            }
+        }
+        return all;
+    }
+
+    private static int[] corners(List<TriangleMesh> meshes, List<? extends PlacedVertices> placings) {
+        int[] all = corners(meshes);
+        int at = 0;
+        for (int k = 0; k < meshes.size(); k++) {
+            int end = at + meshes.get(k).indices().length;
+            for (; at < end; at += 3) {
+                if (placings.get(k).isMirror()) {
+                    int second = all[at + 1];
+                    all[at + 1] = all[at + 2];
+                    all[at + 2] = second;
+                }
+            }
+        }
+        return all;
+    }
+
+    private static int[] corners(List<TriangleMesh> meshes) {
         int triangles = Math.toIntExact(
                 meshes.stream().mapToLong(TriangleMesh::triangles).sum());
-        int[] indices = new int[Math.multiplyExact(3, triangles)];
-        boolean isOfFloats = meshes.stream().allMatch(TriangleMesh::isOfFloats);
-        float[] floats = new float[isOfFloats ? Math.multiplyExact(3, vertices) : 0];
-        double[] doubles = new double[isOfFloats ? 0 : Math.multiplyExact(3, vertices)];
+        int[] all = new int[Math.multiplyExact(3, triangles)];
         int first = 0;
         int next = 0;
         for (TriangleMesh m : meshes) {
             for (int i : m.indices()) {
-                indices[next++] = first + i;
-            }
-            for (int v = 0; v < m.vertices(); v++) {
-                for (int axis = 0; axis < 3; axis++) {
-                    int at = 3 * (first + v) + axis;
-                    if (isOfFloats) {
-                        floats[at] = (float) m.coordinate(v, axis);
-                    } else {
-                        doubles[at] = m.coordinate(v, axis);
-                    }
-                }
+                all[next++] = first + i;
             }
             first += m.vertices();
         }
-        return isOfFloats ? TriangleMesh.of(floats, indices) : TriangleMesh.of(doubles, indices);
+        return all;
+    }
+
+    private static int vertices(List<TriangleMesh> meshes) {
+        return Math.toIntExact(meshes.stream().mapToLong(TriangleMesh::vertices).sum());
+    }
+
+    private static TriangleMesh joined(List<TriangleMesh> meshes) {
+        int numbers = Math.multiplyExact(3, vertices(meshes));
+        boolean isOfFloats = meshes.stream().allMatch(TriangleMesh::isOfFloats);
+        float[] floats = new float[isOfFloats ? numbers : 0];
+        double[] doubles = new double[isOfFloats ? 0 : numbers];
+        int at = 0;
+        for (TriangleMesh m : meshes) {
+            VertexArrays of = m.arrays();
+            for (int i = 0; i < of.numbers(); i++, at++) {
+                if (isOfFloats) {
+                    floats[at] = (float) of.number(i);
+                } else {
+                    doubles[at] = of.number(i);
+                }
+            }
+        }
+        return isOfFloats ? TriangleMesh.of(floats, corners(meshes)) : TriangleMesh.of(doubles, corners(meshes));
     }
 
     /** All triangles in one; normals and texture coordinates are kept where all have some. */

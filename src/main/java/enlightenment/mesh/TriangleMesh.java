@@ -30,8 +30,8 @@ public final class TriangleMesh {
     private volatile double volume = Double.NaN;
     private volatile TriangleTree tree;
 
-    /** Other meshes, and the mesh of this one's triangles and then theirs. */
-    private record Union(List<TriangleMesh> others, TriangleMesh all) {}
+    /** Other meshes, how this one and they are placed, and the mesh of this one's triangles and then theirs. */
+    private record Union(List<TriangleMesh> others, List<?> placings, TriangleMesh all) {}
 
     private Union union;
 
@@ -310,9 +310,9 @@ public final class TriangleMesh {
     }
 
     /** What was made of this mesh and others: kept until others are asked for, since the frames of a film ask for the same. */
-    synchronized TriangleMesh union(List<TriangleMesh> others, Supplier<TriangleMesh> making) {
-        if (union == null || !areSame(union.others, others)) {
-            union = new Union(List.copyOf(others), making.get());
+    synchronized TriangleMesh union(List<TriangleMesh> others, List<?> placings, Supplier<TriangleMesh> making) {
+        if (union == null || !areSame(union.others, others) || !union.placings.equals(placings)) {
+            union = new Union(List.copyOf(others), List.copyOf(placings), making.get());
         }
         return union.all;
     }

@@ -64,9 +64,9 @@ public final class MeshPrimitive extends Primitive {
     /** The ray in the mesh's coordinates, with the triangles that it starts on. */
     private MeshRay local(Ray ray) {
         MeshRay local = ray.meshRay();
-        place(local, mesh, ray);
+        place(local, mesh, placing, ray);
         if (ray.start == this) {
-            startOn(local, ray.startElement, ray);
+            startOn(local, ray.startElement, placing, ray);
         }
         if (ray.special) {
             local.leaveOut(ray.otherElementOf(this));
@@ -74,8 +74,8 @@ public final class MeshPrimitive extends Primitive {
         return local;
     }
 
-    /** Sets a ray of a mesh that is placed as this one is. */
-    void place(MeshRay local, TriangleMesh of, Ray ray) {
+    /** Sets a ray of a mesh that is placed so. */
+    static void place(MeshRay local, TriangleMesh of, Placing placing, Ray ray) {
         double x = ray.ox - placing.offset(0);
         double y = ray.oy - placing.offset(1);
         double z = ray.oz - placing.offset(2);
@@ -94,10 +94,14 @@ public final class MeshPrimitive extends Primitive {
         }
     }
 
-    /** Lets a placed ray start on a triangle. */
-    void startOn(MeshRay local, int triangle, Ray ray) {
+    /**
+     * Lets a placed ray, which starts on this mesh, start on a triangle.
+     *
+     * @param of how the triangle's mesh is placed, this one or one that holds its triangles too
+     */
+    void startOn(MeshRay local, int triangle, Placing of, Ray ray) {
         double size = ray.maxAbsOrigin() + placing.maxOffset();
-        local.startOn(triangle, ray.startSide, Scale.gamma(16) * size * placing.largestInverse());
+        local.startOn(triangle, ray.startSide, Scale.gamma(16) * size * of.largestInverse());
     }
 
     /** How it is placed. */

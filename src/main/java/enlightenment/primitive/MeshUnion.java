@@ -1,22 +1,19 @@
 package enlightenment.primitive;
 
-import enlightenment.bvh.Nodes;
 import enlightenment.frame.Bounds;
 import enlightenment.mesh.JoinedMesh;
 import enlightenment.mesh.MeshRay;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.mesh.TriangleTree;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.IdentityHashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.IntStream;
 
 /**
- * Meshes that were placed alike, with one hierarchy of all their triangles: rays need not be prepared for each of them, and boxes do not overlap.
- * What a ray meets is a triangle of a member, with the t that the member itself would give. Immutable.
+ * Meshes with one hierarchy of all their triangles: rays need not be prepared for each of them, and boxes do not overlap. Either they are placed alike;
+ * or they are small and each is placed once, and the hierarchy has their triangles as they are placed. What a ray meets is a triangle of a member, with
+ * the t that the member itself would give, but for the rounding of placed vertices. Immutable.
  */
 public final class MeshUnion {
     private final MeshPrimitive[] members;
@@ -25,15 +22,20 @@ public final class MeshUnion {
     /** By member: the number of its first triangle in the hierarchy; then the number of all. */
     private final int[] first;
 
+    /** How the coordinates of the hierarchy are placed. */
+    private final Placing placing;
+
     private final TriangleTree tree;
     private final Bounds bounds;
 
     /** By member: its number. */
     private final Map<Primitive, Integer> numbers = new IdentityHashMap<>();
 
-    private MeshUnion(Primitive[] all, int[] chosen, Runnable poll) {
-        ids = chosen;
-        members = Arrays.stream(ids).mapToObj(i -> (MeshPrimitive) all[i]).toArray(MeshPrimitive[]::new);
+    private MeshUnion(MeshPrimitive[] members, int[] ids, Placing placing, TriangleTree tree) {
+        this.members = members;
+        this.ids = ids;
+        this.placing = placing;
+        this.tree = tree;
         first = new int[members.length + 1];
         Bounds box = members[0].bounds();
         for (int k = 0; k < members.length; k++) {
@@ -43,65 +45,43 @@ public final class MeshUnion {
             members[k].likelyMember = k;
         }
         bounds = box;
-        List<TriangleMesh> meshes =
-                Arrays.stream(members).map(MeshPrimitive::mesh).toList();
-        tree = JoinedMesh.positionsOf(meshes).tree(poll);
     }
 
     /**
-     * The union of meshes that are placed alike, if there are at least two; of several such sets that with the most triangles.
+     * The union of meshes that are placed alike, or of small ones that are placed once: of what is the most meshes, and at least two.
      *
      * @param poll called now and then; ends the building by what it throws
      * @return null if there is none
      */
     public static MeshUnion of(Primitive[] primitives, Runnable poll) {
-        int[] best = null;
-        long most = 0;
-        for (int[] alike : alike(primitives)) {
-            long triangles = Arrays.stream(alike)
-                    .mapToLong(i -> ((MeshPrimitive) primitives[i]).mesh().triangles())
-                    .sum();
-            boolean isBetter = triangles > most || triangles == most && best != null && alike[0] < best[0];
-            if (isBetter && triangles < Nodes.MOST_ITEMS) {
-                most = triangles;
-                best = alike;
-            }
-        }
-        return best == null ? null : new MeshUnion(primitives, best, poll);
+        int[] alike = UnionMembers.alike(primitives);
+        int[] lone = UnionMembers.lone(primitives);
+        MeshUnion union = lone.length > Math.max(1, alike.length) ? ofLone(primitives, lone, poll) : null;
+        return union == null && alike.length > 1 ? ofAlike(primitives, alike, poll) : union;
     }
 
-    /** The indices of meshes that are placed alike, of each such set of at least two in ascending order. */
-    private static List<int[]> alike(Primitive[] primitives) {
-        // Sorted by the hash of how they are placed: there may be a million instances, of which nearly all stand alone.
-        long[] order = IntStream.range(0, primitives.length)
-                .filter(i -> primitives[i] instanceof MeshPrimitive m && !m.isExtreme())
-                .mapToLong(i -> (long) placing(primitives, i).hashCode() << Integer.SIZE | i)
-                .sorted()
-                .toArray();
-        List<int[]> sets = new ArrayList<>();
-        for (int from = 0, to; from < order.length; from = to) {
-            to = from + 1;
-            while (to < order.length && order[to] >> Integer.SIZE == order[from] >> Integer.SIZE) {
-                to++;
-            }
-            if (to - from > 1) {
-                Map<Placing, List<Integer>> byPlacing = new LinkedHashMap<>();
-                for (int k = from; k < to; k++) {
-                    int i = (int) order[k];
-                    byPlacing
-                            .computeIfAbsent(placing(primitives, i), p -> new ArrayList<>())
-                            .add(i);
-                }
-                byPlacing.values().stream()
-                        .filter(set -> set.size() > 1)
-                        .forEach(set -> sets.add(set.stream().mapToInt(i -> i).toArray()));
-            }
-        }
-        return sets;
+    private static MeshUnion ofAlike(Primitive[] primitives, int[] ids, Runnable poll) {
+        MeshPrimitive[] members = members(primitives, ids);
+        TriangleMesh joined = JoinedMesh.positionsOf(meshes(members));
+        return new MeshUnion(members, ids, members[0].placing(), joined.tree(poll));
     }
 
-    private static Placing placing(Primitive[] primitives, int i) {
-        return ((MeshPrimitive) primitives[i]).placing();
+    /** In the coordinates of the frame; null if rounding takes the area of a triangle away, since places in the leaves count triangles. */
+    private static MeshUnion ofLone(Primitive[] primitives, int[] ids, Runnable poll) {
+        MeshPrimitive[] members = members(primitives, ids);
+        List<TriangleMesh> meshes = meshes(members);
+        List<Placing> placings =
+                Arrays.stream(members).map(MeshPrimitive::placing).toList();
+        TriangleMesh joined = JoinedMesh.positionsOf(meshes, placings);
+        return joined.dropped() > 0 ? null : new MeshUnion(members, ids, Placing.IDENTITY, joined.tree(poll));
+    }
+
+    private static MeshPrimitive[] members(Primitive[] primitives, int[] ids) {
+        return Arrays.stream(ids).mapToObj(i -> (MeshPrimitive) primitives[i]).toArray(MeshPrimitive[]::new);
+    }
+
+    private static List<TriangleMesh> meshes(MeshPrimitive[] members) {
+        return Arrays.stream(members).map(MeshPrimitive::mesh).toList();
     }
 
     /** The number of members. */
@@ -156,10 +136,10 @@ public final class MeshUnion {
 
     private MeshRay local(Ray ray) {
         MeshRay local = ray.meshRay();
-        members[0].place(local, tree.mesh(), ray);
+        MeshPrimitive.place(local, tree.mesh(), placing, ray);
         int start = memberOf(ray.start);
         if (start >= 0) {
-            members[start].startOn(local, first[start] + ray.startElement, ray);
+            members[start].startOn(local, first[start] + ray.startElement, placing, ray);
         }
         int also = ray.isSpecial() ? ray.otherMesh() : -1;
         int other = also < 0 ? -1 : memberOf(ray.alsoStart(also));

@@ -3,6 +3,7 @@ package enlightenment.primitive;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Transform;
 import enlightenment.math.Vec3;
+import enlightenment.mesh.PlacedVertices;
 import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 import java.util.Arrays;
@@ -11,7 +12,10 @@ import java.util.Arrays;
  * An affine map p = M·q + d from the coordinates of a mesh to the frame, and its inverse. Directions are mapped without normalising, so that
  * the t of a ray is the same number on both sides. Powers of two commute with it.
  */
-final class Placing {
+final class Placing implements PlacedVertices {
+    /** What leaves everything where it is. */
+    static final Placing IDENTITY = new Placing(Vec3.X, Vec3.Y, Vec3.Z, Vec3.ZERO);
+
     /** Where the rows of the inverse begin in {@link #numbers}. */
     private static final int INVERSE = 12;
 
@@ -113,8 +117,8 @@ final class Placing {
         return new Vec3(coordinate(0, x, y, z), coordinate(1, x, y, z), coordinate(2, x, y, z));
     }
 
-    /** A coordinate of where a point of the mesh is. */
-    double coordinate(int axis, double x, double y, double z) {
+    @Override
+    public double coordinate(int axis, double x, double y, double z) {
         return numbers[axis] + dot(3 + 3 * axis, x, y, z);
     }
 
@@ -167,7 +171,16 @@ final class Placing {
 
     /** The factor of volumes, positive. */
     double volumeFactor() {
-        return Math.abs(row(3).cross(row(6)).dot(row(9)));
+        return Math.abs(determinant());
+    }
+
+    private double determinant() {
+        return row(3).cross(row(6)).dot(row(9));
+    }
+
+    @Override
+    public boolean isMirror() {
+        return determinant() < 0;
     }
 
     @Override

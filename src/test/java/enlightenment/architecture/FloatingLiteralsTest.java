@@ -62,6 +62,7 @@ class FloatingLiteralsTest {
             new Explained("mesh/Departure.java", "4", "how many times its own rounding a corner is away"),
             new Explained(
                     "mesh/TriangleTest.java", "4", "how many times its own rounding an edge function is away from 0"),
+            new Explained("primitive/UnionMembers.java", "0x1p10", "how many times its size a mesh is away: a ratio"),
             new Explained("numeric/Scale.java", "0x1p-53", "unit roundoff of doubles: the format itself"),
             new Explained(
                     "numeric/Angles.java", "0.198912367379658", "tan(π/16): where a reduction of the angle changes"),

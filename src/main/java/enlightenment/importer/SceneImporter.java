@@ -1,21 +1,18 @@
 package enlightenment.importer;
 
-import enlightenment.camera.Camera;
 import enlightenment.file.FileFailure;
 import enlightenment.file.InputFile;
 import enlightenment.importer.gltf.GltfReader;
 import enlightenment.importer.mitsuba.MitsubaReader;
 import enlightenment.importer.model.ModelReader;
 import enlightenment.importer.pbrt.PbrtReader;
+import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
 import enlightenment.math.InvalidValueException;
 import enlightenment.nff.NffReader;
-import enlightenment.scene.Display;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -99,13 +96,12 @@ public final class SceneImporter {
                     "is of no format that can be imported: " + String.join(", ", new TreeSet<>(FORMATS.keySet())));
         }
         if (format == Format.NFF) {
-            NffReader.Result nff = NffReader.read(file);
-            return new ImportedScene(nff.scene(), nff.notes());
+            return nff(file, options);
         }
         try {
             ImportDraft draft = draft(file, format, options);
-            return new ImportedScene(
-                    finished(draft, name(file), options), draft.notes().list());
+            Scene scene = new DraftFinish(draft, options).scene(name(file));
+            return new ImportedScene(scene, draft.notes().list());
         } catch (InvalidValueException e) {
             throw ImportFailure.at(file, 0, e.getMessage());
         } catch (IOException e) {
@@ -115,40 +111,41 @@ public final class SceneImporter {
 
     private static ImportDraft draft(Path file, Format format, ImportOptions options) throws IOException {
         return switch (format) {
-            case GLTF -> GltfReader.read(file, options.extracted(), options.camera());
-            case MITSUBA -> MitsubaReader.read(file, new ExtractedFiles(options.extracted()));
-            case PBRT -> PbrtReader.read(file, new ExtractedFiles(options.extracted()));
-            default -> ModelReader.read(file);
+            case GLTF -> GltfReader.read(file, options.extracted(), new CameraChoice(options.camera()));
+            case MITSUBA ->
+                MitsubaReader.read(file, new ExtractedFiles(options.extracted()), new CameraChoice(options.camera()));
+            case PBRT -> withOneCamera(file, PbrtReader.read(file, new ExtractedFiles(options.extracted())), options);
+            default -> withOneCamera(file, ModelReader.read(file), options);
         };
     }
 
-    private static Scene finished(ImportDraft draft, String name, ImportOptions options) {
-        if (draft.objects().isEmpty()) {
-            throw new InvalidValueException("objects", "there is nothing to be seen in the file");
+    /** Refuses the choice of another camera than the only one that the format can have. */
+    private static ImportDraft withOneCamera(Path file, ImportDraft draft, ImportOptions options) {
+        requireCamera(file, draft.camera(), options);
+        return draft;
+    }
+
+    private static void requireCamera(Path file, Optional<?> camera, ImportOptions options) {
+        try {
+            new CameraChoice(options.camera()).requireIn(camera);
+        } catch (IOException e) {
+            throw ImportFailure.at(file, 0, e.getMessage());
         }
-        int width = draft.width() == 0 ? Studio.WIDTH : draft.width();
-        int height = draft.height() == 0 ? Studio.HEIGHT : draft.height();
-        boolean isUpZ = options.up().map(u -> u == ImportOptions.Up.Z).orElse(draft.isUpZ());
-        boolean isModel = draft.camera().isEmpty() && !draft.isLit();
-        Studio studio = new Studio(draft.objects(), isUpZ, (double) width / height);
-        Camera camera = draft.camera().orElseGet(studio::camera);
-        if (!draft.isLit()) {
-            studio.light(draft, isModel);
-            if (draft.leavesOutLights()) {
-                draft.notes().add("", "all lights of the file are left out: a soft light stands in for them");
-            }
+    }
+
+    /** NFF has a camera, lights and classic shading, none of which can be chosen otherwise. */
+    private static ImportedScene nff(Path file, ImportOptions options) throws IOException {
+        if (options.up().isPresent()
+                || options.orbit().isPresent()
+                || options.backdrop().isPresent()) {
+            throw ImportFailure.at(
+                    file,
+                    0,
+                    "is an NFF file, whose view and surroundings are its own: axis, view and background have no meaning");
         }
-        SceneBuilder scene = Scene.builder()
-                .name(name)
-                .size(width, height)
-                .camera(camera)
-                .shading(new PhysicalShading(draft.maxBounces(), draft.background(), Optional.empty()))
-                .display(new Display(draft.exposure(), Display.DEFAULT.tone()));
-        draft.materials().forEach(scene::material);
-        draft.lights().forEach(scene::light);
-        draft.objects().forEach(scene::object);
-        draft.animation().ifPresent(scene::animation);
-        return scene.build();
+        NffReader.Result nff = NffReader.read(file);
+        requireCamera(file, Optional.of(nff.scene().camera()), options);
+        return new ImportedScene(nff.scene(), nff.notes());
     }
 
     private static String name(Path file) {

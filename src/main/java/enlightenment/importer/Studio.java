@@ -33,8 +33,10 @@ final class Studio {
     /** How much of the picture the model's box fills at most, from its middle. */
     private static final double FILLED = 0.85;
 
-    private static final double ELEVATION = 22;
-    private static final double AZIMUTH = 35;
+    /** Degrees: how far the lamp stands to the left of the eye, and how high. */
+    private static final double LAMP_LEFT = 60;
+
+    private static final double LAMP_ELEVATION = 50;
 
     /** Radii of the model's ball. */
     private static final double GROUND = 60;
@@ -47,18 +49,21 @@ final class Studio {
     private static final Rgb FLOOR = new Rgb(0.55, 0.55, 0.55);
 
     private final double aspect;
-    private final boolean isUpZ;
+    private final ImportOptions.Up up;
+    private final ImportOptions.Orbit orbit;
     private Vec3 min = new Vec3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
     private Vec3 max = min.times(-1);
 
     /**
      * The studio around these objects.
      *
-     * @param isUpZ whether z points upwards, else y
+     * @param up the axis that points upwards
+     * @param orbit where the eye is; the lamp stands to its left
      * @param aspect width of the picture divided by its height
      */
-    Studio(List<SceneObject> objects, boolean isUpZ, double aspect) {
-        this.isUpZ = isUpZ;
+    Studio(List<SceneObject> objects, ImportOptions.Up up, ImportOptions.Orbit orbit, double aspect) {
+        this.up = up;
+        this.orbit = orbit;
         this.aspect = aspect;
         objects.forEach(o -> include(o.shape()));
     }
@@ -99,25 +104,25 @@ final class Studio {
         return max.minus(min).times(0.5).length();
     }
 
-    private Vec3 up() {
-        return isUpZ ? Vec3.Z : Vec3.Y;
-    }
-
     /** A direction from the model: degrees to the right of the front, and above the ground. */
     private Vec3 towards(double azimuth, double elevation) {
         double a = StrictMath.toRadians(azimuth);
         double e = StrictMath.toRadians(elevation);
-        double right = StrictMath.sin(a) * StrictMath.cos(e);
-        double front = StrictMath.cos(a) * StrictMath.cos(e);
-        double high = StrictMath.sin(e);
-        // Models look towards +z where y points upwards, and towards -y where z does; both are right-handed.
-        return isUpZ ? new Vec3(right, -front, high) : new Vec3(right, high, front);
+        Vec3 across = up.right().times(StrictMath.sin(a) * StrictMath.cos(e));
+        Vec3 ahead = up.front().times(StrictMath.cos(a) * StrictMath.cos(e));
+        return across.plus(up.axis().times(StrictMath.sin(e))).plus(ahead);
     }
 
-    /** From three quarters, so far that the corners of the box around the model lie within most of the picture. */
+    /** Upwards in the picture: the axis, or, for an eye straight above or below, away from the azimuth that it came from. */
+    private Vec3 top() {
+        boolean isPole = Math.abs(orbit.elevation()) == 90;
+        return isPole ? towards(orbit.azimuth(), 0).times(-Math.signum(orbit.elevation())) : up.axis();
+    }
+
+    /** The view of the orbit, so far that the corners of the box around the model lie within most of the picture. */
     Camera camera() {
-        Vec3 away = towards(AZIMUTH, ELEVATION);
-        Vec3 right = up().cross(away).normalized();
+        Vec3 away = towards(orbit.azimuth(), orbit.elevation());
+        Vec3 right = top().cross(away).normalized();
         Vec3 top = away.cross(right);
         double tangent = StrictMath.tan(StrictMath.toRadians(FIELD_OF_VIEW / 2)) * FILLED;
         double distance = 0;
@@ -127,20 +132,30 @@ final class Studio {
             distance = Math.max(distance, p.dot(away) + Math.max(across, Math.abs(p.dot(top)) / tangent));
         }
         Vec3 forward = away.times(-distance);
-        return new ImportView(middle().minus(forward), forward, up(), right).pinhole(FIELD_OF_VIEW);
+        return new ImportView(middle().minus(forward), forward, top(), right).pinhole(FIELD_OF_VIEW);
     }
 
-    /**
-     * Adds light to a scene that has none.
-     *
-     * @param withGround whether there is to be a ground, too
-     */
-    void light(ImportDraft draft, boolean withGround) {
-        draft.background(new Background.Constant(SKY));
+    /** The soft light from everywhere. */
+    static Background sky() {
+        return new Background.Constant(SKY);
+    }
+
+    /** A clear sky, whose sun stands where the lamp would. Up must be y. */
+    Background clearSky() {
+        return Background.Sky.of(LAMP_ELEVATION, orbit.azimuth() - LAMP_LEFT);
+    }
+
+    /** Whether the eye is above the horizon, so that a ground would not hide the model. */
+    boolean isSeenFromAbove() {
+        return orbit.elevation() >= 0;
+    }
+
+    /** Adds the lamp: a square that faces the model. */
+    void addLamp(ImportDraft draft) {
         double r = radius();
-        Vec3 direction = towards(AZIMUTH - 60, 50);
+        Vec3 direction = towards(orbit.azimuth() - LAMP_LEFT, LAMP_ELEVATION);
         Vec3 center = middle().plus(direction.times(LAMP_DISTANCE * r));
-        Vec3 a = direction.cross(up()).normalized().times(LAMP_HALF * r);
+        Vec3 a = direction.cross(up.axis()).normalized().times(LAMP_HALF * r);
         Vec3 b = direction.cross(a).normalized().times(LAMP_HALF * r);
         // (upperLeft − lowerLeft) × (lowerRight − lowerLeft) points to the side that shines: b × a is towards the
         // model.
@@ -152,11 +167,16 @@ final class Studio {
                 Rgb.WHITE,
                 false,
                 Emission.radiance(LAMP)));
-        if (withGround) {
-            Vec3 m = middle();
-            Vec3 foot = isUpZ ? new Vec3(m.x(), m.y(), min.z()) : new Vec3(m.x(), min.y(), m.z());
-            draft.object(
-                    "ground", new Disk(Affine.exact(foot), up(), GROUND * r), Material.Matte.of(Texture.of(FLOOR)));
-        }
+    }
+
+    /** Adds the ground that the model stands on. */
+    void addGround(ImportDraft draft) {
+        Vec3 u = up.axis();
+        // The face of the box below the middle, to the last bit: it has the coordinate of the lowest vertex.
+        Vec3 m = middle();
+        Vec3 low = u.x() + u.y() + u.z() > 0 ? min : max;
+        Vec3 foot = new Vec3(u.x() == 0 ? m.x() : low.x(), u.y() == 0 ? m.y() : low.y(), u.z() == 0 ? m.z() : low.z());
+        draft.object(
+                "ground", new Disk(Affine.exact(foot), u, GROUND * radius()), Material.Matte.of(Texture.of(FLOOR)));
     }
 }

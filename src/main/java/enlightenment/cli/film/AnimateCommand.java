@@ -1,5 +1,6 @@
 package enlightenment.cli.film;
 
+import enlightenment.cli.input.ForeignOptions;
 import enlightenment.cli.input.FrameCheck;
 import enlightenment.cli.input.FrameChoice;
 import enlightenment.cli.input.SceneArgument;
@@ -45,6 +46,9 @@ import picocli.CommandLine.Option;
 public final class AnimateCommand extends Subcommand {
     @Mixin
     private SceneArgument argument = new SceneArgument();
+
+    @Mixin
+    private ForeignOptions foreign = new ForeignOptions();
 
     @Mixin
     private FrameOutput output = new FrameOutput();
@@ -95,7 +99,7 @@ public final class AnimateCommand extends Subcommand {
 
     @Override
     protected int execute() throws IOException {
-        input = argument.open(terminal);
+        input = argument.open(foreign, terminal);
         Scene scene = input.read(Optional.empty());
         Animation animation = scene.animation()
                 .orElseThrow(() -> CliException.wrongUsage(

@@ -19,4 +19,10 @@ public final class SceneArgument {
     public SceneInput open(Terminal terminal) {
         return new SceneInput(file, terminal);
     }
+
+    /** Where to read the scene from, with the choices for a file of another program. */
+    public SceneInput open(ForeignOptions foreign, Terminal terminal) {
+        foreign.check();
+        return new SceneInput(file, foreign, terminal);
+    }
 }

@@ -2,7 +2,6 @@ package enlightenment.cli.input;
 
 import enlightenment.cli.terminal.StandardStreams;
 import enlightenment.cli.terminal.Terminal;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.scene.Scene;
@@ -18,6 +17,7 @@ import java.util.OptionalInt;
 /** Where a scene comes from: a file, or standard input, whose textures are relative to the working folder. */
 public final class SceneInput {
     private final Path file;
+    private final ForeignOptions foreign;
     private final Terminal terminal;
     private final SceneFile scenes;
 
@@ -31,7 +31,13 @@ public final class SceneInput {
     private Scene imported;
 
     public SceneInput(Path file, Terminal terminal) {
+        this(file, new ForeignOptions(), terminal);
+    }
+
+    /** @param foreign the choices for a file of another program; one for a scene file is refused */
+    public SceneInput(Path file, ForeignOptions foreign, Terminal terminal) {
         this.file = file;
+        this.foreign = foreign;
         this.terminal = terminal;
         scenes = new SceneFile(file);
     }
@@ -47,6 +53,9 @@ public final class SceneInput {
      * @throws SceneException if it cannot be used
      */
     public Scene read(Optional<Integer> frame) {
+        if (!isForeign()) {
+            foreign.refuse(name());
+        }
         if (StandardStreams.isNamed(file)) {
             OptionalInt at = frame.map(OptionalInt::of).orElse(OptionalInt.empty());
             return SceneReader.readBytes(bytes(), Path.of(""), StandardStreams.INPUT, at);
@@ -67,7 +76,7 @@ public final class SceneInput {
     /** The scene of another program's file, whose notes are shown once. */
     private Scene imported() {
         if (imported == null) {
-            ImportedScene result = ForeignScene.read(file, ImportOptions.DEFAULT);
+            ImportedScene result = ForeignScene.read(file, foreign.options());
             result.notes().forEach(note -> terminal.note(file + ": " + note));
             imported = result.scene();
         }

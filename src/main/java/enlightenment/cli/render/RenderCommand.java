@@ -1,5 +1,6 @@
 package enlightenment.cli.render;
 
+import enlightenment.cli.input.ForeignOptions;
 import enlightenment.cli.input.FrameOption;
 import enlightenment.cli.input.SceneArgument;
 import enlightenment.cli.input.SceneFailures;
@@ -62,6 +63,9 @@ import picocli.CommandLine.Option;
 public final class RenderCommand extends Subcommand {
     @Mixin
     private SceneArgument argument = new SceneArgument();
+
+    @Mixin
+    private ForeignOptions foreign = new ForeignOptions();
 
     @Mixin
     private PictureOutput output = new PictureOutput();
@@ -159,7 +163,7 @@ public final class RenderCommand extends Subcommand {
     protected int execute() throws IOException {
         checkOptions();
         aovFiles = new AovFiles(hasFurtherFiles() ? aov : AovSet.EMPTY, output.file());
-        input = argument.open(terminal);
+        input = argument.open(foreign, terminal);
         Scene scene = frame.read(input);
         RenderSettings settings = PictureOutput.withRounding(
                 options.settings(scene, input), part == null ? output.writtenDepth() : output.depthOfWhole());

@@ -1,5 +1,6 @@
 package enlightenment.cli.scene;
 
+import enlightenment.cli.input.ForeignOptions;
 import enlightenment.cli.input.ForeignScene;
 import enlightenment.cli.option.CommandFiles;
 import enlightenment.cli.option.FileNames;
@@ -16,6 +17,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -52,6 +54,9 @@ public final class ConvertCommand extends Subcommand {
     @Option(names = "--strict", description = "fail if anything is left out or approximated")
     private boolean isStrict;
 
+    @Mixin
+    private ForeignOptions foreign = new ForeignOptions();
+
     @Spec
     private CommandSpec spec;
 
@@ -61,6 +66,7 @@ public final class ConvertCommand extends Subcommand {
 
     @Override
     protected int execute() throws IOException {
+        foreign.check();
         Path output = output();
         if (!StandardStreams.isNamed(output) && !FileNames.extension(output).equals(".json")) {
             throw CliException.wrongUsage("OUT.json must name a file that ends in .json, not \"" + output + "\"");
@@ -103,6 +109,7 @@ public final class ConvertCommand extends Subcommand {
 
     private ImportedScene read(ConvertedFiles files) {
         if (StandardStreams.isNamed(input)) {
+            foreign.refuse(StandardStreams.INPUT);
             // The format is ASCII; comments may hold anything.
             NffReader.Result nff = NffReader.parse(
                     new String(StandardStreams.readInput(terminal), StandardCharsets.ISO_8859_1),
@@ -110,6 +117,6 @@ public final class ConvertCommand extends Subcommand {
                     "");
             return new ImportedScene(nff.scene(), nff.notes());
         }
-        return ForeignScene.read(input, files.options());
+        return ForeignScene.read(input, files.options(foreign.options()));
     }
 }

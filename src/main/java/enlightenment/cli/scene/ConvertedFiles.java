@@ -34,11 +34,9 @@ final class ConvertedFiles {
         folder = output.toAbsolutePath().resolveSibling((dot > 0 ? name.substring(0, dot) : name) + "-files");
     }
 
-    /** How the input is to be read. */
-    ImportOptions options() {
-        return StandardStreams.isNamed(output)
-                ? ImportOptions.DEFAULT
-                : new ImportOptions(Optional.of(folder), Optional.empty(), 0);
+    /** How the input is to be read: with the folder for its pictures, if there is one. */
+    ImportOptions options(ImportOptions chosen) {
+        return StandardStreams.isNamed(output) ? chosen : chosen.withExtracted(folder);
     }
 
     /** @throws CliException if the scene has a mesh that is in no file: standard output has no place for it */

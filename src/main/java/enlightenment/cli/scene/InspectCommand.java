@@ -1,5 +1,6 @@
 package enlightenment.cli.scene;
 
+import enlightenment.cli.input.ForeignOptions;
 import enlightenment.cli.input.FrameOption;
 import enlightenment.cli.input.SceneArgument;
 import enlightenment.cli.input.SceneFailures;
@@ -49,6 +50,9 @@ public final class InspectCommand extends Subcommand {
     private SceneArgument argument = new SceneArgument();
 
     @Mixin
+    private ForeignOptions foreign = new ForeignOptions();
+
+    @Mixin
     private RenderOptions options = new RenderOptions();
 
     @Mixin
@@ -67,7 +71,7 @@ public final class InspectCommand extends Subcommand {
 
     @Override
     protected int execute() {
-        input = argument.open(terminal);
+        input = argument.open(foreign, terminal);
         Scene scene = frame.read(input);
         RenderSettings settings = options.settings(scene, input);
         Renderer.Inspection inspection = inspect(scene, settings);

@@ -1,5 +1,6 @@
 package enlightenment.cli.scene;
 
+import enlightenment.cli.input.ForeignOptions;
 import enlightenment.cli.input.FrameCheck;
 import enlightenment.cli.input.FrameChoice;
 import enlightenment.cli.input.SceneFailures;
@@ -21,6 +22,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
 /** {@code enlightenment validate}: finds all problems of scenes without rendering them. */
@@ -29,15 +31,19 @@ public final class ValidateCommand extends Subcommand {
     @Parameters(arity = "1..*", paramLabel = "SCENE", description = "the scene files; - for standard input")
     private List<Path> sceneFiles;
 
+    @Mixin
+    private ForeignOptions foreign = new ForeignOptions();
+
     public ValidateCommand(Terminal terminal) {
         super(terminal);
     }
 
     @Override
     protected int execute() throws IOException {
+        foreign.check();
         int code = ExitCode.DONE;
         for (Path file : sceneFiles) {
-            SceneInput input = new SceneInput(file, terminal);
+            SceneInput input = new SceneInput(file, foreign, terminal);
             try {
                 Scene scene = read(input);
                 Optional<Animation> animation = scene.animation();

@@ -1,5 +1,6 @@
 package enlightenment.cli.serve;
 
+import enlightenment.cli.input.ForeignOptions;
 import enlightenment.cli.input.FrameOption;
 import enlightenment.cli.input.SceneArgument;
 import enlightenment.cli.input.SceneFailures;
@@ -48,6 +49,9 @@ import picocli.CommandLine.Mixin;
 public final class ServerCommand extends Subcommand {
     @Mixin
     private SceneArgument argument = new SceneArgument();
+
+    @Mixin
+    private ForeignOptions foreign = new ForeignOptions();
 
     @Mixin
     private PictureOutput output = new PictureOutput();
@@ -99,7 +103,7 @@ public final class ServerCommand extends Subcommand {
         view.check(output);
         store.check();
         ServerOptions serverOptions = keep.addTo(serving.options(terminal)).build();
-        input = argument.open(terminal);
+        input = argument.open(foreign, terminal);
         Scene scene = frame.read(input);
         RenderSettings settings = PictureOutput.withRounding(options.settings(scene, input), output.writtenDepth());
         output.check(settings);

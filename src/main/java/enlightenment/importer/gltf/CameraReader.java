@@ -2,11 +2,14 @@ package enlightenment.importer.gltf;
 
 import enlightenment.camera.Camera;
 import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportView;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 
 /** The camera that the scene is seen through, looking along -z with y upwards; it says how wide the picture is, for its height. */
 final class CameraReader {
@@ -19,10 +22,35 @@ final class CameraReader {
     /** The number of the camera. */
     private final int wanted;
 
-    CameraReader(GltfElement document, ImportDraft draft, int wanted) {
+    private final boolean isChosen;
+
+    CameraReader(GltfElement document, ImportDraft draft, CameraChoice choice) throws IOException {
         this.document = document;
         this.draft = draft;
-        this.wanted = wanted;
+        wanted = choice.index(names(document));
+        isChosen = choice.wanted().isPresent();
+    }
+
+    /** What cameras are called: by their own names, else by those of the first nodes that they hang on. */
+    private static List<String> names(GltfElement document) throws IOException {
+        List<String> names = new ArrayList<>();
+        for (GltfElement camera : document.items("cameras")) {
+            names.add(camera.text("name", ""));
+        }
+        for (GltfElement node : document.items("nodes")) {
+            int camera = node.index("camera", names.size()).orElse(-1);
+            if (camera >= 0 && names.get(camera).isEmpty()) {
+                names.set(camera, node.text("name", ""));
+            }
+        }
+        return names;
+    }
+
+    /** Fails if a camera was chosen that no node of the scene has. */
+    void requireChosen() throws IOException {
+        if (isChosen && draft.camera().isEmpty()) {
+            throw document.failure("cameras/" + wanted + ": hangs on no node of the scene that is shown");
+        }
     }
 
     /** Takes the camera of a node, if it is the one that is wanted and the first node with it. */

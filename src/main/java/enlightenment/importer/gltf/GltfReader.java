@@ -2,6 +2,7 @@ package enlightenment.importer.gltf;
 
 import enlightenment.geometry.Mesh;
 import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
@@ -50,7 +51,7 @@ public final class GltfReader {
     private final PunctualLights lights;
     private final CameraReader cameras;
 
-    private GltfReader(GltfContainer file, InputFolder folder, ExtractedFiles extracted, int camera)
+    private GltfReader(GltfContainer file, InputFolder folder, ExtractedFiles extracted, CameraChoice camera)
             throws IOException {
         document = file.document();
         requireReadable();
@@ -68,15 +69,16 @@ public final class GltfReader {
      * Reads a {@code .gltf} or {@code .glb} file.
      *
      * @param extracted where pictures go that the file holds inside; empty for a temporary folder
-     * @param camera the number of the camera in the file, from 0; without meaning where it has none
+     * @param camera the camera of the picture
      * @throws enlightenment.scene.SceneException with the place in the file, for what is no such file, or needs what is not read here
      * @throws IOException if a file cannot be read or written
      */
-    public static ImportDraft read(Path file, Optional<Path> extracted, int camera) throws IOException {
+    public static ImportDraft read(Path file, Optional<Path> extracted, CameraChoice camera) throws IOException {
         try {
             GltfContainer container = GltfContainer.read(file);
             GltfReader reader = new GltfReader(container, new InputFolder(file), new ExtractedFiles(extracted), camera);
             reader.readNodes();
+            reader.cameras.requireChosen();
             return reader.draft;
         } catch (FileSystemException e) {
             throw e;

@@ -1,6 +1,7 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
@@ -34,46 +35,61 @@ public final class MitsubaReader {
     private final SceneIndex scene;
     private final List<XmlElement> elements;
 
-    private MitsubaReader(SceneIndex scene, List<XmlElement> elements) {
+    /** The sensor of the picture; null where the file has none. */
+    private final XmlElement sensor;
+
+    private MitsubaReader(SceneIndex scene, List<XmlElement> elements, XmlElement sensor) {
         this.scene = scene;
         this.elements = elements;
+        this.sensor = sensor;
     }
 
     /**
      * Reads a scene.
      *
      * @param made where pictures go that are made of the scene's own
+     * @param camera which sensor, by its number or its id
      * @throws enlightenment.scene.SceneException for what is no such scene, with file, line and what was expected
      * @throws IOException if a file cannot be read, or a mesh is broken
      */
-    public static ImportDraft read(Path file, ExtractedFiles made) throws IOException {
+    public static ImportDraft read(Path file, ExtractedFiles made, CameraChoice camera) throws IOException {
         XmlElement root = XmlFile.read(file);
         if (!root.tag().equals("scene")) {
             throw ImportFailure.at(
                     file, 1, "is no scene of Mitsuba: its root is " + Plain.quoted(root.tag()) + ", not \"scene\"");
         }
         ImportDraft draft = new ImportDraft();
-        new MitsubaReader(new SceneIndex(root, file, draft, made), root.children()).addAll();
+        List<XmlElement> sensors =
+                root.children().stream().filter(e -> e.tag().equals("sensor")).toList();
+        int wanted = chosen(file, sensors, camera);
+        XmlElement sensor = sensors.isEmpty() ? null : sensors.get(wanted);
+        new MitsubaReader(new SceneIndex(root, file, draft, made), root.children(), sensor).addAll();
         return draft;
+    }
+
+    private static int chosen(Path file, List<XmlElement> sensors, CameraChoice camera) {
+        try {
+            return camera.index(sensors.stream().map(e -> e.attribute("id")).toList());
+        } catch (IOException e) {
+            throw ImportFailure.at(file, 0, e.getMessage());
+        }
     }
 
     private void addAll() throws IOException {
         Affine world = WorldMap.of(scene, elements);
         ShapeReader shapes = new ShapeReader(scene, world);
         EmitterReader emitters = new EmitterReader(scene, world);
-        boolean hasSensor = false;
         for (XmlElement e : elements) {
             switch (e.tag()) {
                 case "shape" -> shapes.add(e);
                 case "emitter" -> emitters.add(e);
                 case "integrator" -> integrator(e);
                 case "sensor" -> {
-                    if (hasSensor) {
-                        scene.note(e, "only the first sensor counts");
-                    } else {
+                    if (e == sensor) {
                         new SensorReader(scene, world).add(e);
+                    } else {
+                        scene.note(e, "one sensor counts: this one is left out");
                     }
-                    hasSensor = true;
                 }
                 case "bsdf", "texture", "alias", "path", "sampler", "film", "phase", "rfilter", "spectrum" -> {
                     // Counts where it is referred to, or not at all.

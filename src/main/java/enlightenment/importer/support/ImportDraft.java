@@ -148,8 +148,12 @@ public final class ImportDraft {
 
     /** Whether something shines: a light, a background, or an object. */
     public boolean isLit() {
-        return hasBackground
-                || !lights.isEmpty()
+        return hasBackground || hasLights();
+    }
+
+    /** Whether a light or an object shines. */
+    public boolean hasLights() {
+        return !lights.isEmpty()
                 || objects.stream().anyMatch(o -> !o.material().radiance().equals(Rgb.BLACK));
     }
 

@@ -15,7 +15,6 @@ import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /** A small glTF file in the making: numbers go into one buffer, all else is JSON by hand. */
 final class GltfFile {
@@ -164,6 +163,6 @@ final class GltfFile {
         Path file = folder.resolve("model.glb");
         Files.write(file, glb);
         Path extracted = folder.resolve("extracted" + System.nanoTime());
-        return SceneImporter.read(file, new ImportOptions(Optional.of(extracted), Optional.empty(), 0));
+        return SceneImporter.read(file, ImportOptions.DEFAULT.withExtracted(extracted));
     }
 }

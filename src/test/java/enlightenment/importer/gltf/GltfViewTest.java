@@ -1,12 +1,17 @@
 package enlightenment.importer.gltf;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.camera.FieldOfViewAxis;
 import enlightenment.camera.Handedness;
 import enlightenment.color.Rgb;
+import enlightenment.importer.ImportOptions;
 import enlightenment.importer.ImportedScene;
+import enlightenment.importer.SceneImporter;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
@@ -14,7 +19,9 @@ import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -30,6 +37,33 @@ class GltfViewTest {
         file.square("");
         file.add("nodes", "{'mesh':0}");
         return file;
+    }
+
+    @Test
+    void camerasAreChosenByNumberOrByTheNameOfCameraOrNode() throws IOException {
+        GltfFile file = square();
+        for (double angle : new double[] {0.5, 0.75, 1}) {
+            String name = angle == 0.75 ? ",'name':'Side'" : "";
+            file.add("cameras", "{'type':'perspective','perspective':{'yfov':" + angle + ",'znear':0.1}" + name + "}");
+        }
+        file.add("nodes", "{'camera':2,'name':'Top \\u0007'}");
+        file.add("nodes", "{'camera':1,'name':'elsewhere'}");
+        Path glb = folder.resolve("model.glb");
+        Files.write(glb, file.glb());
+        assertEquals(StrictMath.toDegrees(0.75), fieldOfView(glb, "1"), 1e-12);
+        assertEquals(StrictMath.toDegrees(0.75), fieldOfView(glb, "Side"), 1e-12);
+        assertEquals(StrictMath.toDegrees(1), fieldOfView(glb, "2"), 1e-12);
+        SceneException unknown = assertThrows(SceneException.class, () -> fieldOfView(glb, "elsewhere"));
+        assertTrue(unknown.getMessage().contains("its cameras are 0, 1 \"Side\", 2 \"Top"), unknown.getMessage());
+        assertFalse(unknown.getMessage().contains("\u0007"), "a control character of the file");
+        SceneException unused = assertThrows(SceneException.class, () -> fieldOfView(glb, "0"));
+        assertTrue(unused.getMessage().contains("hangs on no node"), unused.getMessage());
+    }
+
+    private static double fieldOfView(Path glb, String camera) throws IOException {
+        Scene scene = SceneImporter.read(glb, ImportOptions.DEFAULT.withCamera(camera))
+                .scene();
+        return ((Camera.Perspective) scene.camera()).fieldOfView();
     }
 
     /** The trap "fov axis": yfov is the angle of the picture's height, however wide it is. */

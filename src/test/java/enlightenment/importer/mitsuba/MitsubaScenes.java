@@ -1,5 +1,6 @@
 package enlightenment.importer.mitsuba;
 
+import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.material.Material;
@@ -25,7 +26,8 @@ record MitsubaScenes(Path folder) {
     }
 
     private ImportDraft read(Path file) throws IOException {
-        return MitsubaReader.read(file, new ExtractedFiles(Optional.of(folder.resolve("made"))));
+        return MitsubaReader.read(
+                file, new ExtractedFiles(Optional.of(folder.resolve("made"))), new CameraChoice(Optional.empty()));
     }
 
     /** The material of a sphere with this bsdf. */

@@ -9,9 +9,13 @@ import enlightenment.camera.Camera;
 import enlightenment.camera.Handedness;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Disk;
+import enlightenment.importer.Backdrop;
 import enlightenment.importer.ImportOptions;
+import enlightenment.importer.ImportOptions.Orbit;
+import enlightenment.importer.ImportOptions.Up;
 import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
+import enlightenment.light.Light;
 import enlightenment.material.Amount;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
@@ -20,6 +24,8 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
+import enlightenment.scene.Background;
+import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
@@ -29,7 +35,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
@@ -146,10 +151,114 @@ class ModelReaderTest {
 
     @Test
     void upIsWhatTheOptionsSay() throws IOException {
-        ImportOptions z = new ImportOptions(ImportOptions.DEFAULT.extracted(), Optional.of(ImportOptions.Up.Z), 0);
+        ImportOptions z = ImportOptions.DEFAULT.withUp(ImportOptions.Up.Z);
         Scene scene = SceneImporter.read(ply(TestMeshes.icosphere(1)), z).scene();
         assertEquals(Vec3.Z, ((Camera.Perspective) scene.camera()).up());
         assertEquals(Vec3.Z, ((Disk) scene.objects().get(1).shape()).normal());
+    }
+
+    /** The eye is where spherical coordinates say, whichever axis points upwards, and right is on the right. */
+    @Test
+    void theEyeStandsAtItsAzimuthAndElevation() throws IOException {
+        for (Up up : Up.values()) {
+            ImportOptions options = ImportOptions.DEFAULT.withUp(up).withOrbit(new Orbit(-120, 30));
+            Scene scene =
+                    SceneImporter.read(ply(TestMeshes.icosphere(1)), options).scene();
+            Camera.Perspective camera = (Camera.Perspective) scene.camera();
+            Vec3 away = camera.lookAt().directionTo(camera.eye()).normalized();
+            assertEquals(0.5, away.dot(up.axis()), 1e-12);
+            assertEquals(-0.75, away.dot(up.right()), 1e-12);
+            assertEquals(-StrictMath.sqrt(3) / 4, away.dot(up.front()), 1e-12);
+            assertEquals(0, up.front().minus(up.right().cross(up.axis())).length(), "right-handed");
+            assertEquals(Handedness.RIGHT, camera.handedness());
+            assertEquals(up.axis(), camera.up());
+            Disk ground = (Disk) scene.objects().get(1).shape();
+            assertEquals(up.axis(), ground.normal());
+            assertEquals(-1, ground.center().toVec3().dot(up.axis()), 1e-12, "below the ball of radius 1");
+        }
+    }
+
+    @Test
+    void aViewFromAboveHasTheFrontBelowAndOneFromBelowHasNoGround() throws IOException {
+        ImportOptions above = ImportOptions.DEFAULT.withOrbit(new Orbit(0, 90));
+        Camera.Perspective camera = (Camera.Perspective)
+                SceneImporter.read(ply(TestMeshes.icosphere(1)), above).scene().camera();
+        Vec3 away = camera.lookAt().directionTo(camera.eye()).normalized();
+        assertEquals(0, away.minus(Vec3.Y).length(), 1e-15);
+        assertEquals(0, camera.up().plus(Vec3.Z).length(), 1e-15, "the front, +z, is at the lower edge");
+        ImportOptions below = ImportOptions.DEFAULT.withOrbit(new Orbit(0, -10));
+        assertEquals(
+                1,
+                SceneImporter.read(ply(TestMeshes.icosphere(1)), below)
+                        .scene()
+                        .objects()
+                        .size());
+    }
+
+    @Test
+    void surroundingsAreWhatTheOptionsSay() throws IOException {
+        Path ball = ply(TestMeshes.icosphere(1));
+        Rgb blue = new Rgb(0.1, 0.2, 0.9);
+        Scene plain = SceneImporter.read(ball, ImportOptions.DEFAULT.withBackdrop(new Backdrop.Constant(blue)))
+                .scene();
+        assertEquals(new Background.Constant(blue), background(plain));
+        assertEquals(1, plain.lights().size(), "the lamp");
+        assertEquals(1, plain.objects().size(), "no ground");
+        Scene sky = SceneImporter.read(ball, ImportOptions.DEFAULT.withBackdrop(new Backdrop.Sky()))
+                .scene();
+        assertInstanceOf(Background.Sky.class, background(sky));
+        assertEquals(0, sky.lights().size(), "the sun is its light");
+        assertEquals(2, sky.objects().size(), "with a ground");
+        assertEquals(
+                SceneImporter.read(ball, ImportOptions.DEFAULT),
+                SceneImporter.read(ball, ImportOptions.DEFAULT.withBackdrop(new Backdrop.Studio())));
+        ImportOptions tilted = ImportOptions.DEFAULT.withUp(Up.X).withBackdrop(new Backdrop.Sky());
+        SceneException e = assertThrows(SceneException.class, () -> SceneImporter.read(ball, tilted));
+        assertTrue(e.getMessage().contains("y axis points upwards"), e.getMessage());
+    }
+
+    private static Background background(Scene scene) {
+        return ((PhysicalShading) scene.shading()).background();
+    }
+
+    @Test
+    void aBackgroundTakesThePlaceOfTheFilesAndLeavesItsLamps() throws IOException {
+        String text = "<scene version=\"3.0.0\"><emitter type=\"constant\"/>%s<shape type=\"sphere\"/></scene>";
+        ImportOptions black = ImportOptions.DEFAULT.withBackdrop(new Backdrop.Constant(Rgb.BLACK));
+        Path lamp = Files.writeString(folder.resolve("a.xml"), text.formatted("<emitter type=\"point\"/>"));
+        Scene lit = SceneImporter.read(lamp, black).scene();
+        assertEquals(Background.Constant.BLACK, background(lit));
+        assertInstanceOf(Light.Point.class, lit.lights().get(0));
+        assertEquals(1, lit.lights().size());
+        Path none = Files.writeString(folder.resolve("b.xml"), text.formatted(""));
+        assertInstanceOf(
+                Light.Rectangle.class,
+                SceneImporter.read(none, black).scene().lights().get(0),
+                "nothing would shine");
+    }
+
+    @Test
+    void sensorsOfMitsubaAreChosenByNumberOrId() throws IOException {
+        String sensor = "<sensor type=\"perspective\" id=\"%s\"><float name=\"fov\" value=\"%d\"/>"
+                + "<film type=\"hdrfilm\"><integer name=\"width\" value=\"%d\"/></film></sensor>";
+        Path file = Files.writeString(
+                folder.resolve("two.xml"),
+                "<scene version=\"3.0.0\">" + sensor.formatted("front", 40, 100) + sensor.formatted("side", 50, 200)
+                        + "<shape type=\"sphere\"/></scene>");
+        for (String name : List.of("1", "side")) {
+            assertEquals(
+                    200,
+                    SceneImporter.read(file, ImportOptions.DEFAULT.withCamera(name))
+                            .scene()
+                            .width());
+        }
+        assertEquals(
+                100, SceneImporter.read(file, ImportOptions.DEFAULT).scene().width());
+        SceneException e = assertThrows(
+                SceneException.class, () -> SceneImporter.read(file, ImportOptions.DEFAULT.withCamera("2")));
+        assertEquals(
+                file + ": has no camera \"2\"; its cameras are 0 \"front\", 1 \"side\"",
+                e.problems().get(0).toString());
     }
 
     @Test

@@ -22,7 +22,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -34,7 +33,7 @@ class PbrtLightTest {
     private ImportedScene read(String text) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(file, text);
-        return SceneImporter.read(file, new ImportOptions(Optional.of(folder.resolve("made")), Optional.empty(), 0));
+        return SceneImporter.read(file, ImportOptions.DEFAULT.withExtracted(folder.resolve("made")));
     }
 
     private Light light(String text) throws IOException {

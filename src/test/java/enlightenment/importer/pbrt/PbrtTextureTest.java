@@ -15,7 +15,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -27,7 +26,7 @@ class PbrtTextureTest {
     private ImportedScene read(String text) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(file, text);
-        return SceneImporter.read(file, new ImportOptions(Optional.of(folder.resolve("made")), Optional.empty(), 0));
+        return SceneImporter.read(file, ImportOptions.DEFAULT.withExtracted(folder.resolve("made")));
     }
 
     private static final double STEP = 1.0 / 65535;

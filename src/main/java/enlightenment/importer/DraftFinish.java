@@ -1,0 +1,88 @@
+package enlightenment.importer;
+
+import enlightenment.camera.Camera;
+import enlightenment.importer.support.ImportDraft;
+import enlightenment.math.InvalidValueException;
+import enlightenment.scene.Background;
+import enlightenment.scene.Display;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneBuilder;
+import java.util.Optional;
+
+/** Makes a scene of a draft: adds the view and the light that the file lacks, or that the options replace. */
+final class DraftFinish {
+    private final ImportDraft draft;
+    private final ImportOptions options;
+    private final ImportOptions.Up up;
+
+    DraftFinish(ImportDraft draft, ImportOptions options) {
+        this.draft = draft;
+        this.options = options;
+        up = options.up().orElse(draft.isUpZ() ? ImportOptions.Up.Z : ImportOptions.Up.Y);
+    }
+
+    /**
+     * The scene.
+     *
+     * @throws InvalidValueException if the file shows nothing, or an option has no meaning for it
+     */
+    Scene scene(String name) {
+        if (draft.objects().isEmpty()) {
+            throw new InvalidValueException("objects", "there is nothing to be seen in the file");
+        }
+        int width = draft.width() == 0 ? Studio.WIDTH : draft.width();
+        int height = draft.height() == 0 ? Studio.HEIGHT : draft.height();
+        ImportOptions.Orbit orbit = options.orbit().orElse(ImportOptions.Orbit.USUAL);
+        Studio studio = new Studio(draft.objects(), up, orbit, (double) width / height);
+        Optional<Camera> own = options.orbit().isPresent() ? Optional.empty() : draft.camera();
+        Camera camera = own.orElseGet(studio::camera);
+        boolean isModel = own.isEmpty() && !draft.isLit();
+        if (options.up().isPresent() && own.isPresent() && draft.isLit()) {
+            draft.notes().add("", "the axis upwards has no influence: the file has a camera and light");
+        }
+        addLight(studio, isModel);
+        SceneBuilder scene = Scene.builder()
+                .name(name)
+                .size(width, height)
+                .camera(camera)
+                .shading(new PhysicalShading(draft.maxBounces(), draft.background(), Optional.empty()))
+                .display(new Display(draft.exposure(), Display.DEFAULT.tone()));
+        draft.materials().forEach(scene::material);
+        draft.lights().forEach(scene::light);
+        draft.objects().forEach(scene::object);
+        draft.animation().ifPresent(scene::animation);
+        return scene.build();
+    }
+
+    /** Surroundings as chosen, or the studio's where nothing shines; the lamp where no light is left; a ground below a mere model. */
+    private void addLight(Studio studio, boolean isModel) {
+        boolean wasLit = draft.isLit();
+        if (options.backdrop().isPresent() || !wasLit) {
+            draft.background(background(options.backdrop().orElse(new Backdrop.Studio()), studio));
+        }
+        boolean isSky = draft.background() instanceof Background.Sky;
+        if (!draft.hasLights() && !isSky && (options.backdrop().isPresent() || !wasLit)) {
+            studio.addLamp(draft);
+        }
+        boolean isPlain = options.backdrop().isPresent() && options.backdrop().get() instanceof Backdrop.Constant;
+        if (isModel && !isPlain && studio.isSeenFromAbove()) {
+            studio.addGround(draft);
+        }
+        if (!wasLit && draft.leavesOutLights()) {
+            draft.notes().add("", "all lights of the file are left out: a soft light stands in for them");
+        }
+    }
+
+    private Background background(Backdrop backdrop, Studio studio) {
+        if (backdrop instanceof Backdrop.Constant constant) {
+            return new Background.Constant(constant.radiance());
+        } else if (backdrop instanceof Backdrop.Sky) {
+            if (up != ImportOptions.Up.Y) {
+                throw new InvalidValueException("background", "a sky stands above models whose y axis points upwards");
+            }
+            return studio.clearSky();
+        }
+        return Studio.sky();
+    }
+}

@@ -37,7 +37,7 @@ final class OptionGroups {
         RENDER.put(
                 "Output",
                 List.of("--format", "--depth", "--report", "--stats", "--aov", "--dump-clusters", "--dump-chains"));
-        RENDER.put("Files of other programs", List.of("--camera", "--view", "--up", "--background"));
+        RENDER.put("Files of other programs", List.of("--camera", "--view", "--up", "--background", "--fps"));
         RENDER.put("Watching", List.of("--serve", "--window", "--progress"));
         RENDER.put(
                 "Keeping",

@@ -15,16 +15,18 @@ import java.util.Optional;
  * @param camera the camera of the file: its number in the file's order, from 0, or its name, of which the first counts; empty for the first camera
  * @param orbit the view of the whole model from outside, in place of the file's camera; empty for the camera, and the usual view where there is none
  * @param backdrop the surroundings; empty for those of the file, and the studio's where nothing shines
+ * @param framesPerSecond how many frames a second of a file's animation has, greater than 0 and finite; 24 as a film
  */
 public record ImportOptions(
         Optional<Path> extracted,
         Optional<Up> up,
         Optional<String> camera,
         Optional<Orbit> orbit,
-        Optional<Backdrop> backdrop) {
+        Optional<Backdrop> backdrop,
+        double framesPerSecond) {
     /** The usual choices. */
-    public static final ImportOptions DEFAULT =
-            new ImportOptions(Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
+    public static final ImportOptions DEFAULT = new ImportOptions(
+            Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), 24);
 
     /** An axis that points upwards, with the front of a model that stands on it. */
     public enum Up {
@@ -76,8 +78,9 @@ public record ImportOptions(
         }
     }
 
-    /** Checks that nothing is missing. */
+    /** @throws enlightenment.math.InvalidValueException (key {@code framesPerSecond}) if it is not greater than 0 and finite */
     public ImportOptions {
+        Check.positive("framesPerSecond", framesPerSecond);
         Objects.requireNonNull(extracted, "extracted");
         Objects.requireNonNull(up, "up");
         Objects.requireNonNull(camera, "camera");
@@ -87,26 +90,31 @@ public record ImportOptions(
 
     /** These choices with a folder for pictures. */
     public ImportOptions withExtracted(Path folder) {
-        return new ImportOptions(Optional.of(folder), up, camera, orbit, backdrop);
+        return new ImportOptions(Optional.of(folder), up, camera, orbit, backdrop, framesPerSecond);
     }
 
     /** These choices with an axis upwards. */
     public ImportOptions withUp(Up value) {
-        return new ImportOptions(extracted, Optional.of(value), camera, orbit, backdrop);
+        return new ImportOptions(extracted, Optional.of(value), camera, orbit, backdrop, framesPerSecond);
     }
 
     /** These choices with a camera of the file, by its number or name. */
     public ImportOptions withCamera(String value) {
-        return new ImportOptions(extracted, up, Optional.of(value), orbit, backdrop);
+        return new ImportOptions(extracted, up, Optional.of(value), orbit, backdrop, framesPerSecond);
     }
 
     /** These choices with a view from outside. */
     public ImportOptions withOrbit(Orbit value) {
-        return new ImportOptions(extracted, up, camera, Optional.of(value), backdrop);
+        return new ImportOptions(extracted, up, camera, Optional.of(value), backdrop, framesPerSecond);
     }
 
     /** These choices with other surroundings. */
     public ImportOptions withBackdrop(Backdrop value) {
-        return new ImportOptions(extracted, up, camera, orbit, Optional.of(value));
+        return new ImportOptions(extracted, up, camera, orbit, Optional.of(value), framesPerSecond);
+    }
+
+    /** These choices with another number of frames in a second. */
+    public ImportOptions withFramesPerSecond(double value) {
+        return new ImportOptions(extracted, up, camera, orbit, backdrop, value);
     }
 }

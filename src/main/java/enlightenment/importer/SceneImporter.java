@@ -111,7 +111,9 @@ public final class SceneImporter {
 
     private static ImportDraft draft(Path file, Format format, ImportOptions options) throws IOException {
         return switch (format) {
-            case GLTF -> GltfReader.read(file, options.extracted(), new CameraChoice(options.camera()));
+            case GLTF ->
+                GltfReader.read(
+                        file, options.extracted(), new CameraChoice(options.camera()), options.framesPerSecond());
             case MITSUBA ->
                 MitsubaReader.read(file, new ExtractedFiles(options.extracted()), new CameraChoice(options.camera()));
             case PBRT -> withOneCamera(file, PbrtReader.read(file, new ExtractedFiles(options.extracted())), options);

@@ -51,6 +51,13 @@ public final class ForeignOptions {
             description = "file of another program: what surrounds it: ${COMPLETION-CANDIDATES} or #rrggbb")
     private Backdrop background;
 
+    @Option(
+            names = "--fps",
+            paramLabel = "N",
+            converter = Rate.class,
+            description = "file of another program: frames in a second of its animation")
+    private Double framesPerSecond;
+
     /** Options that were not given. */
     public ForeignOptions() {}
 
@@ -69,7 +76,8 @@ public final class ForeignOptions {
                 Optional.ofNullable(up),
                 Optional.ofNullable(camera),
                 Optional.ofNullable(view),
-                Optional.ofNullable(background));
+                Optional.ofNullable(background),
+                framesPerSecond == null ? usual.framesPerSecond() : framesPerSecond);
     }
 
     /** Fails if one is given for a file that is none of another program. */
@@ -96,7 +104,19 @@ public final class ForeignOptions {
         if (background != null) {
             given.add("--background");
         }
+        if (framesPerSecond != null) {
+            given.add("--fps");
+        }
         return given;
+    }
+
+    static final class Rate extends DecimalNumber {
+        private static final double MIN = 0.001;
+        private static final double MAX = 1000;
+
+        Rate() {
+            super(MIN, MAX);
+        }
     }
 
     static final class UpWords extends WordOption<Up> {

@@ -7,6 +7,7 @@ import enlightenment.importer.SceneImporter;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneFile;
+import enlightenment.scene.json.SceneFrames;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -29,6 +30,9 @@ public final class SceneInput {
 
     /** What it became, once it has been read. */
     private Scene imported;
+
+    /** Its frames, once one has been asked for. */
+    private SceneFrames importedFrames;
 
     public SceneInput(Path file, Terminal terminal) {
         this(file, new ForeignOptions(), terminal);
@@ -61,7 +65,7 @@ public final class SceneInput {
             return SceneReader.readBytes(bytes(), Path.of(""), StandardStreams.INPUT, at);
         }
         if (isForeign()) {
-            return imported();
+            return frame.isPresent() ? importedFrame(frame.get()) : imported();
         }
         return frame.isPresent() ? scenes.read(frame.get()) : scenes.read();
     }
@@ -81,6 +85,13 @@ public final class SceneInput {
             imported = result.scene();
         }
         return imported;
+    }
+
+    private Scene importedFrame(int frame) {
+        if (importedFrames == null) {
+            importedFrames = new SceneFrames(imported(), name());
+        }
+        return importedFrames.read(frame);
     }
 
     /** The same problems with their lines and columns, where they had none. */

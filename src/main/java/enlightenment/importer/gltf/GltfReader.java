@@ -1,6 +1,7 @@
 package enlightenment.importer.gltf;
 
 import enlightenment.geometry.Mesh;
+import enlightenment.geometry.Transform;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ExtractedFiles;
@@ -50,15 +51,23 @@ public final class GltfReader {
     private final MaterialSet materials;
     private final PunctualLights lights;
     private final CameraReader cameras;
+    private final NodeTracks tracks;
 
-    private GltfReader(GltfContainer file, InputFolder folder, ExtractedFiles extracted, CameraChoice camera)
+    private GltfReader(
+            GltfContainer file,
+            InputFolder folder,
+            ExtractedFiles extracted,
+            CameraChoice camera,
+            double framesPerSecond)
             throws IOException {
         document = file.document();
         requireReadable();
         GltfBuffers buffers = new GltfBuffers(file, folder);
         ImageStore images = new ImageStore(document, buffers, folder, extracted);
-        nodes = new NodeTree(document);
         accessors = new GltfAccessors(document, buffers);
+        NodeMotions motions = NodeMotions.read(document, accessors, framesPerSecond, draft.notes());
+        nodes = new NodeTree(document, motions);
+        tracks = new NodeTracks(nodes, motions, draft.notes());
         primitives = new PrimitiveReader(accessors, buffers, draft.notes());
         materials = new MaterialSet(document, new GltfTextures(document, images, draft.notes()), draft);
         lights = new PunctualLights(document, draft);
@@ -70,15 +79,19 @@ public final class GltfReader {
      *
      * @param extracted where pictures go that the file holds inside; empty for a temporary folder
      * @param camera the camera of the picture
+     * @param framesPerSecond of the file's animation
      * @throws enlightenment.scene.SceneException with the place in the file, for what is no such file, or needs what is not read here
      * @throws IOException if a file cannot be read or written
      */
-    public static ImportDraft read(Path file, Optional<Path> extracted, CameraChoice camera) throws IOException {
+    public static ImportDraft read(Path file, Optional<Path> extracted, CameraChoice camera, double framesPerSecond)
+            throws IOException {
         try {
             GltfContainer container = GltfContainer.read(file);
-            GltfReader reader = new GltfReader(container, new InputFolder(file), new ExtractedFiles(extracted), camera);
+            GltfReader reader = new GltfReader(
+                    container, new InputFolder(file), new ExtractedFiles(extracted), camera, framesPerSecond);
             reader.readNodes();
             reader.cameras.requireChosen();
+            reader.addAnimation();
             return reader.draft;
         } catch (FileSystemException e) {
             throw e;
@@ -106,8 +119,12 @@ public final class GltfReader {
             draft.notes().add("", "EXT_lights_image_based is left out");
             draft.leaveOutLight();
         }
-        if (document.size("animations") > 0) {
-            draft.notes().add("animations", "they are left out: nodes stand where they stand at rest");
+    }
+
+    private void addAnimation() throws IOException {
+        tracks.animation().ifPresent(draft::animation);
+        if (document.size("animations") > 0 && tracks.animation().isEmpty()) {
+            draft.notes().add("animations/0", "it moves nothing that is seen, and is left out");
         }
     }
 
@@ -117,14 +134,36 @@ public final class GltfReader {
             Affine toScene = nodes.toScene(index);
             cameras.look(node, toScene);
             lights.add(node, toScene);
+            noteStanding(index, node);
             int meshes = document.size("meshes");
             if (node.has("mesh")) {
                 GltfElement mesh =
                         document.item("meshes", node.index("mesh", meshes).orElseThrow());
-                readMesh(node, mesh, node.has("skin") ? skinned(node) : toScene);
+                readMesh(
+                        new Place(index, node, node.has("skin") ? Optional.of(skinned(node)) : Optional.empty()), mesh);
             }
         }
     }
+
+    /** Notes a camera or light that stands where it is in frame 0, though its node moves. */
+    private void noteStanding(int index, GltfElement node) throws IOException {
+        boolean isLight = node.extension(PunctualLights.EXTENSION).isPresent();
+        if ((node.has("camera") || isLight) && nodes.moves(index)) {
+            draft.notes()
+                    .add(
+                            node.place(),
+                            "the motion of its " + (isLight ? "light" : "camera")
+                                    + " is left out: it stands as in frame 0");
+        }
+    }
+
+    /**
+     * Where a mesh is.
+     *
+     * @param index the number of its node
+     * @param skin the map to the scene of a mesh that is bound to joints, which stands; empty for one that is where its node is
+     */
+    private record Place(int index, GltfElement node, Optional<Affine> skin) {}
 
     /**
      * The map of a mesh that is bound to joints, whose own node has no influence: that of its first joint. All joints have the same one as long
@@ -157,42 +196,47 @@ public final class GltfReader {
         }
     }
 
-    private void readMesh(GltfElement node, GltfElement mesh, Affine toScene) throws IOException {
-        String name = Plain.excerpt(node.text("name", mesh.text("name", "")));
-        GltfElement instancing = node.extension(INSTANCING);
+    private void readMesh(Place place, GltfElement mesh) throws IOException {
+        String name = Plain.excerpt(place.node.text("name", mesh.text("name", "")));
+        GltfElement instancing = place.node.extension(INSTANCING);
         for (GltfElement primitive : mesh.items("primitives")) {
             Optional<TriangleMesh> triangles = primitives.mesh(primitive, materials.frame(primitive));
             if (triangles.isEmpty()) {
                 continue;
             }
             if (instancing.isPresent()) {
-                readInstances(node, instancing.get("attributes"), name, primitive, triangles.get(), toScene);
+                readInstances(place, instancing.get("attributes"), name, primitive, triangles.get());
             } else {
-                place(node, name, primitive, triangles.get(), toScene);
+                place(place, name, primitive, triangles.get(), Affine.IDENTITY);
             }
         }
     }
 
-    private void place(GltfElement node, String name, GltfElement primitive, TriangleMesh triangles, Affine toScene)
+    /** @param inner the map from the coordinates of the mesh to those of its node */
+    private void place(Place place, String name, GltfElement primitive, TriangleMesh triangles, Affine inner)
             throws IOException {
         if (draft.objects().size() >= MOST_OBJECTS) {
-            throw node.failure("is one mesh too many: there are " + MOST_OBJECTS + " already");
+            throw place.node.failure("is one mesh too many: there are " + MOST_OBJECTS + " already");
         }
+        boolean moves = place.skin.isEmpty() && nodes.moves(place.index);
         try {
-            draft.object(name, Mesh.of(triangles, toScene.transform()), materials.material(primitive, triangles));
+            Transform transform = moves
+                    ? tracks.transform(place.index, inner)
+                    : place.skin.orElse(nodes.toScene(place.index)).after(inner).transform();
+            draft.object(name, Mesh.of(triangles, transform), materials.material(primitive, triangles));
         } catch (InvalidValueException e) {
-            draft.notes().add(node.place(), "its mesh is left out: it is scaled to nothing, or beyond all numbers");
+            draft.notes()
+                    .add(place.node.place(), "its mesh is left out: it is scaled to nothing, or beyond all numbers");
+            return;
+        }
+        if (moves) {
+            tracks.move(draft.objects().size() - 1, place.index, inner);
         }
     }
 
     /** The instances of EXT_mesh_gpu_instancing: each is scaled, turned and moved within its node. */
     private void readInstances(
-            GltfElement node,
-            GltfElement attributes,
-            String name,
-            GltfElement primitive,
-            TriangleMesh triangles,
-            Affine toScene)
+            Place node, GltfElement attributes, String name, GltfElement primitive, TriangleMesh triangles)
             throws IOException {
         int count = -1;
         for (String key : attributes.keys()) {
@@ -209,7 +253,7 @@ public final class GltfReader {
                     element(attributes, "TRANSLATION", "VEC3", i, 0, 0, 0),
                     element(attributes, "ROTATION", "VEC4", i, 0, 0, 0, 1),
                     element(attributes, "SCALE", "VEC3", i, 1, 1, 1));
-            place(node, name, primitive, triangles, toScene.after(placing.affine()));
+            place(node, name, primitive, triangles, placing.affine());
         }
     }
 

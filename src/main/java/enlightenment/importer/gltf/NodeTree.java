@@ -23,15 +23,22 @@ final class NodeTree {
     private final GltfElement document;
     private final int count;
     private final int[] parents;
+    private final NodeMotions motions;
+    private final Affine[] locals;
+    private final boolean[] moves;
     private final Affine[] toScene;
     private final List<Integer> order = new ArrayList<>();
 
-    NodeTree(GltfElement document) throws IOException {
+    /** The nodes at the time of frame 0. */
+    NodeTree(GltfElement document, NodeMotions motions) throws IOException {
         this.document = document;
+        this.motions = motions;
         count = document.size("nodes");
         parents = new int[count];
         Arrays.fill(parents, -1);
         toScene = new Affine[count];
+        locals = new Affine[count];
+        moves = new boolean[count];
         for (int root : roots()) {
             visit(root);
         }
@@ -49,6 +56,16 @@ final class NodeTree {
     /** The map from a node's coordinates to those of the scene; null for a node that is not in it. */
     Affine toScene(int node) {
         return toScene[node];
+    }
+
+    /** The map from a node's coordinates to those of its parent; null for a node that is not in the scene. */
+    Affine local(int node) {
+        return locals[node];
+    }
+
+    /** Whether a node, or one that it lies in, moves. */
+    boolean moves(int node) {
+        return moves[node];
     }
 
     /** The node that a node is a child of, or -1. */
@@ -87,7 +104,9 @@ final class NodeTree {
             if (toScene[index] != null) {
                 throw node.failure("is in the scene twice: a node has one parent, and no way leads from it to itself");
             }
-            Affine local = local(node);
+            Affine local = local(index, node);
+            locals[index] = local;
+            moves[index] = motions.of(index).isPresent() || parents[index] >= 0 && moves[parents[index]];
             toScene[index] = parents[index] < 0 ? local : toScene[parents[index]].after(local);
             order.add(index);
             int[] children = node.indices("children", count);
@@ -100,7 +119,10 @@ final class NodeTree {
         }
     }
 
-    private static Affine local(GltfElement node) throws IOException {
+    private Affine local(int index, GltfElement node) throws IOException {
+        if (motions.of(index).isPresent()) {
+            return motions.of(index).get().at(0).affine();
+        }
         if (!node.has("matrix")) {
             return placing(node).affine();
         }

@@ -11,7 +11,7 @@ import java.io.IOException;
 
 /** The lights of KHR_lights_punctual. Candela and lux are taken for our numbers of intensity and irradiance. */
 final class PunctualLights {
-    private static final String EXTENSION = "KHR_lights_punctual";
+    static final String EXTENSION = "KHR_lights_punctual";
 
     private final GltfElement document;
     private final ImportDraft draft;

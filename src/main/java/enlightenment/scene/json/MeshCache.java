@@ -11,4 +11,7 @@ import java.util.Map;
 final class MeshCache {
     final Map<String, List<MeshPart>> parts = new HashMap<>();
     final Map<MeshOrigin, TriangleMesh> meshes = new HashMap<>();
+
+    /** Meshes of scenes made in code, by the names that stand in place of files. */
+    final Map<String, LoadedMesh> named = new HashMap<>();
 }

@@ -68,6 +68,9 @@ final class Meshes {
 
     private static LoadedMesh load(Fields f) {
         String written = f.text("file", "the path of a file: PLY, OBJ, STL or .serialized");
+        if (written != null && f.values().library().files.named.containsKey(written)) {
+            return f.values().library().files.named.get(written);
+        }
         String part = f.text("part", "the name of a material, or the number of a shape");
         MeshOrigin.Normals normals = f.word("normals", MeshOrigin.Normals.FILE);
         double crease = f.number("crease", 180);

@@ -163,12 +163,13 @@ public final class SceneReader {
                 .orElse(e);
     }
 
-    private static String remark(OptionalInt frame) {
+    /** What problems of a frame say behind their messages. */
+    static String remark(OptionalInt frame) {
         return frame.isPresent() ? " (in frame " + frame.getAsInt() + ")" : "";
     }
 
-    private static Scene read(
-            JsonTree.Source source, Path folder, Problems problems, OptionalInt frame, MeshCache files) {
+    /** @param files meshes that have been read; has those of this scene from now on */
+    static Scene read(JsonTree.Source source, Path folder, Problems problems, OptionalInt frame, MeshCache files) {
         Scene scene = new SceneBinder(problems, folder, null, files).read(source, frame);
         problems.throwIfAny();
         boolean isBlurred =

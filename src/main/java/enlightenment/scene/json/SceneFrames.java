@@ -3,6 +3,7 @@ package enlightenment.scene.json;
 import enlightenment.geometry.Mesh;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import java.io.StringReader;
 import java.nio.file.Path;
@@ -56,6 +57,13 @@ public final class SceneFrames {
      */
     public synchronized Scene read(int frame) {
         Problems problems = new Problems(name, SceneReader.remark(OptionalInt.of(frame)));
-        return SceneReader.read(() -> new StringReader(json), Path.of(""), problems, OptionalInt.of(frame), meshes);
+        try {
+            return SceneReader.read(() -> new StringReader(json), Path.of(""), problems, OptionalInt.of(frame), meshes);
+        } catch (SceneException e) {
+            // Lines of a text that is in no file would lead nowhere.
+            throw new SceneException(e.problems().stream()
+                    .map(p -> new SceneException.Problem(p.file(), 0, 0, p.pointer(), p.message()))
+                    .toList());
+        }
     }
 }

@@ -363,5 +363,10 @@ class GltfAnimationTest {
         }
         assertTrue(Files.mismatch(folder.resolve("a-0.png"), folder.resolve("a-3.png")) >= 0, "it moves");
         assertTrue(Files.notExists(folder.resolve("a-4.png")));
+        CliRun none = CliRun.of("render", glb, "-o", folder.resolve("c.png"), "--fps", "4", "--frame", "4");
+        assertEquals(2, none.code());
+        assertEquals(
+                glb + ": /animation: there is no frame 4; the frames are 0..3 (in frame 4)",
+                none.err().strip());
     }
 }

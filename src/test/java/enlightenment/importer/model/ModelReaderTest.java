@@ -1,5 +1,6 @@
 package enlightenment.importer.model;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -24,8 +25,11 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
+import enlightenment.render.Renderer;
 import enlightenment.scene.Background;
+import enlightenment.scene.Budget;
 import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
@@ -155,6 +159,55 @@ class ModelReaderTest {
         Scene scene = SceneImporter.read(ply(TestMeshes.icosphere(1)), z).scene();
         assertEquals(Vec3.Z, ((Camera.Perspective) scene.camera()).up());
         assertEquals(Vec3.Z, ((Disk) scene.objects().get(1).shape()).normal());
+    }
+
+    /** Units do not count: pictures of a model in metres and in other powers of two of them are the same bytes. */
+    @Test
+    void theStudioExposesModelsOfAllSizesAlike() throws IOException {
+        float[] picture = null;
+        for (double factor : new double[] {1, 1024, 1.0 / 1024}) {
+            TriangleMesh mesh = TestMeshes.times(TestMeshes.icosphere(1), factor);
+            Scene scene = SceneImporter.read(ply(mesh), ImportOptions.DEFAULT).scene();
+            RenderSettings small = RenderSettings.of(scene).withSize(24, 18).withBudget(Budget.NONE.withSamples(8));
+            float[] now = Renderer.render(scene, small).toArray();
+            if (picture != null) {
+                assertArrayEquals(picture, now, "times " + factor);
+            }
+            picture = now;
+        }
+    }
+
+    /**
+     * The radiance of a white diffuser in the middle of the model, by the sky and a sum over the lamp: facing upwards it is a little less than 1, which
+     * is shown as white.
+     */
+    @Test
+    void theStudioShowsWhiteThatFacesUpwardsAsNearlyWhite() throws IOException {
+        for (double factor : new double[] {1e-3, 1, 1e3}) {
+            TriangleMesh mesh = TestMeshes.times(TestMeshes.icosphere(2), factor);
+            Scene scene = SceneImporter.read(ply(mesh), ImportOptions.DEFAULT).scene();
+            assertEquals(0, scene.display().exposure());
+            Light.Rectangle lamp = (Light.Rectangle) scene.lights().get(0);
+            Rgb sky = ((Background.Constant) background(scene)).radiance();
+            double shown = sky.g() + lamp.emission().value().g() * irradianceOfOne(lamp) / StrictMath.PI;
+            assertEquals(0.94, shown, 0.01, "times " + factor);
+        }
+    }
+
+    /** The irradiance, upwards at the origin, of a rectangle of radiance 1. */
+    private static double irradianceOfOne(Light.Rectangle lamp) {
+        Vec3 corner = lamp.lowerLeft().toVec3();
+        Vec3 a = lamp.lowerRight().toVec3().minus(corner);
+        Vec3 b = lamp.upperLeft().toVec3().minus(corner);
+        Vec3 area = a.cross(b);
+        double sum = 0;
+        int n = 64;
+        for (int i = 0; i < n * n; i++) {
+            Vec3 p = corner.plus(a.times((i % n + 0.5) / n)).plus(b.times((i / n + 0.5) / n));
+            double square = p.lengthSquared();
+            sum += p.y() * Math.abs(p.dot(area)) / (square * square) / (n * n);
+        }
+        return sum;
     }
 
     /** The eye is where spherical coordinates say, whichever axis points upwards, and right is on the right. */

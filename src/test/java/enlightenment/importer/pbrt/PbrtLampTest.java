@@ -25,7 +25,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,7 +44,7 @@ class PbrtLampTest {
                 file,
                 "WorldBegin\nMaterial \"diffuse\" \"rgb reflectance\" [.25 .25 .25] AreaLightSource \"diffuse\" "
                         + light + " " + shape);
-        return SceneImporter.read(file, new ImportOptions(Optional.of(folder.resolve("made")), Optional.empty(), 0));
+        return SceneImporter.read(file, ImportOptions.DEFAULT.withExtracted(folder.resolve("made")));
     }
 
     private SceneObject object(String light, String shape) throws IOException {

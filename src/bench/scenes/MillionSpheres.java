@@ -1,23 +1,30 @@
 import java.io.PrintStream;
 import java.util.Random;
 
-/** Writes a scene of N spheres over a floor: java src/bench/scenes/MillionSpheres.java 1000000 > million.json */
+/**
+ * Writes a scene of N spheres over a floor: java src/bench/scenes/MillionSpheres.java 1000000 > million.json; with physical light and a sky by
+ * java src/bench/scenes/MillionSpheres.java 1000000 physical > million.json
+ */
 public final class MillionSpheres {
     private MillionSpheres() {}
 
     public static void main(String[] arguments) {
         int n = Integer.parseInt(arguments[0]);
+        boolean physical = arguments.length > 1 && arguments[1].equals("physical");
         Random random = new Random(1);
         PrintStream out = new PrintStream(new java.io.BufferedOutputStream(System.out, 1 << 20), false);
         out.println("{ \"name\": \"Many spheres\", \"image\": { \"width\": 800, \"height\": 450 },");
         out.println("  \"camera\": { \"type\": \"perspective\", \"eye\": [0, 40, -90], \"lookAt\": [0, 8, 0],"
                 + " \"up\": [0, 1, 0], \"fieldOfView\": 40 },");
-        out.println("  \"shading\": { \"model\": \"classic\", \"background\": \"#a9bfd4\" },");
+        out.println(
+                physical
+                        ? "  \"shading\": { \"model\": \"physical\", \"background\": \"#a9bfd4\" },"
+                        : "  \"shading\": { \"model\": \"classic\", \"background\": \"#a9bfd4\" },");
         out.println("  \"materials\": { \"a\": { \"type\": \"matte\", \"color\": \"#d8a03c\" },"
                 + " \"b\": { \"type\": \"matte\", \"color\": \"#3c78d8\" },"
                 + " \"c\": { \"type\": \"matte\", \"color\": \"#e0e0d8\" } },");
-        out.println(
-                "  \"lights\": [ { \"type\": \"sphere\", \"center\": [60, 120, -80], \"radius\": 8, \"color\": \"#ffffff\" } ],");
+        out.println("  \"lights\": [ { \"type\": \"sphere\", \"center\": [60, 120, -80], \"radius\": 8, "
+                + "\"color\": \"#ffffff\"" + (physical ? ", \"radiance\": [150, 150, 150]" : "") + " } ],");
         out.println("  \"objects\": [");
         out.println("    { \"type\": \"rectangle\", \"material\": \"c\", \"corners\": [[-200, 0, -200], [-200, 0, 200],"
                 + " [200, 0, 200], [200, 0, -200]] }");

@@ -28,7 +28,7 @@ public final class LightSampler {
         indices = canonicalOrder(entries);
         places = new int[count];
         weights = new LightWeights(count);
-        List<LightNode> leaves = new ArrayList<>();
+        LightNode[] leaves = new LightNode[count];
         for (int place = 0; place < count; place++) {
             places[indices[place]] = place;
             Entry e = entries.get(indices[place]);
@@ -37,9 +37,9 @@ public final class LightSampler {
             } else {
                 weights.set(place, e.light, e.strength);
             }
-            leaves.add(weights.leaf(place));
+            leaves[place] = weights.leaf(place);
         }
-        tree = count > FEW ? new LightTree(LightNode.tree(leaves, 0, poll), count, weights) : null;
+        tree = count > FEW ? new LightTree(LightTreeBuilder.build(leaves, poll), count, weights) : null;
     }
 
     /** The number of lights. */

@@ -10,11 +10,16 @@ import enlightenment.math.Vec3;
 record NormalCone(Vec3 axis, double angle) {
     static final NormalCone ALL = new NormalCone(Vec3.Y, Math.PI);
 
+    private static final double MEASURE_OF_ALL = new NormalCone(ALL.axis, ALL.angle).measure();
+
     /** More than what an angle between unit vectors is off by. */
     static final double SLACK = 0x1p-24;
 
     /** A cone around both, as small as they allow. */
     NormalCone union(NormalCone o) {
+        if (this == ALL && o == ALL) {
+            return ALL;
+        }
         double between = StrictMath.acos(Math.min(Math.max(axis.dot(o.axis), -1), 1));
         if (between + o.angle <= angle) {
             return this;
@@ -34,6 +39,10 @@ record NormalCone(Vec3 axis, double angle) {
 
     /** The measure of directions into which something with these normals shines, weighted by the cosine: Conty and Kulla, section 4.3. */
     double measure() {
+        // Most lights shine to all sides, and a tree of many asks often.
+        if (this == ALL) {
+            return MEASURE_OF_ALL;
+        }
         double w = Math.min(angle + 0.5 * Math.PI, Math.PI);
         double sin = StrictMath.sin(angle);
         double cos = StrictMath.cos(angle);

@@ -285,14 +285,23 @@ final class Values {
 
     /** 0xrrggbb of {@code "#rrggbb"}, {@code "#rgb"} (each digit twice) or a colour's name; -1 for anything else. */
     private static int named(String text) {
-        if (text.matches("#[0-9a-fA-F]{6}")) {
-            return Integer.parseInt(text.substring(1), 16);
-        }
-        if (text.matches("#[0-9a-fA-F]{3}")) {
-            int digits = Integer.parseInt(text.substring(1), 16);
-            return 0x11 * ((digits >> 8) << 16 | (digits >> 4 & 15) << 8 | digits & 15);
+        int digits = text.length() == 7 || text.length() == 4 ? hexadecimal(text) : -1;
+        if (digits >= 0) {
+            return text.length() == 7 ? digits : 0x11 * ((digits >> 8) << 16 | (digits >> 4 & 15) << 8 | digits & 15);
         }
         return ColorNames.ALL.getOrDefault(text, -1);
+    }
+
+    /** The number that hexadecimal digits behind a {@code #} are; -1 for anything else. A loop: there may be a colour for each of many lights. */
+    private static int hexadecimal(String text) {
+        int value = text.charAt(0) == '#' ? 0 : -1;
+        for (int i = 1; i < text.length() && value >= 0; i++) {
+            char c = text.charAt(i);
+            // Digits of other scripts are none.
+            int digit = c < 128 ? Character.digit(c, 16) : -1;
+            value = digit < 0 ? -1 : 16 * value + digit;
+        }
+        return value;
     }
 
     private double component(JsonValue.Arr a, int i, JsonPointer place) {

@@ -1,7 +1,5 @@
 package enlightenment.world.light;
 
-import java.util.Arrays;
-
 /** Where the eye sees a light, with nothing in between: a convex polygon around it, in pixels from the picture's upper left corner. Immutable. */
 public final class LightImage {
     /** The light's index. */
@@ -22,7 +20,7 @@ public final class LightImage {
     /**
      * @param light the light's index
      * @param from the light
-     * @param x the corners, in order, with the inside to the left of each side where x points to the right and y upwards
+     * @param x the corners, at least one, in order, with the inside to the left of each side where x points to the right and y upwards
      * @param y as many
      */
     public LightImage(int light, PhysicalLight from, double[] x, double[] y) {
@@ -30,10 +28,20 @@ public final class LightImage {
         this.x = x;
         this.y = y;
         brightness = brightness(from);
-        left = Arrays.stream(x).min().orElseThrow();
-        right = Arrays.stream(x).max().orElseThrow();
-        top = Arrays.stream(y).min().orElseThrow();
-        bottom = Arrays.stream(y).max().orElseThrow();
+        double x0 = x[0];
+        double x1 = x[0];
+        double y0 = y[0];
+        double y1 = y[0];
+        for (int k = 1; k < x.length; k++) {
+            x0 = Math.min(x0, x[k]);
+            x1 = Math.max(x1, x[k]);
+            y0 = Math.min(y0, y[k]);
+            y1 = Math.max(y1, y[k]);
+        }
+        left = x0;
+        right = x1;
+        top = y0;
+        bottom = y1;
     }
 
     /** A light's radiance in the band that it is brightest in. */

@@ -9,7 +9,6 @@ import enlightenment.primitive.SupportSurface;
 import enlightenment.world.camera.CompiledCamera;
 import enlightenment.world.camera.EyeProjection;
 import java.util.Arrays;
-import java.util.Comparator;
 
 /**
  * The outlines of lights in the picture: convex polygons that touch what bounds the light from outside.
@@ -157,7 +156,7 @@ final class LightOutline {
     /** Sets the convex polygon around the points: A. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979. */
     private boolean wrap() {
         double[][] sorted = Arrays.copyOf(points, size);
-        Arrays.sort(sorted, Comparator.<double[]>comparingDouble(p -> p[0]).thenComparingDouble(p -> p[1]));
+        Arrays.sort(sorted, LightOutline::compare);
         double[][] hull = new double[2 * size][];
         int n = 0;
         for (int k = 0; k < size; k++) {
@@ -174,6 +173,12 @@ final class LightOutline {
             y[k] = hull[k][1];
         }
         return n > 3;
+    }
+
+    /** From left to right, then by y. */
+    private static int compare(double[] a, double[] b) {
+        int byX = Double.compare(a[0], b[0]);
+        return byX != 0 ? byX : Double.compare(a[1], b[1]);
     }
 
     private static int push(double[][] hull, int from, int least, double[] p) {

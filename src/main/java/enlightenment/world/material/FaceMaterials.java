@@ -14,6 +14,9 @@ public final class FaceMaterials {
 
     private final SurfaceMaterial[] materials;
 
+    /** Each of them once: a million primitives are of a few. */
+    private final SurfaceMaterial[] distinct;
+
     /** @param byId for each of n primitives its one material, or one per face */
     public FaceMaterials(int n, IntFunction<List<SurfaceMaterial>> byId) {
         int[] starts = new int[n + 1];
@@ -28,12 +31,25 @@ public final class FaceMaterials {
         }
         first = starts[n] == n ? null : starts;
         materials = Arrays.copyOf(all, starts[n]);
+        distinct = distinct(materials);
     }
 
-    /** Each of the materials once. */
+    private static SurfaceMaterial[] distinct(SurfaceMaterial[] all) {
+        Set<SurfaceMaterial> found = new LinkedHashSet<>();
+        SurfaceMaterial last = null;
+        for (SurfaceMaterial m : all) {
+            if (m != last) {
+                found.add(m);
+                last = m;
+            }
+        }
+        return found.toArray(SurfaceMaterial[]::new);
+    }
+
+    /** Each of the materials once, in place of one with detail what it may be made of. */
     public List<SurfaceMaterial> distinct() {
         Set<SurfaceMaterial> all = new LinkedHashSet<>();
-        for (SurfaceMaterial m : materials) {
+        for (SurfaceMaterial m : distinct) {
             m.addTo(all);
         }
         return List.copyOf(all);
@@ -41,17 +57,17 @@ public final class FaceMaterials {
 
     /** Whether some surface has holes. */
     public boolean haveMasks() {
-        return Arrays.stream(materials).anyMatch(SurfaceMaterial::hasMask);
+        return Arrays.stream(distinct).anyMatch(SurfaceMaterial::hasMask);
     }
 
     /** Whether some surface depends on an image. */
     public boolean readImages() {
-        return Arrays.stream(materials).anyMatch(SurfaceMaterial::readsImages);
+        return Arrays.stream(distinct).anyMatch(SurfaceMaterial::readsImages);
     }
 
     /** Whether some surface is of such a material. */
     public boolean any(Predicate<SurfaceMaterial> such) {
-        return Arrays.stream(materials).anyMatch(m -> m.any(such));
+        return Arrays.stream(distinct).anyMatch(m -> m.any(such));
     }
 
     /** What fills a solid of glass: the material of the first of its faces that is of glass; face 0 of another one. */

@@ -23,7 +23,7 @@ import enlightenment.numeric.Scale;
  * @param ultraviolet the radiance of ultraviolet that it emits
  * @param reradiation what a dye in it does; null if there is none
  * @param medium what fills a solid of it if that scatters light; else null
- * @param look all this as a text that is equal for materials that look the same
+ * @param look all this as a text that is equal for materials that look the same; null for a light
  */
 public record PhysicalSurface(
         Bsdf bsdf,
@@ -84,8 +84,13 @@ public record PhysicalSurface(
 
     /** The surface of a light: black, and opaque. */
     public static PhysicalSurface light(Rgb radiance, double ultraviolet, boolean isTwoSided) {
-        String look = text(radiance, ultraviolet) + " " + isTwoSided;
-        return new PhysicalSurface(Lambert.INSTANCE, radiance, isTwoSided, Rgb.BLACK, 0, ultraviolet, null, null, look);
+        return new PhysicalSurface(Lambert.INSTANCE, radiance, isTwoSided, Rgb.BLACK, 0, ultraviolet, null, null, null);
+    }
+
+    /** That of a light is made when it is asked for: of thousands of lights hardly one is. */
+    @Override
+    public String look() {
+        return look == null ? text(glow, ultraviolet) + " " + glowsInside : look;
     }
 
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */

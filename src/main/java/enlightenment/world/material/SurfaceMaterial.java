@@ -83,8 +83,8 @@ public final class SurfaceMaterial {
 
     private final Material description;
 
-    /** What physical shading adds to the look of the material, as text. */
-    private final String look;
+    /** What physical shading adds to the material; null for classic shading. */
+    private final PhysicalSurface physical;
 
     private final TextureLookup texture;
 
@@ -140,7 +140,7 @@ public final class SurfaceMaterial {
         PhysicalSurface p = physical == null ? PhysicalSurface.NONE : physical;
         reradiation = p.reradiation();
         isBlack = detail == null && texture.isBlack() && reradiation == null && !bsdf.reflectsIfBlack();
-        look = physical == null ? "" : p.look() + " " + (radianceMap == null ? "" : radianceMap.look() + " ");
+        this.physical = physical;
         medium = p.medium();
         glowR = p.glow().r();
         glowG = p.glow().g();
@@ -252,12 +252,16 @@ public final class SurfaceMaterial {
         texture.color(u, v, wraps, rgb);
     }
 
+    private String physicalLook() {
+        return physical == null ? "" : physical.look() + " " + (radianceMap == null ? "" : radianceMap.look() + " ");
+    }
+
     /** A text that is equal for materials that look the same, on every machine and wherever their image files are. */
     public String appearance() {
         if (detail != null) {
             return (radianceMap == null ? "" : radianceMap.look() + " ") + description.type() + " " + detail.look();
         }
-        return look + description.type() + " " + texture.look() + " " + receivesShadows + " " + indexOfRefraction + " "
-                + transparency + " " + priority;
+        return physicalLook() + description.type() + " " + texture.look() + " " + receivesShadows + " "
+                + indexOfRefraction + " " + transparency + " " + priority;
     }
 }

@@ -13,7 +13,7 @@ final class LightTreeBuilder {
     /** Below this depth lights are halved by number, so that the tree cannot become a list. */
     private static final int DEEPEST = 48;
 
-    /** Cancellation is checked before so many lights are divided. */
+    /** Cancellation is checked before this number of lights, or more, are divided. */
     private static final int POLLED = 1024;
 
     private final LightNode[] leaves;

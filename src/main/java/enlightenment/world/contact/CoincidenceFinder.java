@@ -95,7 +95,7 @@ final class CoincidenceFinder {
         // Twice the tolerance: boxes' centres are rounded once more, a torus's size is the sum of two radii.
         // And once for the rounded ends of the intervals.
         new CloseGroups(
-                        id -> 3 * CoincidentSurfaces.tolerance(bounds(id), bounds(id)),
+                        this::margin,
                         this::pollPair,
                         this::sweep,
                         id -> bounds(id).center().x(),
@@ -103,6 +103,11 @@ final class CoincidenceFinder {
                         id -> bounds(id).center().z(),
                         id -> primitives[id].support(0).extent())
                 .part(ids);
+    }
+
+    private double margin(int id) {
+        Bounds box = bounds(id);
+        return 3 * CoincidentSurfaces.tolerance(box, box);
     }
 
     /** Along x. */

@@ -4,10 +4,45 @@ import java.util.Arrays;
 
 /** The order of many numbers, without an object for any of them. */
 public final class Ascending {
+    /** Bits of a digit by which keys are sorted: the counts of its values fit into the processor's nearest memory. */
+    private static final int BITS = 11;
+
+    private static final int RADIX = 1 << BITS;
+    private static final int DIGITS = (Long.SIZE + BITS - 1) / BITS;
+
     private Ascending() {}
 
     /** The indices of the numbers in ascending order, as {@link Double#compare} has it; equal ones keep theirs. */
     public static int[] order(double[] numbers) {
+        int n = numbers.length;
+        if (n < RADIX) {
+            return orderOfFew(numbers);
+        }
+        long[] keys = new long[n];
+        int[] order = new int[n];
+        int[][] counts = new int[DIGITS][RADIX];
+        for (int i = 0; i < n; i++) {
+            keys[i] = comparable(numbers[i]) ^ Long.MIN_VALUE;
+            order[i] = i;
+            for (int digit = 0; digit < DIGITS; digit++) {
+                counts[digit][digit(keys[i], digit)]++;
+            }
+        }
+        int[] other = new int[n];
+        for (int digit = 0; digit < DIGITS; digit++) {
+            // Where all have the same digit, it sorts nothing: most numbers of a scene share some.
+            if (counts[digit][digit(keys[0], digit)] < n) {
+                sort(keys, digit, counts[digit], order, other);
+                int[] sorted = other;
+                other = order;
+                order = sorted;
+            }
+        }
+        return order;
+    }
+
+    /** By searching each in the sorted numbers: counts of digits would take longer. */
+    private static int[] orderOfFew(double[] numbers) {
         long[] sorted = new long[numbers.length];
         for (int i = 0; i < sorted.length; i++) {
             sorted[i] = comparable(numbers[i]);
@@ -20,6 +55,24 @@ public final class Ascending {
             order[first + equals[first]++] = i;
         }
         return order;
+    }
+
+    /** One pass of a radix sort, from the least significant digit on: sorts by a digit, and what is equal in that keeps its order. */
+    private static void sort(long[] keys, int digit, int[] counts, int[] order, int[] sorted) {
+        int next = 0;
+        for (int d = 0; d < RADIX; d++) {
+            int count = counts[d];
+            counts[d] = next;
+            next += count;
+        }
+        for (int i : order) {
+            sorted[counts[digit(keys[i], digit)]++] = i;
+        }
+    }
+
+    /** From the least significant one on. */
+    private static int digit(long key, int digit) {
+        return (int) (key >>> digit * BITS) & RADIX - 1;
     }
 
     /** A whole number that compares with others as the double does. */

@@ -18,15 +18,19 @@ import picocli.CommandLine.Command;
 
 /**
  * {@code enlightenment setup}: makes the class-data archive that Java starts from. It holds the classes that commands load, parsed
- * and verified, so that they need not be read from the jar each time.
+ * and verified, so that they need not be read from the jar each time. For Java 25 and newer the launcher names an ahead-of-time
+ * cache (JEP 483, JEP 514), in which these classes are linked, too.
  */
 @Command(
         name = "setup",
         description = "Makes the archive of classes that lets commands start faster on this computer; "
-                + "with Java 21 or newer the first render makes one by itself.")
+                + "with Java 21 or newer the first render makes a simpler one by itself.")
 final class SetupCommand extends Subcommand {
     /** Where the launcher looks for the archive. */
     static final String ARCHIVE = "enlightenment.archive";
+
+    /** How the name of an ahead-of-time cache ends. */
+    private static final String CACHE_SUFFIX = ".aot";
 
     private static final double MEBI = 1 << 20;
 
@@ -44,8 +48,11 @@ final class SetupCommand extends Subcommand {
         Path archive = Path.of(place);
         Files.createDirectories(archive.toAbsolutePath().getParent());
         try (TemporaryFile temporary = TemporaryFile.in(archive.toAbsolutePath().getParent())) {
-            Path made = temporary.folder().resolve("archive.jsa");
-            train(made, temporary.folder());
+            Path made = temporary.folder().resolve("archive");
+            train(
+                    place.endsWith(CACHE_SUFFIX) ? "-XX:AOTCacheOutput=" : "-XX:ArchiveClassesAtExit=",
+                    made,
+                    temporary.folder());
             WholeFile.write(archive, out -> {
                 try (InputStream in = Files.newInputStream(made)) {
                     in.transferTo(out);
@@ -59,14 +66,15 @@ final class SetupCommand extends Subcommand {
         return ExitCode.DONE;
     }
 
-    /** Runs typical commands in a Java of their own, which writes what it has loaded when it ends. */
-    private static void train(Path archive, Path folder) throws IOException {
+    /** Runs typical commands in a Java of their own, which writes what it has loaded when it ends, by this option. */
+    private static void train(String option, Path archive, Path folder) throws IOException {
         Path java = Path.of(System.getProperty("java.home"), "bin", "java");
         Process training = new ProcessBuilder(List.of(
                         java.toString(),
-                        "-XX:ArchiveClassesAtExit=" + archive,
+                        option + archive,
                         // Before version 21 Java archives that a method waits for the compiler, and whoever
-                        // starts from that never compiles it (JDK-8306460). So nothing may wait.
+                        // starts from that never compiles it (JDK-8306460). So nothing may wait. From 25 on a cache
+                        // would hold profiles of methods (JEP 515), by which short renders compile more, not less.
                         "-Xint",
                         // What cannot be archived is nobody's business.
                         "-Xlog:disable",
@@ -82,9 +90,13 @@ final class SetupCommand extends Subcommand {
         int code = waitFor(training);
         if (code != 0 || !Files.exists(archive)) {
             throw CliException.failed("this Java makes no archive of classes (exit code " + code + ")"
-                    + (said.isBlank()
-                            ? ""
-                            : ": " + said.strip().lines().findFirst().orElse("")));
+                    + said.lines()
+                            .filter(line -> line.contains("[error]"))
+                            .findFirst()
+                            .or(() ->
+                                    said.lines().filter(line -> !line.isBlank()).findFirst())
+                            .map(line -> ": " + line.strip())
+                            .orElse(""));
         }
     }
 

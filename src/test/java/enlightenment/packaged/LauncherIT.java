@@ -201,7 +201,9 @@ class LauncherIT {
         Path archive = setUp();
         Path log = folder.resolve("classes.log");
         assertRenders("with.png", Map.of("ENLIGHTENMENT_OPTS", "-Xlog:class+load:file=" + log.getFileName()));
-        assertTrue(Files.readString(log).contains("shared objects file (top)"), "the archive is used");
+        assertTrue(
+                Files.readString(log).contains("enlightenment.cli.Main source: shared objects file"),
+                "the archive is used");
         Files.delete(archive);
         assertRenders("without.png", Map.of());
         assertEquals(-1, Files.mismatch(folder.resolve("with.png"), folder.resolve("without.png")));
@@ -258,10 +260,70 @@ class LauncherIT {
         assertFalse(seventeen.contains("-XX:+AutoCreateSharedArchive"), seventeen::toString);
     }
 
+    @Test
+    void fromJava25OnTheLauncherUsesACacheOfTheRightLengthAndMakesASimplerArchiveWithoutOne() throws Exception {
+        Map<String, String> java = showing("25.0.1");
+        List<String> first = launch(launcher, java, "render", "x").out().lines().toList();
+        assertTrue(first.contains("-XX:+AutoCreateSharedArchive"), first::toString);
+        String place = first.stream()
+                .filter(line -> line.startsWith("-Denlightenment.archive="))
+                .findFirst()
+                .orElseThrow();
+        Path archive = Path.of(place.substring(place.indexOf('=') + 1));
+        assertTrue(archive.toString().endsWith(".aot"), place);
+        Files.writeString(archive, "12345");
+        Path size = Files.writeString(Path.of(archive + ".size"), "5\n");
+        for (String command : List.of("render", "validate")) {
+            List<String> lines =
+                    launch(launcher, java, command, "x").out().lines().toList();
+            assertTrue(lines.contains("-XX:AOTCache=" + archive), lines::toString);
+            assertTrue(lines.stream().noneMatch(line -> line.contains("SharedArchive")), lines::toString);
+        }
+        Map<String, String> own = new HashMap<>(java);
+        own.put("JAVA_OPTS", "-Xshare:off");
+        assertFalse(launch(launcher, own, "render", "x").out().contains("-XX:AOTCache"));
+        Files.writeString(size, "6\n");
+        assertFalse(launch(launcher, java, "render", "x").out().contains("-XX:AOTCache"));
+    }
+
+    @Test
+    void aVariableForbidsRendersToMakeAnArchive() throws Exception {
+        Map<String, String> environment = new HashMap<>(showing("21.0.2"));
+        environment.put("ENLIGHTENMENT_NO_ARCHIVE", "1");
+        List<String> lines =
+                launch(launcher, environment, "render", "x").out().lines().toList();
+        assertFalse(lines.contains("-XX:+AutoCreateSharedArchive"), lines::toString);
+        assertFalse(Files.exists(cache), "no folder is made");
+    }
+
+    @Test
+    void rendersOfFewSamplesUseTheQuickCompiler() throws Exception {
+        assertTrue(isQuick("--size", "48x24", "--samples", "1"));
+        assertTrue(isQuick("--samples=4", "--size=200x200"));
+        assertTrue(isQuick("--size", "500x500", "--samples", "1"));
+        assertFalse(isQuick("--size", "500x500", "--samples", "2"));
+        assertFalse(isQuick("--size", "65536x65536", "--samples", "1"), "2^32 samples");
+        assertFalse(isQuick("--size", "48x24"), "the scene file may ask for any number");
+        assertFalse(isQuick("--samples", "1"));
+        assertFalse(isQuick("--size", "48x24", "--samples", "1", "--error", "0.01"));
+        assertFalse(isQuick("--size", "48", "--samples", "x"));
+    }
+
+    private boolean isQuick(String... options) throws Exception {
+        Packages.Run run = launch(
+                launcher,
+                showing("17.0.1"),
+                Stream.concat(Stream.of("render", "scene.json"), Stream.of(options))
+                        .toArray());
+        assertEquals(0, run.code(), run::toString);
+        assertEquals("", run.err());
+        return run.out().lines().anyMatch("-XX:TieredStopAtLevel=1"::equals);
+    }
+
     private static Path archive(Path cache) throws IOException {
         try (Stream<Path> files = Files.list(cache.resolve("enlightenment"))) {
             List<Path> all =
-                    files.filter(file -> file.toString().endsWith(".jsa")).toList();
+                    files.filter(file -> !file.toString().endsWith(".size")).toList();
             assertEquals(1, all.size(), all::toString);
             return all.get(0);
         }

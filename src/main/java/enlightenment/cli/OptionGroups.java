@@ -36,7 +36,15 @@ final class OptionGroups {
         RENDER.put("Method", List.of("--shadow-samples", "--proposal", "--large-steps", "--mutations"));
         RENDER.put(
                 "Output",
-                List.of("--format", "--depth", "--report", "--stats", "--aov", "--dump-clusters", "--dump-chains"));
+                List.of(
+                        "--format",
+                        "--depth",
+                        "--report",
+                        "--stats",
+                        "--aov",
+                        "--denoised",
+                        "--dump-clusters",
+                        "--dump-chains"));
         RENDER.put("Files of other programs", List.of("--camera", "--view", "--up", "--background", "--fps"));
         RENDER.put("Watching", List.of("--serve", "--window", "--progress"));
         RENDER.put(

@@ -104,6 +104,11 @@ final class MixedPicture extends PictureFilm {
     }
 
     @Override
+    public float[] quarterMeans() {
+        return sum().quarterMeans();
+    }
+
+    @Override
     public ErrorEstimate error() {
         return sum().error();
     }

@@ -127,6 +127,14 @@ public abstract class PictureFilm {
     /** How far the samples say that the pixels are from the truth. */
     public abstract ErrorEstimate error();
 
+    /**
+     * Means of four independent shares of each pixel's samples of linear light: red, green and blue of the first, then of the others, row by
+     * row; 12 numbers per pixel, the caller's own. A share without samples repeats another.
+     *
+     * @throws IllegalStateException if pixels are display-referred
+     */
+    public abstract float[] quarterMeans();
+
     /** Says whether the samples of pixels are differences from something known, by what there is now. */
     void samplesAreDifferences(boolean are) {}
 

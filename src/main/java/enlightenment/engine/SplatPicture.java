@@ -87,6 +87,11 @@ final class SplatPicture extends PictureFilm {
     }
 
     @Override
+    public float[] quarterMeans() {
+        return film.quarterMeans();
+    }
+
+    @Override
     public ErrorEstimate error() {
         return film.error();
     }

@@ -137,6 +137,11 @@ public final class TilePicture extends PictureFilm {
     }
 
     @Override
+    public float[] quarterMeans() {
+        return film.quarterMeans();
+    }
+
+    @Override
     public ErrorEstimate error() {
         return film.error();
     }

@@ -158,6 +158,19 @@ public final class Film {
         return rgb[3 * pixel(column, row) + c];
     }
 
+    /**
+     * A copy of the means of the quarters of each pixel's samples of linear light: red, green and blue of the first quarter, then of the
+     * others, row by row; 12 numbers per pixel. A quarter without samples repeats the one before it.
+     *
+     * @throws IllegalStateException if pixels are display-referred
+     */
+    public float[] quarterMeans() {
+        if (quarterMeans == null) {
+            throw new IllegalStateException("display-referred pixels have no quarters");
+        }
+        return quarterMeans.clone();
+    }
+
     /** The number of samples of the pixel in column and row of the whole picture; 0 if it is not finished. */
     public int count(int column, int row) {
         return counts[pixel(column, row)];

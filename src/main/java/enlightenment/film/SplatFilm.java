@@ -195,6 +195,22 @@ public final class SplatFilm {
         return units == 0 ? 0 : scale.value(units * picturePixels / n);
     }
 
+    /** The pictures of the four groups, as {@link Film#quarterMeans}; a group without paths has what all groups tell. */
+    public synchronized float[] quarterMeans() {
+        int pixels = width * height;
+        float[] means = new float[Math.multiplyExact(QuarterMeans.PER_PIXEL, pixels)];
+        long n = paths();
+        for (int pixel = 0; pixel < pixels && n > 0; pixel++) {
+            for (int i = 0; i < QuarterMeans.PER_PIXEL; i++) {
+                int group = i / 3;
+                int k = 3 * pixel + i % 3;
+                double mean = paths[group] > 0 ? inPicture(sums[group][k], paths[group]) : value(k, n);
+                means[QuarterMeans.PER_PIXEL * pixel + i] = (float) mean;
+            }
+        }
+        return means;
+    }
+
     /** The picture as it stands. */
     public synchronized Image toImage() {
         float[] pixels = new float[3 * width * height];

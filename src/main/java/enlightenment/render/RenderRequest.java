@@ -26,6 +26,7 @@ import java.util.function.BooleanSupplier;
  * @param chains whether to tell of the Markov chains
  * @param archives where the results of units of work are kept, and taken from; of this scene and these settings, as far as the budget is
  *     not concerned. They are not closed
+ * @param denoised whether to make a second picture without grain, {@link RenderResult#denoised}; physical shading only
  */
 public record RenderRequest(
         Scene scene,
@@ -36,7 +37,8 @@ public record RenderRequest(
         boolean progressive,
         boolean clusters,
         boolean chains,
-        List<ResultArchive> archives) {
+        List<ResultArchive> archives,
+        boolean denoised) {
 
     /**
      * Copies the set and the list; nothing may be null.
@@ -65,27 +67,31 @@ public record RenderRequest(
     /** Just the picture. */
     public static RenderRequest of(Scene scene, RenderSettings settings) {
         return new RenderRequest(
-                scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false, false, List.of());
+                scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false, false, List.of(), false);
     }
 
     /** The same request with other settings. */
     public RenderRequest withSettings(RenderSettings value) {
-        return new RenderRequest(scene, value, progress, cancelled, auxiliary, progressive, clusters, chains, archives);
+        return new RenderRequest(
+                scene, value, progress, cancelled, auxiliary, progressive, clusters, chains, archives, denoised);
     }
 
     /** The same request with another listener. */
     public RenderRequest withProgress(RenderProgress value) {
-        return new RenderRequest(scene, settings, value, cancelled, auxiliary, progressive, clusters, chains, archives);
+        return new RenderRequest(
+                scene, settings, value, cancelled, auxiliary, progressive, clusters, chains, archives, denoised);
     }
 
     /** The same request, ended by something else; it must be quick to answer. */
     public RenderRequest withCancelled(BooleanSupplier value) {
-        return new RenderRequest(scene, settings, progress, value, auxiliary, progressive, clusters, chains, archives);
+        return new RenderRequest(
+                scene, settings, progress, value, auxiliary, progressive, clusters, chains, archives, denoised);
     }
 
     /** The same request for other things beside the colours. */
     public RenderRequest withAuxiliary(Set<Auxiliary> value) {
-        return new RenderRequest(scene, settings, progress, cancelled, value, progressive, clusters, chains, archives);
+        return new RenderRequest(
+                scene, settings, progress, cancelled, value, progressive, clusters, chains, archives, denoised);
     }
 
     /** The same request for other things beside the colours. */
@@ -97,22 +103,41 @@ public record RenderRequest(
 
     /** The same request with or without the ray clusters. */
     public RenderRequest withClusters(boolean value) {
-        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, value, chains, archives);
+        return new RenderRequest(
+                scene, settings, progress, cancelled, auxiliary, progressive, value, chains, archives, denoised);
     }
 
     /** The same request with or without the Markov chains. */
     public RenderRequest withChains(boolean value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, progressive, clusters, value, archives);
+                scene, settings, progress, cancelled, auxiliary, progressive, clusters, value, archives, denoised);
     }
 
     /** The same request with or without coarse passes first. */
     public RenderRequest withProgressive(boolean value) {
-        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, value, clusters, chains, archives);
+        return new RenderRequest(
+                scene, settings, progress, cancelled, auxiliary, value, clusters, chains, archives, denoised);
     }
 
     /** The same request with other archives. */
     public RenderRequest withArchives(List<ResultArchive> value) {
-        return new RenderRequest(scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, value);
+        return new RenderRequest(
+                scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, value, denoised);
+    }
+
+    /** The same request with or without a second picture without grain. */
+    public RenderRequest withDenoised(boolean value) {
+        return new RenderRequest(
+                scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, archives, value);
+    }
+
+    /** What has to be found of each pixel beside its colour: what is asked for, and what grain is removed by. */
+    Set<Auxiliary> neededAuxiliary() {
+        EnumSet<Auxiliary> all = EnumSet.noneOf(Auxiliary.class);
+        all.addAll(auxiliary);
+        if (denoised) {
+            all.addAll(Denoising.GUIDES);
+        }
+        return all;
     }
 }

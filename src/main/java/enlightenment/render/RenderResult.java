@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
@@ -21,6 +22,7 @@ import java.util.OptionalDouble;
  * @param auxiliary what was asked for beside the colours, in raw numbers: {@link Auxiliary} tells what they mean
  * @param clusters the ray clusters in the order of their blocks, if they were asked for and the method has any
  * @param chains the Markov chains in the order of their blocks and groups, if they were asked for and the method has any
+ * @param denoised the picture without grain, if it was asked for and the picture is complete; its error is not known
  */
 public record RenderResult(
         Image image,
@@ -29,9 +31,10 @@ public record RenderResult(
         long shownPixels,
         Map<Auxiliary, Image> auxiliary,
         List<RayCluster> clusters,
-        List<PathChain> chains) {
+        List<PathChain> chains,
+        Optional<Image> denoised) {
 
-    /** A result without chains. */
+    /** A result without chains and without a second picture. */
     public RenderResult(
             Image image,
             RenderReport report,
@@ -39,7 +42,7 @@ public record RenderResult(
             long shownPixels,
             Map<Auxiliary, Image> auxiliary,
             List<RayCluster> clusters) {
-        this(image, report, complete, shownPixels, auxiliary, clusters, List.of());
+        this(image, report, complete, shownPixels, auxiliary, clusters, List.of(), Optional.empty());
     }
 
     public RenderResult {
@@ -61,6 +64,6 @@ public record RenderResult(
     /** The same result, to be kept in a file, with the root mean square of what its rounding changes. */
     public RenderResult withRounding(double rounding) {
         return new RenderResult(
-                image, report.withRounding(rounding), complete, shownPixels, auxiliary, clusters, chains);
+                image, report.withRounding(rounding), complete, shownPixels, auxiliary, clusters, chains, denoised);
     }
 }

@@ -11,6 +11,7 @@ import enlightenment.work.Phases;
 import enlightenment.work.Stopwatch;
 import enlightenment.world.CompiledScene;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 
@@ -132,15 +133,21 @@ final class RenderRounds {
             }
         }
         parts.addTo(image, auxiliary);
+        boolean isComplete = render.film().isComplete();
+        Optional<Image> denoised = request.denoised() && isComplete
+                ? phases.run("denoise", () -> Denoising.of(image, render.film(), auxiliary, request))
+                : Optional.empty();
+        auxiliary.keySet().retainAll(request.auxiliary());
         double rounding = Rounding.of(image, settings.budget().depth());
         RenderReport report = render.report(phases, rounding, round);
         return new RenderResult(
                 image,
                 report,
-                render.film().isComplete(),
+                isComplete,
                 render.shownPixels(),
                 auxiliary,
                 render.clusters(),
-                render.chains());
+                render.chains(),
+                denoised);
     }
 }

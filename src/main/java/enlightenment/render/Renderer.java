@@ -117,7 +117,8 @@ public final class Renderer {
         RenderSettings settings = request.settings();
         int images = (request.progressive() ? 1 : 0)
                 + (settings.method().kind() == Method.Kind.SPLATS ? PictureMemory.IMAGES_OF_SPLATS : 0)
-                + request.auxiliary().size()
+                + request.neededAuxiliary().size()
+                + (request.denoised() ? Denoising.IMAGES : 0)
                 // The picture that was not exact enough is kept until there is a better one.
                 + (settings.budget().error().isPresent() ? 1 : 0);
         PictureMemory.check(settings, images);
@@ -125,11 +126,14 @@ public final class Renderer {
         Phases phases = new Phases();
         CompiledScene scene =
                 phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings, files, cancelled));
-        AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.auxiliary());
-        if (request.auxiliary().stream().anyMatch(Auxiliary::needsRays)) {
+        if (request.denoised()) {
+            Denoising.check(scene);
+        }
+        AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.neededAuxiliary());
+        if (request.neededAuxiliary().stream().anyMatch(Auxiliary::needsRays)) {
             phases.run("auxiliary", () -> pass.run(cancelled));
         }
-        PathPartPass parts = new PathPartPass(scene, settings, request.auxiliary());
+        PathPartPass parts = new PathPartPass(scene, settings, request.neededAuxiliary());
         // Paths that may end anywhere show something of the whole picture from the first on.
         boolean previewed = request.progressive() && settings.method().kind() == Method.Kind.TILES;
         Planner planner = new Planner(scene, settings, cancelled);

@@ -47,7 +47,7 @@ public final class Phases {
     public void again() {
         phases.replaceAll(
                 p -> p.name().equals("render") ? new Timing("earlier render", p.wallSeconds(), p.cpuSeconds()) : p);
-        phases.removeIf(p -> p.name().equals("finish"));
+        phases.removeIf(p -> p.name().equals("finish") || p.name().equals("denoise"));
     }
 
     /** These phases, to which others can be added. */

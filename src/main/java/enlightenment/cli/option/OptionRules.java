@@ -12,7 +12,7 @@ import java.util.List;
  */
 public final class OptionRules {
     private static final String NO_PICTURE = "with --part there is no picture yet: --depth (but for --error), --format,"
-            + " --exposure, --report, --stats, --aov, --preview, --serve, --window, --dump-clusters and --dump-chains must not be given";
+            + " --exposure, --report, --stats, --aov, --denoised, --preview, --serve, --window, --dump-clusters and --dump-chains must not be given";
 
     private static final OptionRule STORE_LOGIN = needs(
             List.of("--store-user", "--store-password-file"),
@@ -57,6 +57,7 @@ public final class OptionRules {
                             "--report",
                             "--stats",
                             "--aov",
+                            "--denoised",
                             "--preview",
                             "--serve",
                             "--window",

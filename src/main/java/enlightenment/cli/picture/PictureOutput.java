@@ -142,6 +142,11 @@ public final class PictureOutput {
         return hasDepth() ? depth : format().depths().get(0);
     }
 
+    /** Bits per component of another picture beside this one: as many, if it has this format. */
+    int depthFor(ImageFormat other) {
+        return other == format() ? depth() : other.depths().get(0);
+    }
+
     /** Bits per component of what is written; 0 for floats. */
     public int writtenDepth() {
         return format().holdsFloats() ? 0 : depth();

@@ -15,6 +15,7 @@ import enlightenment.cli.option.OptionRules;
 import enlightenment.cli.option.Subcommand;
 import enlightenment.cli.picture.AovFiles;
 import enlightenment.cli.picture.AovSet;
+import enlightenment.cli.picture.DenoisedOutput;
 import enlightenment.cli.picture.LightNotes;
 import enlightenment.cli.picture.PictureOutput;
 import enlightenment.cli.picture.PictureText;
@@ -89,6 +90,9 @@ public final class RenderCommand extends Subcommand {
             completionCandidates = AovSet.Words.class,
             description = "write further files beside the picture: some of ${COMPLETION-CANDIDATES}, with commas")
     private AovSet aov = AovSet.EMPTY;
+
+    @Mixin
+    private DenoisedOutput denoised = new DenoisedOutput();
 
     @Option(
             names = "--dump-clusters",
@@ -170,12 +174,14 @@ public final class RenderCommand extends Subcommand {
         view.check(scene);
         samples.check(settings);
         aov.check(scene);
+        denoised.check(scene, settings);
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("-o", output.file());
         report.register(files);
         files.writes("--dump-clusters", clusters);
         files.writes("--dump-chains", chains);
         aovFiles.register(files);
+        denoised.register(files);
         keep.register(files);
         store.register(files);
         files.check();
@@ -270,6 +276,7 @@ public final class RenderCommand extends Subcommand {
         output.write(shown, texts, settings, output.holdsLayers() ? result.auxiliary() : Map.of(), terminal);
         progress.tellWritten(output.file(), terminal);
         aovFiles.write(result.auxiliary(), shown, output.pngOptions(texts));
+        denoised.write(result, shown, output, texts, settings);
         report.write(result, output, terminal);
         if (clusters != null) {
             ClusterFile.write(clusters, result, terminal);
@@ -297,6 +304,7 @@ public final class RenderCommand extends Subcommand {
                 .withProgress(watch.over(writer == null ? told : writer))
                 .withCancelled(terminal.stop())
                 .withAuxiliary(aov.kinds())
+                .withDenoised(denoised.isGiven())
                 .withClusters(clusters != null)
                 .withChains(chains != null)
                 .withArchives(archives)

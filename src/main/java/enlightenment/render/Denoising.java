@@ -1,0 +1,50 @@
+package enlightenment.render;
+
+import enlightenment.denoise.Denoiser;
+import enlightenment.denoise.NoisyPicture;
+import enlightenment.engine.PictureFilm;
+import enlightenment.image.Image;
+import enlightenment.math.InvalidValueException;
+import enlightenment.world.CompiledScene;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+
+/** The second picture of a render: the same without grain. */
+final class Denoising {
+    /** What it takes to know of each pixel. */
+    static final Set<Auxiliary> GUIDES = Set.of(Auxiliary.ALBEDO, Auxiliary.NORMAL, Auxiliary.POSITION);
+
+    /** Pictures of floats that it takes in memory. */
+    static final int IMAGES = 20;
+
+    private Denoising() {}
+
+    /** @throws InvalidValueException (key {@code denoised}) if pixels are display-referred */
+    static void check(CompiledScene scene) {
+        if (scene.physical == null) {
+            throw new InvalidValueException(
+                    "denoised",
+                    "removing grain is for physical shading: classic shading does not tell how it comes about");
+        }
+    }
+
+    /** The picture without grain; empty if it was cancelled. */
+    static Optional<Image> of(Image picture, PictureFilm film, Map<Auxiliary, Image> guides, RenderRequest request) {
+        NoisyPicture noisy = new NoisyPicture(
+                picture.width(),
+                picture.height(),
+                picture.toArray(),
+                film.quarterMeans(),
+                guides.get(Auxiliary.ALBEDO).toArray(),
+                guides.get(Auxiliary.NORMAL).toArray(),
+                guides.get(Auxiliary.POSITION).toArray());
+        try {
+            float[] rgb = Denoiser.denoise(noisy, request.settings().threads(), request.cancelled());
+            return Optional.of(new Image(picture.width(), picture.height(), rgb, picture.curve()));
+        } catch (CancellationException e) {
+            return Optional.empty();
+        }
+    }
+}

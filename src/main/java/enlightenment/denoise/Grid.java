@@ -68,4 +68,35 @@ record Grid(int width, int height, int margin) {
         }
         extend(plane);
     }
+
+    /**
+     * Half of each pixel and half of the mean over its square of 3 × 3 pixels without the two largest of them: what single pixels stand
+     * out by is not spread. The margin is extended before and after.
+     */
+    void calm(float[] plane) {
+        extend(plane);
+        float[] from = plane.clone();
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                int own = index(x, y);
+                plane[own] = 0.5f * (from[own] + meanOfLower(from, own));
+            }
+        }
+        extend(plane);
+    }
+
+    private float meanOfLower(float[] from, int own) {
+        float sum = 0;
+        float first = 0;
+        float second = 0;
+        for (int d = -stride(); d <= stride(); d += stride()) {
+            for (int i = own + d - 1; i <= own + d + 1; i++) {
+                float value = from[i];
+                sum += value;
+                second = Math.max(second, Math.min(first, value));
+                first = Math.max(first, value);
+            }
+        }
+        return Math.max(sum - first - second, 0) / 7;
+    }
 }

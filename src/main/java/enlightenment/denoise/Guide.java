@@ -13,6 +13,9 @@ final class Guide {
     /** Pixels that are so many times brighter than the mean are left as they are: their squares would overflow. */
     private static final double BRIGHTEST = 1e12;
 
+    /** How much more variance than a pixel and its calmer neighbours have others may bring. */
+    private static final float TOLERANCE = 8;
+
     /** Relative deviation that counts as rounding. */
     private static final float ROUNDING = 1f / (1 << 20);
 
@@ -31,6 +34,11 @@ final class Guide {
     final float[][] normal = new float[3][];
     final float[][] position = new float[3][];
 
+    /** The most variance, of all bands together, that a pixel lets others bring; and what another brings, as its reciprocal. */
+    final float[] tolerated;
+
+    final float[] precision;
+
     /** 1 where a pixel may be used, 0 outside of the picture and where light is no number. */
     final float[] mask;
 
@@ -39,6 +47,8 @@ final class Guide {
     Guide(NoisyPicture picture, int margin) {
         grid = new Grid(picture.width(), picture.height(), margin);
         mask = new float[grid.size()];
+        tolerated = new float[grid.size()];
+        precision = new float[grid.size()];
         mean = mean(picture.light());
         for (int c = 0; c < 3; c++) {
             light[c] = new float[grid.size()];
@@ -54,6 +64,7 @@ final class Guide {
             }
         }
         new Fireflies(this).limit();
+        limitNoise();
         for (int c = 0; c < 3; c++) {
             grid.extend(light[c]);
             grid.extend(difference[c]);
@@ -62,6 +73,19 @@ final class Guide {
             for (int i = 0; i < deviation[c].length; i++) {
                 deviation[c][i] = variance[c][i] + ROUNDING * light[c][i] * (ROUNDING * light[c][i]) + Float.MIN_NORMAL;
             }
+        }
+    }
+
+    /** Before the variance is smoothed: beside a lamp, a pixel without noise has nothing of the noise of the lamp's border. */
+    private void limitNoise() {
+        for (int i = 0; i < tolerated.length; i++) {
+            tolerated[i] = variance[0][i] + variance[1][i] + variance[2][i];
+            precision[i] = 1 / (tolerated[i] + Float.MIN_NORMAL);
+        }
+        grid.extend(precision);
+        grid.calm(tolerated);
+        for (int i = 0; i < tolerated.length; i++) {
+            tolerated[i] = TOLERANCE * (tolerated[i] + Float.MIN_NORMAL);
         }
     }
 

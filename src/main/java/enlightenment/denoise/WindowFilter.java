@@ -13,8 +13,11 @@ final class WindowFilter {
     /** Columns and rows on each side of a window. */
     static final int RADIUS = 7;
 
+    /** Within this distance from the middle a window has all pixels. */
+    private static final int DENSE = 2;
+
     /** Pixels on each side of a patch. */
-    static final int PATCH = 1;
+    static final int PATCH = 2;
 
     /** Margin that windows of patches need. */
     static final int MARGIN = RADIUS + PATCH;
@@ -23,7 +26,7 @@ final class WindowFilter {
     static final int ROWS = 16;
 
     /** How far light may differ, in squared standard deviations of its noise; from narrow to wide. */
-    static final float[] WIDTHS = {0.25f, 1f, 8f};
+    static final float[] WIDTHS = {0.5f, 2f, 16f};
 
     /** Squared difference of unit normals that weighs as much as one unit of distance. */
     private static final float NORMAL = 0.1f;
@@ -41,6 +44,7 @@ final class WindowFilter {
     /** Of the rows of this strip, with those that patches need. */
     private final float[] ratios;
 
+    private final float[] columns;
     private final float[] sums;
     private final float[] surfaces;
     private final float[] weights;
@@ -52,7 +56,8 @@ final class WindowFilter {
         this.out = out;
         grid = guide.grid;
         ratios = new float[grid.stride() * (ROWS + 2 * PATCH)];
-        sums = new float[ratios.length];
+        columns = new float[ratios.length];
+        sums = new float[grid.stride()];
         surfaces = new float[grid.stride()];
         weights = new float[grid.stride()];
         for (int k = 0; k < totals.length; k++) {
@@ -74,7 +79,9 @@ final class WindowFilter {
         }
         for (int dy = -RADIUS; dy <= RADIUS; dy++) {
             for (int dx = -RADIUS; dx <= RADIUS; dx++) {
-                add(top, rows, dy * grid.stride() + dx);
+                if (isInWindow(dx, dy)) {
+                    add(top, rows, dy * grid.stride() + dx);
+                }
             }
         }
         for (int y = 0; y < rows; y++) {
@@ -84,17 +91,24 @@ final class WindowFilter {
         }
     }
 
+    /** Windows are disks: in the middle all pixels, further off every second, as on a checkerboard. */
+    static boolean isInWindow(int dx, int dy) {
+        int squares = dx * dx + dy * dy;
+        return squares <= DENSE * DENSE || squares <= RADIUS * RADIUS + RADIUS && ((dx + dy) & 1) == 0;
+    }
+
     /** Adds the pixels at an offset of all pixels of a strip. */
     private void add(int top, int rows, int offset) {
         for (int y = -PATCH; y < rows + PATCH; y++) {
             compare(grid.index(-PATCH, top + y), offset, (y + PATCH) * grid.stride());
+            sumColumns((y + PATCH) * grid.stride());
         }
         for (int y = 0; y < rows; y++) {
             int first = grid.index(0, top + y);
-            sumPatches(y);
+            sumRows(y);
             compareSurfaces(first, offset);
             for (int k = 0; k < WIDTHS.length; k++) {
-                weigh(1 / WIDTHS[k], first + offset, totals[k], y * grid.stride());
+                weigh(1 / WIDTHS[k], first, offset, totals[k], y * grid.stride());
                 out[k].add(guide, first, offset, grid.width(), weights);
             }
         }
@@ -121,17 +135,27 @@ final class WindowFilter {
         }
     }
 
-    /** Sums the ratios of a row's patches. */
-    private void sumPatches(int y) {
+    /** Sums the ratios of a row within the columns of patches. */
+    private void sumColumns(int from) {
         int width = grid.width();
-        int stride = grid.stride();
-        Arrays.fill(sums, 0, width, 0);
-        for (int r = 0; r <= 2 * PATCH; r++) {
-            for (int q = 0; q <= 2 * PATCH; q++) {
-                int from = (y + r) * stride + q;
-                for (int i = 0; i < width; i++) {
-                    sums[i] += ratios[from + i];
-                }
+        float[] result = columns;
+        Arrays.fill(result, from, from + width, 0);
+        for (int q = 0; q <= 2 * PATCH; q++) {
+            for (int i = from; i < from + width; i++) {
+                result[i] += ratios[i + q];
+            }
+        }
+    }
+
+    /** Sums what rows have within the rows of patches. */
+    private void sumRows(int y) {
+        int width = grid.width();
+        float[] result = sums;
+        Arrays.fill(result, 0, width, 0);
+        for (int r = y; r <= y + 2 * PATCH; r++) {
+            int from = r * grid.stride();
+            for (int i = 0; i < width; i++) {
+                result[i] += columns[from + i];
             }
         }
     }
@@ -175,15 +199,19 @@ final class WindowFilter {
     }
 
     /** Makes weights of distances, and adds them up. */
-    private void weigh(float scale, int other, float[] total, int to) {
+    private void weigh(float scale, int first, int offset, float[] total, int to) {
         float[] w = weights;
         float[] s = sums;
         float[] f = surfaces;
         float[] mask = guide.mask;
+        float[] tolerated = guide.tolerated;
+        float[] precision = guide.precision;
+        int other = first + offset;
         for (int i = 0; i < grid.width(); i++) {
             float d = Math.max(s[i] * scale, 0) + f[i];
             float x = Math.max(1 - 0.25f * d, 0);
-            float value = mask[other + i] * (x * x) * (x * x);
+            float calm = Math.min(tolerated[first + i] * precision[other + i], 1);
+            float value = mask[other + i] * calm * (x * x) * (x * x);
             w[i] = value;
             total[to + i] += value;
         }

@@ -11,10 +11,10 @@ import java.util.Arrays;
  */
 final class WindowFilter {
     /** Columns and rows on each side of a window. */
-    static final int RADIUS = 7;
+    static final int RADIUS = 6;
 
     /** Within this distance from the middle a window has all pixels. */
-    private static final int DENSE = 2;
+    private static final int DENSE = 3;
 
     /** Pixels on each side of a patch. */
     static final int PATCH = 2;
@@ -91,10 +91,14 @@ final class WindowFilter {
         }
     }
 
-    /** Windows are disks: in the middle all pixels, further off every second, as on a checkerboard. */
+    /**
+     * Windows are disks: in the middle all pixels, further off every second, as on a checkerboard. Its colour changes from the upper half
+     * to the lower: pixels of one colour alone would show as a pattern.
+     */
     static boolean isInWindow(int dx, int dy) {
         int squares = dx * dx + dy * dy;
-        return squares <= DENSE * DENSE || squares <= RADIUS * RADIUS + RADIUS && ((dx + dy) & 1) == 0;
+        int half = dy < 0 || dy == 0 && dx < 0 ? 1 : 0;
+        return squares <= DENSE * DENSE || squares <= RADIUS * RADIUS + RADIUS && ((dx + dy + half) & 1) == 0;
     }
 
     /** Adds the pixels at an offset of all pixels of a strip. */

@@ -103,6 +103,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.classic.cluster")
             .layer("work")
             .definedBy("enlightenment.work")
+            .layer("denoise")
+            .definedBy("enlightenment.denoise")
             .layer("report")
             .definedBy("enlightenment.report")
             .layer("plan")
@@ -177,7 +179,7 @@ class ArchitectureTest {
             .whereLayer("report")
             .mayOnlyBeAccessedByLayers("plan", "engine", "render", "status", "net", "measure", "cli")
             .whereLayer("work")
-            .mayOnlyBeAccessedByLayers("plan", "render", "engine", "net", "cli")
+            .mayOnlyBeAccessedByLayers("denoise", "plan", "render", "engine", "net", "cli")
             .whereLayer("nff")
             .mayOnlyBeAccessedByLayers("importer", "cli")
             .whereLayer("importer")
@@ -206,6 +208,8 @@ class ArchitectureTest {
                     "engine",
                     "net",
                     "store")
+            .whereLayer("denoise")
+            .mayOnlyBeAccessedByLayers("render")
             .whereLayer("bsdf")
             .mayOnlyBeAccessedByLayers("classic shading", "probe", "classic cluster", "world", "transport")
             .whereLayer("emitter")

@@ -111,8 +111,8 @@ class DenoiserTest {
 
     @Test
     void aPictureWithoutNoiseIsUnchanged() {
-        NoisyPicture picture = wall(
-                50, 40, (x, y) -> 1 + 0.5 * StrictMath.sin(0.4 * x) * StrictMath.cos(0.3 * y), (x, y) -> 0.5, 0);
+        NoisyPicture picture =
+                wall(50, 40, (x, y) -> 1 + 0.5 * StrictMath.sin(0.4 * x) * StrictMath.cos(0.3 * y), (x, y) -> 0.5, 0);
         float[] rgb = denoised(picture);
         for (int k = 0; k < rgb.length; k++) {
             assertEquals(picture.light()[k], rgb[k], 1e-5 * picture.light()[k], "component " + k);

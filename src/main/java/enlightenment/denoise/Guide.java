@@ -10,7 +10,7 @@ final class Guide {
     /** Added to albedo: dark surfaces reflect most of their light at their coats, whose colour is not the albedo. */
     private static final float DARKEST = 0.1f;
 
-    /** Pixels that are so many times brighter than the mean are left as they are: their squares would overflow. */
+    /** Pixels that are brighter by this factor than the mean are left as they are: their squares would overflow. */
     private static final double BRIGHTEST = 1e12;
 
     /** How much more variance than a pixel and its calmer neighbours have others may bring. */

@@ -125,7 +125,7 @@ public record RenderRequest(
                 scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, value, denoised);
     }
 
-    /** The same request with or without a second picture without grain. */
+    /** This request with or without a second picture, from which grain is removed. */
     public RenderRequest withDenoised(boolean value) {
         return new RenderRequest(
                 scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, archives, value);

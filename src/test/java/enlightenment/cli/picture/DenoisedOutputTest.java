@@ -114,11 +114,15 @@ class DenoisedOutputTest {
         assertRefused("--denoised must name a file that ends in", "--denoised", folder.resolve("d.txt"));
         assertRefused("\"-\"", "--denoised", "-");
         assertRefused(
-                "there is no picture yet", "--denoised", denoised, "-o", folder.resolve("p.film"), "--part", "1/2");
+                "there is no picture yet",
+                CliRun.of("render", SCENE, "-o", folder.resolve("p.film"), "--part", "1/2", "--denoised", denoised));
     }
 
     private void assertRefused(String message, Object... options) {
-        CliRun run = render(options);
+        assertRefused(message, render(options));
+    }
+
+    private void assertRefused(String message, CliRun run) {
         assertEquals(2, run.code(), run.err());
         assertTrue(run.err().contains(message), run.err());
         assertFalse(Files.exists(picture));

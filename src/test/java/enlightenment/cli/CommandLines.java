@@ -12,7 +12,7 @@ import java.util.Map;
 
 /** Command lines of all commands that write files, for tests that put their files into each other's places. */
 enum CommandLines {
-    RENDER(List.of("SCENE", "texture"), "-o", "--report", "--aov", "--dump-clusters", "--dump-chains"),
+    RENDER(List.of("SCENE", "texture"), "-o", "--report", "--aov", "--denoised", "--dump-clusters", "--dump-chains"),
     RENDER_KEPT(
             List.of("SCENE", "texture", "--store-password-file"), "-o", "--report", "--aov", "--checkpoint", "--store"),
     /** Of a film with one frame. */
@@ -95,7 +95,7 @@ enum CommandLines {
                         ? ".json"
                         : this == RENDER_PART ? ".film" : isFilm() ? FRAME + ".png" : ".png";
             case "--aov" -> isFilm() ? FRAME + ".depth.png" : ".depth.png";
-            case "--heatmap" -> ".png";
+            case "--heatmap", "--denoised" -> ".png";
             case "--video" -> ".gif";
             case "--dump-clusters", "--dump-chains", "OUT.json" -> ".json";
             case "IN" -> ".nff";

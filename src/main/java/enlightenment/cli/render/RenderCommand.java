@@ -174,7 +174,6 @@ public final class RenderCommand extends Subcommand {
         view.check(scene);
         samples.check(settings);
         aov.check(scene);
-        denoised.check(scene, settings);
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("-o", output.file());
         report.register(files);
@@ -185,6 +184,7 @@ public final class RenderCommand extends Subcommand {
         keep.register(files);
         store.register(files);
         files.check();
+        denoised.check(scene, settings);
         if (clusters != null) {
             ClusterFile.check(clusters, settings);
         }

@@ -116,6 +116,8 @@ class DenoisedOutputTest {
         assertRefused(
                 "there is no picture yet",
                 CliRun.of("render", SCENE, "-o", folder.resolve("p.film"), "--part", "1/2", "--denoised", denoised));
+        picture = folder.resolve("p.film");
+        assertRefused("there is no picture yet", "--denoised", denoised, "--part", "1/2");
     }
 
     private void assertRefused(String message, Object... options) {

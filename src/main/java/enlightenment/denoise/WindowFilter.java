@@ -169,8 +169,9 @@ final class WindowFilter {
         int other = first + offset;
         float[] result = surfaces;
         int width = grid.width();
-        difference(guide.normal, first, other, 1 / NORMAL, result, true);
-        difference(guide.albedo, first, other, 1 / ALBEDO, result, false);
+        Arrays.fill(result, 0, width, 0);
+        addDifference(guide.normal, first, other, 1 / NORMAL, result);
+        addDifference(guide.albedo, first, other, 1 / ALBEDO, result);
         float[] nx = guide.normal[0];
         float[] ny = guide.normal[1];
         float[] nz = guide.normal[2];
@@ -187,13 +188,10 @@ final class WindowFilter {
         }
     }
 
-    private void difference(float[][] planes, int first, int other, float scale, float[] result, boolean isFirst) {
+    private void addDifference(float[][] planes, int first, int other, float scale, float[] result) {
         float[] a = planes[0];
         float[] b = planes[1];
         float[] c = planes[2];
-        if (isFirst) {
-            Arrays.fill(result, 0, grid.width(), 0);
-        }
         for (int i = 0; i < grid.width(); i++) {
             float x = a[other + i] - a[first + i];
             float y = b[other + i] - b[first + i];

@@ -20,8 +20,8 @@ public final class MeshPrimitive extends Primitive {
     private final Placing placing;
     private final Bounds bounds;
 
-    /** Its number in the {@link MeshUnion} that it was joined to last, which saves a look into the union's table; 0 if there is none. */
-    int likelyMember;
+    /** Its number in the {@link MeshUnion} that it was joined to last, by which that finds it; −1 if there is none. */
+    int likelyMember = -1;
 
     MeshPrimitive(TriangleMesh mesh, Placing placing) {
         this(mesh, placing, bounds(mesh, placing));

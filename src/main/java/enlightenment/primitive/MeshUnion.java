@@ -6,9 +6,7 @@ import enlightenment.mesh.MeshRay;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.mesh.TriangleTree;
 import java.util.Arrays;
-import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * Meshes with one hierarchy of all their triangles: rays need not be prepared for each of them, and boxes do not overlap. Either they are placed alike;
@@ -28,9 +26,6 @@ public final class MeshUnion {
     private final TriangleTree tree;
     private final Bounds bounds;
 
-    /** By member: its number. */
-    private final Map<Primitive, Integer> numbers = new IdentityHashMap<>();
-
     private MeshUnion(MeshPrimitive[] members, int[] ids, Placing placing, TriangleTree tree) {
         this.members = members;
         this.ids = ids;
@@ -41,7 +36,6 @@ public final class MeshUnion {
         for (int k = 0; k < members.length; k++) {
             first[k + 1] = first[k] + members[k].mesh().triangles();
             box = box.union(members[k].bounds());
-            numbers.put(members[k], k);
             members[k].likelyMember = k;
         }
         bounds = box;
@@ -155,6 +149,10 @@ public final class MeshUnion {
             return -1;
         }
         int likely = m.likelyMember;
-        return likely < members.length && members[likely] == m ? likely : numbers.getOrDefault(m, -1);
+        if (likely < 0 || likely < members.length && members[likely] == m) {
+            return likely;
+        }
+        // It was joined to another union since.
+        return Arrays.asList(members).indexOf(m);
     }
 }

@@ -85,23 +85,9 @@ public abstract sealed class Primitive
 
     /** Whether there is a crossing with tMin ≤ t ≤ tMax that is not the end of the ray. */
     public final boolean blocks(Ray ray, double tMax) {
-        if (!isSpecial(ray)) {
-            return blocksOrdinary(ray, tMax);
-        }
-        // What has elements is no end of a ray, so that any crossing counts.
-        return hasElements() && !extreme && !ray.extreme
-                ? blocksFromSeveral(ray, tMax)
-                : nearestSpecial(ray, tMax) <= tMax;
-    }
-
-    private boolean blocksFromSeveral(Ray ray, double tMax) {
-        Primitive start = ray.start;
-        int element = ray.startElement;
-        int side = ray.startSide;
-        startHere(ray);
-        boolean isBlocked = blocksOrdinary(ray, tMax);
-        ray.from(start, element, side);
-        return isBlocked;
+        // What has elements finds those that the ray starts on by itself, and is no end of a ray: any crossing counts.
+        boolean isOrdinary = !isSpecial(ray) || hasElements() && !extreme && !ray.extreme;
+        return isOrdinary ? blocksOrdinary(ray, tMax) : nearestSpecial(ray, tMax) <= tMax;
     }
 
     /** Whether the ray or this is extreme, or the ray starts or ends on several primitives, of which this is one. */

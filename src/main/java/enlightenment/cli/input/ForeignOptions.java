@@ -171,7 +171,7 @@ public final class ForeignOptions {
             }
             int c = Integer.parseInt(text.substring(1), 16);
             return new Backdrop.Constant(
-                    Rgb.of(new DisplayRgb((c >> 16) / 255.0, (c >> 8 & 255) / 255.0, (c & 255) / 255.0)));
+                    DisplayRgb.ofBytes(c >> 16, c >> 8 & 255, c & 255).linear());
         }
     }
 }

@@ -2,6 +2,7 @@ package enlightenment.cli.scene;
 
 import enlightenment.cli.terminal.CliException;
 import enlightenment.file.FileFailure;
+import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.MeshPart;
@@ -47,16 +48,13 @@ record StarterModel(Vec3 min, Vec3 max, boolean isUpZ, boolean hasNormals) {
     }
 
     private static StarterModel of(List<MeshPart> parts, boolean isUpZ) {
-        Vec3 min = parts.get(0).mesh().min();
-        Vec3 max = parts.get(0).mesh().max();
-        boolean hasNormals = true;
-        for (MeshPart part : parts) {
-            Vec3 a = part.mesh().min();
-            Vec3 b = part.mesh().max();
-            min = new Vec3(Math.min(min.x(), a.x()), Math.min(min.y(), a.y()), Math.min(min.z(), a.z()));
-            max = new Vec3(Math.max(max.x(), b.x()), Math.max(max.y(), b.y()), Math.max(max.z(), b.z()));
-            hasNormals &= part.mesh().hasNormals();
-        }
+        Bounds box = parts.stream()
+                .map(part -> new Bounds(part.mesh().min(), part.mesh().max()))
+                .reduce(Bounds::union)
+                .orElseThrow();
+        Vec3 min = box.min();
+        Vec3 max = box.max();
+        boolean hasNormals = parts.stream().allMatch(part -> part.mesh().hasNormals());
         // By -90 degrees about x, (x, y, z) becomes (x, z, -y).
         return isUpZ
                 ? new StarterModel(

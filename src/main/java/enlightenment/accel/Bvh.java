@@ -129,11 +129,6 @@ public abstract class Bvh implements Accelerator {
         }
     }
 
-    /** As {@link #search(Ray, Closest)}, for a ray that meets nothing outside the front's boxes. */
-    void search(Ray ray, Closest state, BoxFront front) {
-        search(ray, state);
-    }
-
     @Override
     public final boolean occluded(Ray ray, double tMax, BvhQuery query) {
         query.startAtRoot();

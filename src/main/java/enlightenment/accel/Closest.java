@@ -28,16 +28,13 @@ public final class Closest {
     final FloatSlabs floatSlabs = new FloatSlabs();
 
     /** The traversal stack of a search: links to follow later. */
-    final int[] stack = new int[Nodes.MAX_DEPTH + BoxFront.MAX];
+    final int[] stack = new int[Nodes.MAX_DEPTH];
 
     /** By place on the stack: the t at which the ray enters the box. */
-    final double[] entries = new double[Nodes.MAX_DEPTH + BoxFront.MAX];
+    final double[] entries = new double[Nodes.MAX_DEPTH];
 
     /** The same as bits of a float. */
-    final int[] floatEntries = new int[Nodes.MAX_DEPTH + BoxFront.MAX];
-
-    /** Where the ray meets the plane of the wall that {@link RoomWalls} asks: several threads ask the same walls. */
-    double met;
+    final int[] floatEntries = new int[Nodes.MAX_DEPTH];
 
     /**
      * A search to be {@link #reset} before use.

@@ -43,43 +43,22 @@ final class FloatBvh extends Bvh {
             super.search(ray, state);
             return;
         }
-        state.stack[0] = 0;
-        state.floatEntries[0] = 0;
-        follow(ray, state, 1);
+        follow(ray, state);
     }
 
     private boolean isFor(FloatSlabs slabs, Ray ray) {
         return slabs.set(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.dd, ray.tMin, reach);
     }
 
-    /** Starts with the boxes of the front that the ray meets: the farthest goes to the bottom of the stack. */
-    @Override
-    void search(Ray ray, Closest state, BoxFront front) {
-        FloatSlabs slabs = state.floatSlabs;
-        if (!isFor(slabs, ray)) {
-            super.search(ray, state);
-            return;
-        }
-        int limit = FloatSlabs.limit(state.t());
-        int depth = 0;
-        for (int i = front.size - 1; i >= 0; i--) {
-            int slot = front.slots[i];
-            int entry = slabs.entry(boxes, Nodes.NODE * (slot >> 1) + (slot & 1), limit);
-            if (entry < FloatSlabs.MISS) {
-                state.floatEntries[depth] = entry;
-                state.stack[depth++] = child[slot];
-            }
-        }
-        follow(ray, state, depth);
-    }
-
-    /** Follows the links on the stack, the last first. */
-    private void follow(Ray ray, Closest state, int pending) {
+    /** Follows links from the root. */
+    private void follow(Ray ray, Closest state) {
         FloatSlabs slabs = state.floatSlabs;
         int[] stack = state.stack;
         int[] entries = state.floatEntries;
         int limit = FloatSlabs.limit(state.t());
-        int depth = pending;
+        int depth = 1;
+        stack[0] = 0;
+        entries[0] = 0;
         while (depth > 0) {
             // A box entered exactly where the best crossing lies may hold one that wins the tie.
             if (entries[--depth] > limit) {

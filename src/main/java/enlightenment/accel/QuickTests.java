@@ -46,9 +46,6 @@ final class QuickTests {
     /** The size of their largest coordinate. */
     private double reach;
 
-    /** The same, as those of a room. */
-    private final RoomWalls room = new RoomWalls();
-
     /** All others, those with flat faces in balls around them. */
     private final Primitive[] others;
 
@@ -84,7 +81,6 @@ final class QuickTests {
             }
         }
         firstAcross[3] = across;
-        room.set(rectangles, rectangleIds, firstAcross);
         for (int k = 0; k < size; k++) {
             Primitive p = primitives[ids[k]];
             if (p instanceof SpherePrimitive s && !p.isExtreme()) {
@@ -157,11 +153,9 @@ final class QuickTests {
         }
         searchBalls(balls, spheres, sphereIds, sphereCount, ray, state);
         double width = 2 * ERROR * (Math.abs(ray.ox) + Math.abs(ray.oy) + Math.abs(ray.oz) + reach);
-        if (!room.search(ray, state, inverseX, inverseY, inverseZ, 2 * width * sizes)) {
-            searchAcross(0, ray, state, ray.ox, inverseX, ray.oy, ray.dy, ray.oz, ray.dz, width);
-            searchAcross(1, ray, state, ray.oy, inverseY, ray.ox, ray.dx, ray.oz, ray.dz, width);
-            searchAcross(2, ray, state, ray.oz, inverseZ, ray.ox, ray.dx, ray.oy, ray.dy, width);
-        }
+        searchAcross(0, ray, state, ray.ox, inverseX, ray.oy, ray.dy, ray.oz, ray.dz, width);
+        searchAcross(1, ray, state, ray.oy, inverseY, ray.ox, ray.dx, ray.oz, ray.dz, width);
+        searchAcross(2, ray, state, ray.oz, inverseZ, ray.ox, ray.dx, ray.oy, ray.dy, width);
         searchBalls(ballsAround, others, otherIds, otherCount, ray, state);
         return true;
     }

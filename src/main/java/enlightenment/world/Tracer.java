@@ -1,8 +1,6 @@
 package enlightenment.world;
 
 import enlightenment.accel.Accelerator;
-import enlightenment.accel.BoxFront;
-import enlightenment.accel.Bvh;
 import enlightenment.accel.BvhQuery;
 import enlightenment.accel.Closest;
 import enlightenment.accel.ConeSearch;
@@ -62,9 +60,6 @@ public final class Tracer {
     /** The same if it is a list, else null. */
     private final PrimitiveList tileList;
 
-    /** The same if it is a part of a hierarchy, else null. */
-    private final BoxFront tileFront;
-
     /** The indices of lights that they may meet. */
     private final int[] tileLights;
 
@@ -94,8 +89,7 @@ public final class Tracer {
         query = new BvhQuery(scene.kind, counters.tests);
         judge = scene.occluders.new Judge();
         tileList = scene.accelerator instanceof PrimitiveList all ? all.empty() : null;
-        tileFront = scene.accelerator instanceof Bvh bvh ? new BoxFront(bvh) : null;
-        tile = tileFront == null ? tileList : tileFront;
+        tile = tileList == null ? scene.accelerator : tileList;
         allLights = count(scene.visibleLights.length);
         tileLights = new int[allLights.length];
     }
@@ -113,8 +107,6 @@ public final class Tracer {
         frustum.set(scene.camera, x0, y0, x1, y1);
         if (tileList != null) {
             tileList.size(frustum.gather(scene.bounds, tileList.members()));
-        } else {
-            tileFront.set(frustum::depth);
         }
         tileLightCount = frustum.gather(scene.lightBounds, tileLights);
     }

@@ -250,30 +250,6 @@ class AcceleratorTest {
         assertTrue(hits > 500 && fine > 10 && fine < 50, hits + " hits, " + fine + " with doubles");
     }
 
-    @Test
-    void aFrontOfBoxesThatARayMayMeetFindsWhatTheLoopFinds() {
-        RandomPrimitives random = new RandomPrimitives(6);
-        Primitive[] all = random.spheres(N);
-        Bvh bvh = Bvh.build(all);
-        BoxFront front = new BoxFront(bvh);
-        for (int i = 0; i < 300; i++) {
-            // Rays through x > least, from above it; boxes below are left out.
-            double least = random.uniform();
-            front.set(box -> box.max().x() < least
-                    ? Double.POSITIVE_INFINITY
-                    : -box.max().x());
-            for (int k = 0; k < 10; k++) {
-                Vec3 o = new Vec3(3, 0, 0).plus(random.vector(0.5));
-                Vec3 d = new Vec3(least, random.uniform() - 0.5, random.uniform() - 0.5).minus(o);
-                loop.reset(Double.MAX_VALUE);
-                bvh.search(Ray.of(o, d), loop);
-                found.reset(Double.MAX_VALUE);
-                front.search(Ray.of(o, d), found);
-                assertTrue(loop.t() > 1 || loop.id() == found.id() && loop.t() == found.t());
-            }
-        }
-    }
-
     /** By the balls of spheres. */
     private static ConeJudge judge(Primitive[] all, BallCone cone) {
         return id -> {

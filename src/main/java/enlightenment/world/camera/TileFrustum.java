@@ -99,21 +99,6 @@ public final class TileFrustum {
         return n;
     }
 
-    /** How far a box is from the middle ray's origin: infinite if no ray of the tile meets it. */
-    public double depth(Bounds box) {
-        if (!reaches(box)) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double square = 0;
-        for (int c = 0; c < 3; c++) {
-            double o = origins[3 * PLANES + c];
-            double d = Math.max(
-                    0, Math.max(box.min().component(c) - o, o - box.max().component(c)));
-            square += d * d;
-        }
-        return square;
-    }
-
     private boolean reaches(Bounds box) {
         for (int i = 0; i < PLANES; i++) {
             if (isBeyond(box, i)) {

@@ -214,7 +214,6 @@ class LensTest {
         tile.set(compile(description), 0.25, 0.25, 0.5, 0.5);
         Bounds[] boxes = {Bounds.of(new Vec3(1, 1, 1)), Bounds.of(new Vec3(-1, -1, -1), new Vec3(-0.5, 1, 0))};
         assertEquals(2, tile.gather(boxes, new int[2]));
-        assertTrue(tile.depth(boxes[1]) < Double.POSITIVE_INFINITY);
     }
 
     @Test

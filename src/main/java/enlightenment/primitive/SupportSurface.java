@@ -10,12 +10,7 @@ import java.util.Arrays;
  * an area only if their support surfaces are the same, so coincidence of faces is decided by them. All tests compare coordinates
  * in the frame with a tolerance that the caller derives from the roundings of placing.
  */
-public sealed interface SupportSurface
-        permits SupportSurface.Plane,
-                SupportSurface.Ball,
-                SupportSurface.Lateral,
-                SupportSurface.Ring,
-                SupportSurface.Facets {
+public interface SupportSurface {
 
     /**
      * Whether the two faces are parts of the same surface.
@@ -38,6 +33,11 @@ public sealed interface SupportSurface
      * face it is half the perimeter. It is accurate to a few roundings of the coordinates, however thin the face is.
      */
     double extent();
+
+    /** The outward direction at a point of a surface without edges, of any length; null for all others. */
+    default Vec3 outward(Vec3 point) {
+        return null;
+    }
 
     /** Whether no line meets the surface more than once. */
     default boolean isFlat() {
@@ -151,7 +151,12 @@ public sealed interface SupportSurface
 
         @Override
         public boolean passes(Vec3 point, double tolerance) {
-            return Math.abs(point.minus(center).length() - radius) <= tolerance;
+            return Math.abs(outward(point).length() - radius) <= tolerance;
+        }
+
+        @Override
+        public Vec3 outward(Vec3 point) {
+            return point.minus(center);
         }
 
         @Override
@@ -222,36 +227,6 @@ public sealed interface SupportSurface
         @Override
         public double extent() {
             return axis.length() + baseRadius + topRadius;
-        }
-    }
-
-    /** A whole torus: the points at the distance {@code minorRadius} from a circle. */
-    record Ring(Vec3 center, Vec3 unitAxis, double majorRadius, double minorRadius) implements SupportSurface {
-        @Override
-        public boolean coincides(SupportSurface other, double tolerance) {
-            return other instanceof Ring o
-                    && center.minus(o.center).maxAbs() <= tolerance
-                    && Math.abs(majorRadius - o.majorRadius) <= tolerance
-                    && Math.abs(minorRadius - o.minorRadius) <= tolerance
-                    && unitAxis.cross(o.unitAxis).length() * (majorRadius + minorRadius) <= tolerance;
-        }
-
-        @Override
-        public boolean passes(Vec3 point, double tolerance) {
-            Vec3 p = point.minus(center);
-            double w = p.cross(unitAxis).length() - majorRadius;
-            double z = p.dot(unitAxis);
-            return Math.abs(Math.sqrt(w * w + z * z) - minorRadius) <= tolerance;
-        }
-
-        @Override
-        public boolean overlaps(SupportSurface other, double tolerance) {
-            return true;
-        }
-
-        @Override
-        public double extent() {
-            return majorRadius + minorRadius;
         }
     }
 

@@ -248,7 +248,7 @@ public final class TorusPrimitive extends Primitive {
 
     @Override
     public SupportSurface support(int face) {
-        return new SupportSurface.Ring(center(), axis(), majorRadius, minorRadius);
+        return new Ring(center(), axis(), majorRadius, minorRadius);
     }
 
     @Override
@@ -260,5 +260,43 @@ public final class TorusPrimitive extends Primitive {
     @Override
     public double[] parameters() {
         return new double[] {cx, cy, cz, ax, ay, az, majorRadius, minorRadius};
+    }
+
+    /** A whole torus: the points at the distance {@code minorRadius} from a circle. */
+    private record Ring(Vec3 center, Vec3 unitAxis, double majorRadius, double minorRadius) implements SupportSurface {
+        @Override
+        public boolean coincides(SupportSurface other, double tolerance) {
+            return other instanceof Ring o
+                    && center.minus(o.center).maxAbs() <= tolerance
+                    && Math.abs(majorRadius - o.majorRadius) <= tolerance
+                    && Math.abs(minorRadius - o.minorRadius) <= tolerance
+                    && unitAxis.cross(o.unitAxis).length() * (majorRadius + minorRadius) <= tolerance;
+        }
+
+        @Override
+        public boolean passes(Vec3 point, double tolerance) {
+            Vec3 p = point.minus(center);
+            double w = p.cross(unitAxis).length() - majorRadius;
+            double z = p.dot(unitAxis);
+            return Math.abs(Math.sqrt(w * w + z * z) - minorRadius) <= tolerance;
+        }
+
+        @Override
+        public Vec3 outward(Vec3 point) {
+            Vec3 at = point.minus(center);
+            Vec3 axis = unitAxis.normalized();
+            Vec3 away = at.minus(axis.times(at.dot(axis))).normalized();
+            return at.minus(away.times(majorRadius));
+        }
+
+        @Override
+        public boolean overlaps(SupportSurface other, double tolerance) {
+            return true;
+        }
+
+        @Override
+        public double extent() {
+            return majorRadius + minorRadius;
+        }
     }
 }

@@ -1,6 +1,5 @@
 package enlightenment.world.light;
 
-import enlightenment.primitive.TorusPrimitive;
 import enlightenment.surroundings.Surroundings;
 import enlightenment.world.camera.CompiledCamera;
 import enlightenment.world.contact.CoincidentSurfaces;
@@ -93,8 +92,7 @@ public final class LightImages {
         if (image.area() >= 1) {
             polygon.set(image.x, image.y, 0, 0, columns, rows);
             boolean hasEdges = polygon.area() > 0 && polygon.area() < columns * rows;
-            // The outline of a torus is that of the ball around it.
-            boolean isBright = !(l.surface instanceof TorusPrimitive) && image.brightness >= least;
+            boolean isBright = outline.isExact && image.brightness >= least;
             if (!hasEdges || !isBright || large == MOST_LARGE) {
                 return;
             }

@@ -35,6 +35,9 @@ final class LightOutline {
     private int size;
     private boolean isBefore;
 
+    /** Whether it is that of the light, up to the roundness of arcs; else that of the ball around it. */
+    boolean isExact;
+
     /** The polygon. */
     double[] x;
 
@@ -87,6 +90,7 @@ final class LightOutline {
         }
         size = 0;
         isBefore = true;
+        isExact = true;
         if (s instanceof SupportSurface.Plane p) {
             plane(l, p, corners);
         } else if (s instanceof SupportSurface.Lateral t) {
@@ -95,6 +99,7 @@ final class LightOutline {
             round(t.base(), t.baseRadius(), corners);
             round(t.top(), t.topRadius(), corners);
         } else {
+            isExact = s instanceof SupportSurface.Ball;
             ball(new Vec3(l.ballX, l.ballY, l.ballZ), l.ballRadius, corners);
         }
         return isBefore;

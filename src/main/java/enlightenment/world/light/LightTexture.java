@@ -7,8 +7,7 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
-import enlightenment.primitive.SpherePrimitive;
-import enlightenment.primitive.TorusPrimitive;
+import enlightenment.primitive.SupportSurface;
 import enlightenment.primitive.TrianglePrimitive;
 import enlightenment.world.material.RadianceMap;
 
@@ -25,11 +24,13 @@ public final class LightTexture {
     private final RadianceMap map;
     private final Primitive surface;
     private final int face;
+    private final SupportSurface support;
 
     LightTexture(RadianceMap map, Primitive surface, int face) {
         this.map = map;
         this.surface = surface;
         this.face = face;
+        support = surface.support(face);
     }
 
     /**
@@ -45,13 +46,9 @@ public final class LightTexture {
         hit.py = y;
         hit.pz = z;
         // Only surfaces without corners have texture coordinates that depend on normals.
-        if (surface instanceof SpherePrimitive s) {
-            turn(hit, new Vec3(x, y, z).minus(s.center()));
-        } else if (surface instanceof TorusPrimitive t) {
-            Vec3 at = new Vec3(x, y, z).minus(t.center());
-            Vec3 axis = t.axis().normalized();
-            Vec3 outward = at.minus(axis.times(at.dot(axis))).normalized();
-            turn(hit, at.minus(outward.times(t.majorRadius())));
+        Vec3 outward = support.outward(new Vec3(x, y, z));
+        if (outward != null) {
+            turn(hit, outward);
         }
         map.factor(hit, rgb);
     }

@@ -3,7 +3,7 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 
 /**
- * The form of a light, in the frame of a render. Immutable, shared by threads; what depends on the point that it is seen from is in an
+ * The form of a light of classic shading, in the frame of a render; {@link AreaLight} is that of physical shading. Immutable, shared by threads; what depends on the point that it is seen from is in an
  * {@link EmitterView}, which must have been aimed at it.
  */
 public sealed interface Emitter permits SphereEmitter, RectangleEmitter, PointEmitter {

@@ -9,7 +9,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.work.Workers;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.Tracer;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -74,7 +74,7 @@ final class AuxiliaryPass {
             }
         }
 
-        private int meetLight(CompiledLight light) {
+        private int meetLight(ClassicLight light) {
             light.surface.complete(ray, light.surface.nearest(ray, Double.MAX_VALUE), hit);
             return scene.objects + Arrays.asList(scene.lights).indexOf(light);
         }

@@ -14,7 +14,7 @@ import enlightenment.world.camera.CompiledCamera;
 import enlightenment.world.contact.CoincidentHits;
 import enlightenment.world.contact.CoincidentSurfaces;
 import enlightenment.world.contact.GlassBoxes;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 import enlightenment.world.light.LightImage;
 import enlightenment.world.light.OccluderSet;
 import enlightenment.world.material.FaceMaterials;
@@ -46,10 +46,10 @@ public final class CompiledScene {
     /** What physical shading needs, if that is the shading; else null. */
     public final PhysicalScene physical;
 
-    public final CompiledLight[] lights;
+    public final ClassicLight[] lights;
 
     /** Those lights that can be seen, and boxes around them. */
-    public final CompiledLight[] visibleLights;
+    public final ClassicLight[] visibleLights;
 
     public final Bounds[] lightBounds;
 
@@ -134,8 +134,8 @@ public final class CompiledScene {
         physical = made.physical;
         lights = made.lights;
         visibleLights =
-                Arrays.stream(lights).filter(light -> light.surface != null).toArray(CompiledLight[]::new);
-        lightBounds = Arrays.stream(visibleLights).map(CompiledLight::bounds).toArray(Bounds[]::new);
+                Arrays.stream(lights).filter(light -> light.surface != null).toArray(ClassicLight[]::new);
+        lightBounds = Arrays.stream(visibleLights).map(ClassicLight::bounds).toArray(Bounds[]::new);
         compiled = made.compiled;
         primitives = compiled.primitives();
         materials = compiled.materials();

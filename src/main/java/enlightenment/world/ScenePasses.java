@@ -18,7 +18,7 @@ import enlightenment.world.camera.RayStarts;
 import enlightenment.world.contact.CoincidentSurfaces;
 import enlightenment.world.contact.GlassBoxes;
 import enlightenment.world.contact.TouchedBoxes;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 import enlightenment.world.light.CompiledSurroundings;
 import enlightenment.world.light.GlowingObjects;
 import enlightenment.world.light.LightBody;
@@ -56,7 +56,7 @@ final class ScenePasses {
     private GlowingObjects glowing;
 
     /** Lights of classic shading; none for physical shading. */
-    CompiledLight[] lights = {};
+    ClassicLight[] lights = {};
 
     private List<SceneObject> objects;
     Accelerator accelerator;
@@ -135,8 +135,8 @@ final class ScenePasses {
                     shading, frame, around, compiled, accelerator, glowing.points, camera.startBounds(), poll);
         } else {
             lights = scene.lights().stream()
-                    .map(light -> new CompiledLight(light, frame))
-                    .toArray(CompiledLight[]::new);
+                    .map(light -> new ClassicLight(light, frame))
+                    .toArray(ClassicLight[]::new);
         }
     }
 
@@ -148,7 +148,7 @@ final class ScenePasses {
         if (isPhysical) {
             physical.lieOn(compiled, near, coincident, isLoop, poll);
         }
-        for (CompiledLight light : lights) {
+        for (ClassicLight light : lights) {
             light.lieOn(near);
             lightsLieOnSurfaces |= light.surface != null && !light.lyingOn().isEmpty();
         }

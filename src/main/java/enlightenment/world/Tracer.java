@@ -14,7 +14,7 @@ import enlightenment.world.camera.TileFrustum;
 import enlightenment.world.contact.CoincidentFaces;
 import enlightenment.world.contact.CoincidentHits;
 import enlightenment.world.contact.CoincidentSurfaces;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 import enlightenment.world.light.LightBody;
 import enlightenment.world.light.LightCone;
 import enlightenment.world.light.OccluderSet;
@@ -75,7 +75,7 @@ public final class Tracer {
     public double limit = Double.MAX_VALUE;
 
     /** The light that the last {@link #trace} met, or null. */
-    public CompiledLight light;
+    public ClassicLight light;
 
     /** The id of the primitive that the last {@link #trace} met, or -1. */
     public int id;
@@ -148,7 +148,7 @@ public final class Tracer {
         double t = closest.t();
         light = null;
         for (int k = 0; k < lightCount; k++) {
-            CompiledLight l = scene.visibleLights[lights[k]];
+            ClassicLight l = scene.visibleLights[lights[k]];
             double s = l.surface.nearest(ray, t);
             // At equal distance a primitive hides the light, unless the light lies on it.
             if (s < t) {
@@ -177,7 +177,7 @@ public final class Tracer {
     /** If a light lies on the surface that was hit, the ray meets the light. */
     private void findLightOn(Ray ray, Hit hit, int[] lights, int lightCount) {
         for (int k = 0; k < lightCount && light == null; k++) {
-            CompiledLight l = scene.visibleLights[lights[k]];
+            ClassicLight l = scene.visibleLights[lights[k]];
             if (l.lyingOn().has(id, hit.face) && l.surface.nearest(ray, Double.MAX_VALUE) != Primitive.MISS) {
                 light = l;
                 id = NOTHING;

@@ -9,7 +9,7 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sobol;
 import enlightenment.world.Descriptions;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -25,7 +25,7 @@ class EmitterTest {
     @ParameterizedTest
     @MethodSource("lights")
     void everyLightPointLiesOnTheLight(Light light) {
-        CompiledLight compiled = Views.compile(light);
+        ClassicLight compiled = Views.compile(light);
         Emitter emitter = compiled.emitter;
         EmitterView view = Views.fromOrigin(emitter);
         double nearest = Double.POSITIVE_INFINITY;

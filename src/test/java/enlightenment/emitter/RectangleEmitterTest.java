@@ -9,7 +9,7 @@ import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.sampling.Quadrature;
 import enlightenment.sampling.RunningStatistics;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Map;
@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
  */
 class RectangleEmitterTest {
     /** The rectangle of a line of the vectors: parallel to the x-y plane, seen from the origin. */
-    private static CompiledLight light(Map<String, String> line) {
+    private static ClassicLight light(Map<String, String> line) {
         BigDecimal x0 = new BigDecimal(line.get("x0"));
         BigDecimal y0 = new BigDecimal(line.get("y0"));
         BigDecimal z = new BigDecimal(line.get("z"));
@@ -44,7 +44,7 @@ class RectangleEmitterTest {
         private final EmitterView view;
         private final double area;
 
-        Estimator(CompiledLight light) {
+        Estimator(ClassicLight light) {
             emitter = light.emitter;
             view = Views.fromOrigin(emitter);
             area = light.right.length() * light.up.length();
@@ -61,7 +61,7 @@ class RectangleEmitterTest {
         List<Map<String, String>> lines = LightVectors.of("rectLight");
         assertEquals(30, lines.size());
         for (Map<String, String> line : lines) {
-            CompiledLight light = light(line);
+            ClassicLight light = light(line);
             Estimator estimator = new Estimator(light);
             double[] us = grading(-light.x / light.right.x(), light.z / light.right.x());
             double[] vs = grading(-light.y / light.up.y(), light.z / light.up.y());
@@ -80,7 +80,7 @@ class RectangleEmitterTest {
         int n = 20_000;
         int checked = 0;
         for (Map<String, String> line : LightVectors.of("rectLight")) {
-            CompiledLight light = light(line);
+            ClassicLight light = light(line);
             if (light.z < 0.02 * light.right.length()) {
                 // Nearly all of the solid angle is in so few points that these samples would not meet one.
                 continue;

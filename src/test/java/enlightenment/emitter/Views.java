@@ -8,14 +8,14 @@ import enlightenment.math.Vec3;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.world.SceneCompiler;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 
 /** Emitters as they are seen from a point. */
 final class Views {
     private Views() {}
 
     /** The light as it is seen from the eye, which is the origin of the frame. */
-    static CompiledLight compile(Light light) {
+    static ClassicLight compile(Light light) {
         Scene scene = Scene.builder()
                 .camera(new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 1), Vec3.Y, 40))
                 .light(light)

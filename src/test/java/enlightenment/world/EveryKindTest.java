@@ -23,7 +23,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.primitive.SupportSurface;
 import enlightenment.texture.ImageTexture;
 import enlightenment.world.camera.CompiledCamera;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 import enlightenment.world.material.SurfaceMaterial;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -110,7 +110,7 @@ class EveryKindTest {
     @ParameterizedTest
     @MethodSource("lights")
     void aLightIsCompiledWithABallAroundItsSurface(Light light) {
-        CompiledLight compiled = new CompiledLight(light, SceneFrame.WORLD);
+        ClassicLight compiled = new ClassicLight(light, SceneFrame.WORLD);
         assertEquals(light.color().display().r(), compiled.r);
         assertEquals(light.color().display().g(), compiled.g);
         assertEquals(light.color().display().b(), compiled.b);
@@ -125,7 +125,7 @@ class EveryKindTest {
 
     @Test
     void everyLightIsOfAKindOfItsOwn() {
-        assertDistinct(lights().map(l -> new CompiledLight(l, SceneFrame.WORLD).emitter.getClass())
+        assertDistinct(lights().map(l -> new ClassicLight(l, SceneFrame.WORLD).emitter.getClass())
                 .toList());
         assertEquals(Emitter.class.getPermittedSubclasses().length, lights().count());
     }

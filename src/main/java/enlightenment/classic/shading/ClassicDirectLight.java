@@ -12,7 +12,7 @@ import enlightenment.transport.ray.GlassTracer;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.Tracer;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 import enlightenment.world.light.LightCone;
 import enlightenment.world.parts.RayCounters;
 
@@ -24,7 +24,7 @@ import enlightenment.world.parts.RayCounters;
  * nothing can occlude the light, no sample is needed at all.
  */
 final class ClassicDirectLight {
-    private final CompiledLight[] lights;
+    private final ClassicLight[] lights;
     private final RayCounters counters;
     private final PathFollower path;
     private final Hit hit;
@@ -124,7 +124,7 @@ final class ClassicDirectLight {
         double g = 0;
         double b = 0;
         for (int i = 0; i < lights.length; i++) {
-            CompiledLight l = lights[i];
+            ClassicLight l = lights[i];
             index = i;
             double mean = meanCosine(l, keeps, sampler);
             double factor = Math.fma(1 - ambient, mean, ambient);
@@ -147,7 +147,7 @@ final class ClassicDirectLight {
     }
 
     /** The mean over light points of (visible ? 1 : keeps) · cosθ at the hit. */
-    private double meanCosine(CompiledLight light, double keeps, Sampler sampler) {
+    private double meanCosine(ClassicLight light, double keeps, Sampler sampler) {
         contrast = 0;
         cosineVariance = 0;
         Emitter emitter = light.emitter;

@@ -9,7 +9,7 @@ import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sampler;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.Tracer;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
 import enlightenment.world.surface.SurfaceInteraction;
@@ -40,7 +40,7 @@ public final class PathFollower {
     public final SurfaceInteraction at = new SurfaceInteraction();
 
     /** The light that the path came to. */
-    public CompiledLight light;
+    public ClassicLight light;
 
     /** A hash of what the path came to, in order. */
     public long key;

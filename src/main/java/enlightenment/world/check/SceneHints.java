@@ -13,7 +13,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import enlightenment.world.CompiledScene;
-import enlightenment.world.light.CompiledLight;
+import enlightenment.world.light.ClassicLight;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiConsumer;
@@ -151,7 +151,7 @@ public final class SceneHints {
     }
 
     private boolean holdsLight(Primitive solid) {
-        for (CompiledLight light : compiled.lights) {
+        for (ClassicLight light : compiled.lights) {
             if (points(light).stream().anyMatch(p -> solid.contains(p.x(), p.y(), p.z()))) {
                 return true;
             }
@@ -162,7 +162,7 @@ public final class SceneHints {
     /** A light in an opaque solid lights nothing that is seen, unless the viewer is inside, too. */
     private void lightInSolid(List<String> found) {
         for (int i = 0; i < compiled.lights.length; i++) {
-            CompiledLight light = compiled.lights[i];
+            ClassicLight light = compiled.lights[i];
             for (int id = 0; id < compiled.primitives.length; id++) {
                 Primitive solid = compiled.primitives[id];
                 if (isInside(solid, new Vec3(light.ballX, light.ballY, light.ballZ))
@@ -211,7 +211,7 @@ public final class SceneHints {
     }
 
     /** Points of a light: its centre, and a grid on its surface. */
-    private static List<Vec3> points(CompiledLight light) {
+    private static List<Vec3> points(ClassicLight light) {
         List<Vec3> points = new ArrayList<>();
         Vec3 middle = new Vec3(light.ballX, light.ballY, light.ballZ);
         points.add(middle);

@@ -44,7 +44,7 @@ class OccluderSetTest {
     }
 
     /** Distance at which a ray from p along d meets the light's ball, or NaN. */
-    private static double toLight(CompiledLight light, double[] p, double[] d) {
+    private static double toLight(ClassicLight light, double[] p, double[] d) {
         double[] f = {p[0] - light.x, p[1] - light.y, p[2] - light.z};
         double b = f[0] * d[0] + f[1] * d[1] + f[2] * d[2];
         double c = f[0] * f[0] + f[1] * f[1] + f[2] * f[2] - light.radius * light.radius;
@@ -65,7 +65,7 @@ class OccluderSetTest {
             b.object(rectangle(random), WHITE).object(rectangle(random), WHITE);
             b.light(new Light.Sphere(point(random, 4), Math.pow(10, -3 * random.nextDouble()), DisplayRgb.WHITE));
             CompiledScene scene = compile(b);
-            CompiledLight light = scene.lights[0];
+            ClassicLight light = scene.lights[0];
             LightCone cone = new LightCone();
             BvhQuery out = new BvhQuery(scene.kind, new long[scene.kindNames.size()]);
             for (int k = 0; k < 20; k++) {
@@ -106,7 +106,7 @@ class OccluderSetTest {
     }
 
     /** A unit direction from p into the light's ball, often close to its rim. */
-    private static double[] direction(Random random, CompiledLight light, double[] p) {
+    private static double[] direction(Random random, ClassicLight light, double[] p) {
         Vec3 n = new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).normalized();
         double r = light.radius * (random.nextBoolean() ? 0.999999 : random.nextDouble());
         Vec3 q = new Vec3(light.x, light.y, light.z).plus(n.times(r)).minus(new Vec3(p[0], p[1], p[2]));

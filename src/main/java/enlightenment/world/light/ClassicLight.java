@@ -14,8 +14,8 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.primitive.Sizes;
 
-/** A light in the scene's frame. */
-public final class CompiledLight extends LightBody {
+/** A light of classic shading in the frame. Physical shading has {@link PhysicalLight}s: lights there are surfaces, and surfaces that glow are lights. */
+public final class ClassicLight extends LightBody {
     /** The light's form: points on it, as they are seen from somewhere. */
     public final Emitter emitter;
 
@@ -28,11 +28,11 @@ public final class CompiledLight extends LightBody {
     public final double g;
     public final double b;
 
-    public CompiledLight(Light light, SceneFrame frame) {
+    public ClassicLight(Light light, SceneFrame frame) {
         this(light, Form.of(light, frame));
     }
 
-    private CompiledLight(Light light, Form form) {
+    private ClassicLight(Light light, Form form) {
         super(
                 form.at,
                 form.radius,

@@ -3,6 +3,7 @@ package enlightenment.importer;
 import enlightenment.camera.Camera;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.math.InvalidValueException;
+import enlightenment.scene.Animation;
 import enlightenment.scene.Background;
 import enlightenment.scene.Display;
 import enlightenment.scene.PhysicalShading;
@@ -51,8 +52,22 @@ final class DraftFinish {
         draft.materials().forEach(scene::material);
         draft.lights().forEach(scene::light);
         draft.objects().forEach(scene::object);
-        draft.animation().ifPresent(scene::animation);
+        animation(own.isPresent()).ifPresent(scene::animation);
         return scene.build();
+    }
+
+    /** How things move; not the camera, if that is not the file's. */
+    private Optional<Animation> animation(boolean hasOwnCamera) {
+        return draft.animation()
+                .map(all -> hasOwnCamera
+                        ? all
+                        : new Animation(
+                                all.frames(),
+                                all.framesPerSecond(),
+                                all.tracks().stream()
+                                        .filter(t -> !t.target().startsWith("/camera/"))
+                                        .toList()))
+                .filter(all -> !all.tracks().isEmpty());
     }
 
     /** Surroundings as chosen, or the studio's where nothing shines; the lamp where no light is left; a ground below a mere model. */

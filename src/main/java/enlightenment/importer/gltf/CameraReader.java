@@ -53,41 +53,61 @@ final class CameraReader {
         }
     }
 
-    /** Takes the camera of a node, if it is the one that is wanted and the first node with it. */
-    void look(GltfElement node, Affine toScene) throws IOException {
-        int count = document.size("cameras");
-        if (node.index("camera", count).orElse(-1) != wanted || draft.camera().isPresent()) {
-            return;
-        }
+    /** Whether a node has the camera that is wanted, and is the first one with it. */
+    boolean isSeenFrom(GltfElement node) throws IOException {
+        return node.index("camera", document.size("cameras")).orElse(-1) == wanted
+                && draft.camera().isEmpty();
+    }
+
+    /** Takes the camera of a node at these poses, and makes its tracks. */
+    void look(NodePoses poses, NodeTracks tracks) throws IOException {
         GltfElement camera = document.item("cameras", wanted);
-        ImportView view = ImportView.of(toScene, new Vec3(0, 0, -1), Vec3.Y, Vec3.X);
+        boolean isParallel = camera.has("orthographic");
         try {
-            draft.camera(camera.has("orthographic") ? parallel(camera, view, toScene) : pinhole(camera, view));
+            // The first is kept; the others fail here rather than in the midst of the film.
+            for (Affine pose : poses.all()) {
+                draft.camera(isParallel ? parallel(camera, pose) : pinhole(camera, pose));
+            }
         } catch (InvalidValueException e) {
             throw camera.failure("gives no picture: " + e.getMessage());
         }
+        tracks.carry("/camera/eye", poses, pose -> view(pose).eye());
+        tracks.carry("/camera/lookAt", poses, pose -> view(pose).lookAt());
+        tracks.carry("/camera/up", poses, pose -> view(pose).up());
+        if (isParallel) {
+            double height = Math.abs(camera.get("orthographic").number("ymag", 1));
+            tracks.carryNumber("/camera/height", poses, pose -> height(pose, height));
+        }
     }
 
-    private Camera pinhole(GltfElement camera, ImportView view) throws IOException {
+    private static ImportView view(Affine pose) {
+        return ImportView.of(pose, new Vec3(0, 0, -1), Vec3.Y, Vec3.X);
+    }
+
+    private Camera pinhole(GltfElement camera, Affine pose) throws IOException {
         GltfElement p = camera.get("perspective");
         double height = p.number("yfov", 0);
         if (!(height > 0 && height < StrictMath.PI)) {
             throw camera.failure("must have a yfov between 0 and pi");
         }
         size(camera, p.number("aspectRatio", USUAL_ASPECT));
-        return view.pinhole(StrictMath.toDegrees(height));
+        return view(pose).pinhole(StrictMath.toDegrees(height));
     }
 
-    private Camera parallel(GltfElement camera, ImportView view, Affine toScene) throws IOException {
+    private Camera parallel(GltfElement camera, Affine pose) throws IOException {
         GltfElement o = camera.get("orthographic");
         double width = Math.abs(o.number("xmag", 1));
         double height = Math.abs(o.number("ymag", 1));
         if (width == 0 || height == 0) {
             throw camera.failure("must have an xmag and a ymag other than 0");
         }
-        double unit = toScene.vector(Vec3.Y).length();
         size(camera, width / height);
-        return view.parallel(2 * height * unit);
+        return view(pose).parallel(height(pose, height));
+    }
+
+    /** The height of a parallel view in units of the scene, by half of it in those of its node. */
+    private static double height(Affine pose, double half) {
+        return 2 * half * pose.vector(Vec3.Y).length();
     }
 
     /** Sets the size of the picture. */

@@ -131,10 +131,17 @@ public final class GltfReader {
     private void readNodes() throws IOException {
         for (int index : nodes.nodes()) {
             GltfElement node = nodes.node(index);
-            Affine toScene = nodes.toScene(index);
-            cameras.look(node, toScene);
-            lights.add(node, toScene);
-            noteStanding(index, node);
+            boolean isSeenFrom = cameras.isSeenFrom(node);
+            boolean isLight = PunctualLights.isOn(node);
+            if (isSeenFrom || isLight) {
+                NodePoses poses = tracks.poses(index);
+                if (isSeenFrom) {
+                    cameras.look(poses, tracks);
+                }
+                if (isLight) {
+                    lights.add(node, poses, tracks);
+                }
+            }
             int meshes = document.size("meshes");
             if (node.has("mesh")) {
                 GltfElement mesh =
@@ -142,18 +149,6 @@ public final class GltfReader {
                 readMesh(
                         new Place(index, node, node.has("skin") ? Optional.of(skinned(node)) : Optional.empty()), mesh);
             }
-        }
-    }
-
-    /** Notes a camera or light that stands where it is in frame 0, though its node moves. */
-    private void noteStanding(int index, GltfElement node) throws IOException {
-        boolean isLight = node.extension(PunctualLights.EXTENSION).isPresent();
-        if ((node.has("camera") || isLight) && nodes.moves(index)) {
-            draft.notes()
-                    .add(
-                            node.place(),
-                            "the motion of its " + (isLight ? "light" : "camera")
-                                    + " is left out: it stands as in frame 0");
         }
     }
 

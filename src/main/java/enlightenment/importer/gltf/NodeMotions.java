@@ -38,6 +38,11 @@ final class NodeMotions {
             return Optional.ofNullable(scale);
         }
 
+        /** Leaves its scale as it is without the animation. */
+        void keepRestScale() {
+            scale = null;
+        }
+
         /** Where the node is at a time in seconds. */
         NodeTree.Placing at(double time) {
             return new NodeTree.Placing(

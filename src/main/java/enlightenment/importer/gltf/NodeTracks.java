@@ -12,6 +12,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 
 /**
  * Places objects by steps of their nodes, and makes tracks of the numbers that change. Nodes that stand, one above the other, are one matrix; a node
@@ -89,6 +91,78 @@ final class NodeTracks {
         }
     }
 
+    /**
+     * Where a node is at the frames of the film.
+     *
+     * @throws IOException if that is beyond all numbers, or asks for too many keys
+     */
+    NodePoses poses(int node) throws IOException {
+        if (!nodes.moves(node)) {
+            return NodePoses.standing(nodes.toScene(node));
+        }
+        NodeChain chain = chain(node);
+        int[] frames = chain.frames(motions);
+        charge(node, (long) frames.length * (chain.motions().size() + 1));
+        List<Affine> maps = new ArrayList<>();
+        for (int frame : frames) {
+            maps.add(chain.at(motions.time(frame)));
+        }
+        NodePoses poses = new NodePoses(chain.at(0), frames, maps);
+        for (Affine map : poses.all()) {
+            if (!(map.x().isFinite()
+                    && map.y().isFinite()
+                    && map.z().isFinite()
+                    && map.offset().isFinite())) {
+                throw nodes.node(node).failure("moves beyond all numbers");
+            }
+        }
+        return poses;
+    }
+
+    private NodeChain chain(int node) throws IOException {
+        NodeChain chain = new NodeChain(new ArrayList<>(), new ArrayList<>());
+        Affine standing = Affine.IDENTITY;
+        for (int n = node; n >= 0; n = nodes.parent(n)) {
+            charge(n, 1);
+            Optional<NodeMotions.Motion> motion = motions.of(n);
+            if (motion.isPresent()) {
+                // Decides whether its scale counts.
+                steps(n);
+                chain.motions().add(motion.get());
+                chain.standing().add(standing);
+                standing = Affine.IDENTITY;
+            } else {
+                standing = nodes.local(n).after(standing);
+            }
+        }
+        chain.standing().add(standing);
+        return chain;
+    }
+
+    /** Makes the tracks of a point or vector that a node carries. */
+    void carry(String target, NodePoses poses, Function<Affine, Vec3> vector) throws IOException {
+        SampledProperty numbers = poses.carried(map -> {
+            Vec3 v = vector.apply(map);
+            return new double[] {v.x(), v.y(), v.z()};
+        });
+        for (int axis = 0; axis < 3; axis++) {
+            carry(target + "/" + axis, numbers, axis);
+        }
+    }
+
+    /** Makes the track of a number that depends on the pose of a node. */
+    void carryNumber(String target, NodePoses poses, ToDoubleFunction<Affine> number) throws IOException {
+        carry(target, poses.carried(map -> new double[] {number.applyAsDouble(map)}), 0);
+    }
+
+    private void carry(String target, SampledProperty property, int number) throws IOException {
+        var track = property.track(number);
+        if (track.size() > 1) {
+            charge(0, track.size());
+            tracks.add(new Animation.Track(target, track));
+        }
+    }
+
     /** The animation of all that was moved; empty if nothing was. */
     Optional<Animation> animation() {
         return tracks.isEmpty()
@@ -131,6 +205,7 @@ final class NodeTracks {
                 notes.add(
                         nodes.node(node).place(),
                         "its scale comes to 0, where nothing would be left: it keeps that of its rest");
+                motion.keepRestScale();
                 scale = motion.rest().scale();
             } else {
                 addChanges(to, "scale/", property, 0, 1, 2);

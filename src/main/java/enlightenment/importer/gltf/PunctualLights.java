@@ -11,7 +11,7 @@ import java.io.IOException;
 
 /** The lights of KHR_lights_punctual. Candela and lux are taken for our numbers of intensity and irradiance. */
 final class PunctualLights {
-    static final String EXTENSION = "KHR_lights_punctual";
+    private static final String EXTENSION = "KHR_lights_punctual";
 
     private final GltfElement document;
     private final ImportDraft draft;
@@ -21,41 +21,62 @@ final class PunctualLights {
         this.draft = draft;
     }
 
-    /** Adds the light of a node, if it has one. */
-    void add(GltfElement node, Affine toScene) throws IOException {
+    /** Whether a node has a light. */
+    static boolean isOn(GltfElement node) throws IOException {
+        return node.extension(EXTENSION).isPresent();
+    }
+
+    /** Adds the light of a node at these poses, unless it is black, and makes its tracks. */
+    void add(GltfElement node, NodePoses poses, NodeTracks tracks) throws IOException {
         GltfElement reference = node.extension(EXTENSION);
-        if (!reference.isPresent()) {
-            return;
-        }
         GltfElement all = document.extension(EXTENSION);
         int index =
                 reference.index("light", all.size("lights")).orElseThrow(() -> reference.failure("lacks \"light\""));
-        GltfElement light = all.item("lights", index);
-        double[] color = light.numbers("color", 1, 1, 1);
-        double intensity = light.number("intensity", 1);
+        GltfElement element = all.item("lights", index);
+        double[] color = element.numbers("color", 1, 1, 1);
+        double intensity = element.number("intensity", 1);
         try {
             Rgb value = new Rgb(color[0] * intensity, color[1] * intensity, color[2] * intensity);
             if (!value.equals(Rgb.BLACK)) {
-                add(light, value, toScene);
+                draft.light(light(element, value, poses.start()));
+                // Fail here rather than in the midst of the film.
+                for (Affine pose : poses.maps()) {
+                    light(element, value, pose);
+                }
+                move(draft.lights().size() - 1, poses, tracks);
             }
         } catch (InvalidValueException e) {
-            throw light.failure(e.getMessage());
+            throw element.failure(e.getMessage());
         }
     }
 
-    private void add(GltfElement light, Rgb value, Affine toScene) throws IOException {
+    private void move(int number, NodePoses poses, NodeTracks tracks) throws IOException {
+        String target = "/lights/" + number;
+        Light light = draft.lights().get(number);
+        if (!(light instanceof Light.Distant)) {
+            tracks.carry(target + "/position", poses, Affine::offset);
+        }
+        if (!(light instanceof Light.Point)) {
+            tracks.carry(target + "/direction", poses, PunctualLights::axis);
+        }
+    }
+
+    private static Light light(GltfElement light, Rgb value, Affine pose) throws IOException {
         String type = light.text("type", "");
-        switch (type) {
-            case "point" ->
-                draft.light(new Light.Point(Affine.exact(toScene.offset()), Rgb.WHITE, Emission.intensity(value)));
-            case "spot" -> draft.light(spot(light.get("spot"), value, toScene));
-            case "directional" -> draft.light(new Light.Distant(toScene.vector(new Vec3(0, 0, -1)), value));
+        return switch (type) {
+            case "point" -> new Light.Point(Affine.exact(pose.offset()), Rgb.WHITE, Emission.intensity(value));
+            case "spot" -> spot(light.get("spot"), value, pose);
+            case "directional" -> new Light.Distant(axis(pose), value);
             default -> throw light.failure("must have the type point, spot or directional");
-        }
+        };
     }
 
-    /** It shines along -z. */
-    private static Light spot(GltfElement cone, Rgb value, Affine toScene) throws IOException {
+    /** Lights shine along -z. */
+    private static Vec3 axis(Affine pose) {
+        return pose.vector(new Vec3(0, 0, -1));
+    }
+
+    private static Light spot(GltfElement cone, Rgb value, Affine pose) throws IOException {
         double outer = cone.number("outerConeAngle", StrictMath.PI / 4);
         double inner = cone.number("innerConeAngle", 0);
         if (!(inner >= 0 && inner <= outer && outer > 0 && outer <= StrictMath.PI / 2)) {
@@ -63,8 +84,8 @@ final class PunctualLights {
         }
         double angle = StrictMath.toDegrees(outer);
         return new Light.Spot(
-                Affine.exact(toScene.offset()),
-                toScene.vector(new Vec3(0, 0, -1)),
+                Affine.exact(pose.offset()),
+                axis(pose),
                 angle,
                 Math.min(StrictMath.toDegrees(inner), angle),
                 Rgb.WHITE,

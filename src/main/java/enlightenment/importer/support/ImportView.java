@@ -37,8 +37,13 @@ public record ImportView(Vec3 eye, Vec3 forward, Vec3 up, Vec3 right) {
      * @param verticalDegrees the vertical angle of view
      */
     public Camera.Perspective pinhole(double verticalDegrees) {
-        return new Camera.Perspective(Affine.exact(eye), Affine.exact(eye.plus(forward)), up, verticalDegrees)
+        return new Camera.Perspective(Affine.exact(eye), Affine.exact(lookAt()), up, verticalDegrees)
                 .withHandedness(handedness());
+    }
+
+    /** The point in the middle of the picture. */
+    public Vec3 lookAt() {
+        return eye.plus(forward);
     }
 
     private Handedness handedness() {
@@ -70,12 +75,12 @@ public record ImportView(Vec3 eye, Vec3 forward, Vec3 up, Vec3 right) {
      * @param height of the picture, in units of the scene
      */
     public Camera parallel(double height) {
-        return new Camera.Orthographic(Affine.exact(eye), Affine.exact(eye.plus(forward)), up, height, handedness());
+        return new Camera.Orthographic(Affine.exact(eye), Affine.exact(lookAt()), up, height, handedness());
     }
 
     /** A camera of all directions, by longitude and latitude; the view is in the middle of its picture. */
     public Camera.Panorama panorama() {
-        return new Camera.Panorama(Affine.exact(eye), Affine.exact(eye.plus(forward)), up, 0, handedness());
+        return new Camera.Panorama(Affine.exact(eye), Affine.exact(lookAt()), up, 0, handedness());
     }
 
     private ExactPoint corner(Vec3 offset) {

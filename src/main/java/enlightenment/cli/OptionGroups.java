@@ -45,7 +45,9 @@ final class OptionGroups {
                         "--denoised",
                         "--dump-clusters",
                         "--dump-chains"));
-        RENDER.put("Files of other programs", List.of("--camera", "--view", "--up", "--background", "--fps"));
+        RENDER.put(
+                "Files of other programs",
+                List.of("--camera", "--view", "--up", "--background", "--fps", "--animation"));
         RENDER.put("Watching", List.of("--serve", "--window", "--progress"));
         RENDER.put(
                 "Keeping",

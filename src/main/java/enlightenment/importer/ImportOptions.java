@@ -16,6 +16,8 @@ import java.util.Optional;
  * @param orbit the view of the whole model from outside, in place of the file's camera; empty for the camera, and the usual view where there is none
  * @param backdrop the surroundings; empty for those of the file, and the studio's where nothing shines
  * @param framesPerSecond how many frames a second of a file's animation has, greater than 0 and finite; 24 as a film
+ * @param animation the animation of the file: its number in the file's order, from 0, or its name, of which the first counts; empty for the first
+ *     animation
  */
 public record ImportOptions(
         Optional<Path> extracted,
@@ -23,10 +25,17 @@ public record ImportOptions(
         Optional<String> camera,
         Optional<Orbit> orbit,
         Optional<Backdrop> backdrop,
-        double framesPerSecond) {
+        double framesPerSecond,
+        Optional<String> animation) {
     /** The usual choices. */
     public static final ImportOptions DEFAULT = new ImportOptions(
-            Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), 24);
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty(),
+            24,
+            Optional.empty());
 
     /** An axis that points upwards, with the front of a model that stands on it. */
     public enum Up {
@@ -86,35 +95,52 @@ public record ImportOptions(
         Objects.requireNonNull(camera, "camera");
         Objects.requireNonNull(orbit, "orbit");
         Objects.requireNonNull(backdrop, "backdrop");
+        Objects.requireNonNull(animation, "animation");
+    }
+
+    /** Choices with the first animation; as the canonical constructor. */
+    public ImportOptions(
+            Optional<Path> extracted,
+            Optional<Up> up,
+            Optional<String> camera,
+            Optional<Orbit> orbit,
+            Optional<Backdrop> backdrop,
+            double framesPerSecond) {
+        this(extracted, up, camera, orbit, backdrop, framesPerSecond, Optional.empty());
     }
 
     /** These choices with a folder for pictures. */
     public ImportOptions withExtracted(Path folder) {
-        return new ImportOptions(Optional.of(folder), up, camera, orbit, backdrop, framesPerSecond);
+        return new ImportOptions(Optional.of(folder), up, camera, orbit, backdrop, framesPerSecond, animation);
     }
 
     /** These choices with an axis upwards. */
     public ImportOptions withUp(Up value) {
-        return new ImportOptions(extracted, Optional.of(value), camera, orbit, backdrop, framesPerSecond);
+        return new ImportOptions(extracted, Optional.of(value), camera, orbit, backdrop, framesPerSecond, animation);
     }
 
     /** These choices with a camera of the file, by its number or name. */
     public ImportOptions withCamera(String value) {
-        return new ImportOptions(extracted, up, Optional.of(value), orbit, backdrop, framesPerSecond);
+        return new ImportOptions(extracted, up, Optional.of(value), orbit, backdrop, framesPerSecond, animation);
     }
 
     /** These choices with a view from outside. */
     public ImportOptions withOrbit(Orbit value) {
-        return new ImportOptions(extracted, up, camera, Optional.of(value), backdrop, framesPerSecond);
+        return new ImportOptions(extracted, up, camera, Optional.of(value), backdrop, framesPerSecond, animation);
     }
 
     /** These choices with other surroundings. */
     public ImportOptions withBackdrop(Backdrop value) {
-        return new ImportOptions(extracted, up, camera, orbit, Optional.of(value), framesPerSecond);
+        return new ImportOptions(extracted, up, camera, orbit, Optional.of(value), framesPerSecond, animation);
     }
 
     /** These choices with another number of frames in a second. */
     public ImportOptions withFramesPerSecond(double value) {
-        return new ImportOptions(extracted, up, camera, orbit, backdrop, value);
+        return new ImportOptions(extracted, up, camera, orbit, backdrop, value, animation);
+    }
+
+    /** These choices with an animation of the file, by its number or name. */
+    public ImportOptions withAnimation(String value) {
+        return new ImportOptions(extracted, up, camera, orbit, backdrop, framesPerSecond, Optional.of(value));
     }
 }

@@ -6,10 +6,10 @@ import enlightenment.importer.gltf.GltfReader;
 import enlightenment.importer.mitsuba.MitsubaReader;
 import enlightenment.importer.model.ModelReader;
 import enlightenment.importer.pbrt.PbrtReader;
-import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
+import enlightenment.importer.support.NamedChoice;
 import enlightenment.math.InvalidValueException;
 import enlightenment.nff.NffReader;
 import enlightenment.scene.Scene;
@@ -113,9 +113,17 @@ public final class SceneImporter {
         return switch (format) {
             case GLTF ->
                 GltfReader.read(
-                        file, options.extracted(), new CameraChoice(options.camera()), options.framesPerSecond());
+                        file,
+                        options.extracted(),
+                        NamedChoice.camera(options.camera()),
+                        NamedChoice.animation(options.animation()),
+                        options.framesPerSecond());
             case MITSUBA ->
-                MitsubaReader.read(file, new ExtractedFiles(options.extracted()), new CameraChoice(options.camera()));
+                withoutAnimation(
+                        file,
+                        MitsubaReader.read(
+                                file, new ExtractedFiles(options.extracted()), NamedChoice.camera(options.camera())),
+                        options);
             case PBRT -> withOneCamera(file, PbrtReader.read(file, new ExtractedFiles(options.extracted())), options);
             default -> withOneCamera(file, ModelReader.read(file), options);
         };
@@ -124,12 +132,22 @@ public final class SceneImporter {
     /** Refuses the choice of another camera than the only one that the format can have. */
     private static ImportDraft withOneCamera(Path file, ImportDraft draft, ImportOptions options) {
         requireCamera(file, draft.camera(), options);
+        return withoutAnimation(file, draft, options);
+    }
+
+    /** Refuses the choice of an animation in a format that has none. */
+    private static ImportDraft withoutAnimation(Path file, ImportDraft draft, ImportOptions options) {
+        requireOnly(file, NamedChoice.animation(options.animation()), Optional.empty());
         return draft;
     }
 
     private static void requireCamera(Path file, Optional<?> camera, ImportOptions options) {
+        requireOnly(file, NamedChoice.camera(options.camera()), camera);
+    }
+
+    private static void requireOnly(Path file, NamedChoice choice, Optional<?> only) {
         try {
-            new CameraChoice(options.camera()).requireIn(camera);
+            choice.requireIn(only);
         } catch (IOException e) {
             throw ImportFailure.at(file, 0, e.getMessage());
         }
@@ -147,6 +165,7 @@ public final class SceneImporter {
         }
         NffReader.Result nff = NffReader.read(file);
         requireCamera(file, Optional.of(nff.scene().camera()), options);
+        requireOnly(file, NamedChoice.animation(options.animation()), Optional.empty());
         return new ImportedScene(nff.scene(), nff.notes());
     }
 

@@ -52,7 +52,8 @@ class CommandFilesTest {
             "completion");
 
     /** Such options of all commands that read files of other programs. */
-    private static final Set<String> OF_FOREIGN_FILES = Set.of("--camera", "--view", "--up", "--background", "--fps");
+    private static final Set<String> OF_FOREIGN_FILES =
+            Set.of("--camera", "--view", "--up", "--background", "--fps", "--animation");
 
     /** What is read only, by commands that write nothing, or in a place where nothing is written but files that were not there. */
     private static final Set<String> READ_ONLY = Set.of(

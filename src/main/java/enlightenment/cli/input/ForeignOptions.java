@@ -58,6 +58,12 @@ public final class ForeignOptions {
             description = "file of another program: frames in a second of its animation")
     private Double framesPerSecond;
 
+    @Option(
+            names = "--animation",
+            paramLabel = "NAME",
+            description = "file of another program: the animation of this name or number, counted from 0")
+    private String animation;
+
     /** Options that were not given. */
     public ForeignOptions() {}
 
@@ -77,7 +83,8 @@ public final class ForeignOptions {
                 Optional.ofNullable(camera),
                 Optional.ofNullable(view),
                 Optional.ofNullable(background),
-                framesPerSecond == null ? usual.framesPerSecond() : framesPerSecond);
+                framesPerSecond == null ? usual.framesPerSecond() : framesPerSecond,
+                Optional.ofNullable(animation));
     }
 
     /** Fails if one is given for a file that is none of another program. */
@@ -106,6 +113,9 @@ public final class ForeignOptions {
         }
         if (framesPerSecond != null) {
             given.add("--fps");
+        }
+        if (animation != null) {
+            given.add("--animation");
         }
         return given;
     }

@@ -2,9 +2,9 @@ package enlightenment.importer.gltf;
 
 import enlightenment.camera.Camera;
 import enlightenment.importer.support.Affine;
-import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportView;
+import enlightenment.importer.support.NamedChoice;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import java.io.IOException;
@@ -24,7 +24,7 @@ final class CameraReader {
 
     private final boolean isChosen;
 
-    CameraReader(GltfElement document, ImportDraft draft, CameraChoice choice) throws IOException {
+    CameraReader(GltfElement document, ImportDraft draft, NamedChoice choice) throws IOException {
         this.document = document;
         this.draft = draft;
         wanted = choice.index(names(document));

@@ -3,11 +3,11 @@ package enlightenment.importer.gltf;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Transform;
 import enlightenment.importer.support.Affine;
-import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
 import enlightenment.importer.support.InputFolder;
+import enlightenment.importer.support.NamedChoice;
 import enlightenment.math.InvalidValueException;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.text.Plain;
@@ -51,13 +51,15 @@ public final class GltfReader {
     private final MaterialSet materials;
     private final PunctualLights lights;
     private final CameraReader cameras;
+    private final NodeMotions motions;
     private final NodeTracks tracks;
 
     private GltfReader(
             GltfContainer file,
             InputFolder folder,
             ExtractedFiles extracted,
-            CameraChoice camera,
+            NamedChoice camera,
+            NamedChoice animation,
             double framesPerSecond)
             throws IOException {
         document = file.document();
@@ -65,7 +67,7 @@ public final class GltfReader {
         GltfBuffers buffers = new GltfBuffers(file, folder);
         ImageStore images = new ImageStore(document, buffers, folder, extracted);
         accessors = new GltfAccessors(document, buffers);
-        NodeMotions motions = NodeMotions.read(document, accessors, framesPerSecond, draft.notes());
+        motions = NodeMotions.read(document, accessors, animation, framesPerSecond, draft.notes());
         nodes = new NodeTree(document, motions);
         tracks = new NodeTracks(nodes, motions, draft.notes());
         primitives = new PrimitiveReader(accessors, buffers, draft.notes());
@@ -79,16 +81,23 @@ public final class GltfReader {
      *
      * @param extracted where pictures go that the file holds inside; empty for a temporary folder
      * @param camera the camera of the picture
+     * @param animation the motion of the nodes
      * @param framesPerSecond of the file's animation
      * @throws enlightenment.scene.SceneException with the place in the file, for what is no such file, or needs what is not read here
      * @throws IOException if a file cannot be read or written
      */
-    public static ImportDraft read(Path file, Optional<Path> extracted, CameraChoice camera, double framesPerSecond)
+    public static ImportDraft read(
+            Path file, Optional<Path> extracted, NamedChoice camera, NamedChoice animation, double framesPerSecond)
             throws IOException {
         try {
             GltfContainer container = GltfContainer.read(file);
             GltfReader reader = new GltfReader(
-                    container, new InputFolder(file), new ExtractedFiles(extracted), camera, framesPerSecond);
+                    container,
+                    new InputFolder(file),
+                    new ExtractedFiles(extracted),
+                    camera,
+                    animation,
+                    framesPerSecond);
             reader.readNodes();
             reader.cameras.requireChosen();
             reader.addAnimation();
@@ -123,8 +132,11 @@ public final class GltfReader {
 
     private void addAnimation() throws IOException {
         tracks.animation().ifPresent(draft::animation);
-        if (document.size("animations") > 0 && tracks.animation().isEmpty()) {
-            draft.notes().add("animations/0", "it moves nothing that is seen, and is left out");
+        if (motions.animation().isPresent() && tracks.animation().isEmpty()) {
+            draft.notes()
+                    .add(
+                            "animations/" + motions.animation().getAsInt(),
+                            "it moves nothing that is seen, and is left out");
         }
     }
 

@@ -1,12 +1,16 @@
 package enlightenment.importer.gltf;
 
 import enlightenment.importer.support.ImportNotes;
+import enlightenment.importer.support.NamedChoice;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 
-/** How nodes move: the channels of a file's first animation. */
+/** How nodes move: the channels of an animation of a file. */
 final class NodeMotions {
     private static final int MOST_FRAMES = 100_000;
 
@@ -52,24 +56,41 @@ final class NodeMotions {
         }
     }
 
+    private final OptionalInt animation;
     private final double framesPerSecond;
     private final Map<Integer, Motion> motions = new HashMap<>();
     private double seconds;
 
-    private NodeMotions(double framesPerSecond) {
+    private NodeMotions(OptionalInt animation, double framesPerSecond) {
+        this.animation = animation;
         this.framesPerSecond = framesPerSecond;
     }
 
-    /** The motions of the first animation, with notes of all others and of channels that are left out. */
-    static NodeMotions read(GltfElement document, GltfAccessors accessors, double framesPerSecond, ImportNotes notes)
+    /**
+     * The motions of an animation, with notes of channels that are left out; of several animations a note says which one is taken, unless it was
+     * chosen.
+     *
+     * @throws IOException listing the animations that there are, if there is none of that choice
+     */
+    static NodeMotions read(
+            GltfElement document,
+            GltfAccessors accessors,
+            NamedChoice choice,
+            double framesPerSecond,
+            ImportNotes notes)
             throws IOException {
-        NodeMotions motions = new NodeMotions(framesPerSecond);
-        int count = document.size("animations");
-        if (count > 1) {
-            notes.add("animations", "the first one counts: " + (count - 1) + " more left out");
+        List<String> names = new ArrayList<>();
+        for (GltfElement animation : document.items("animations")) {
+            names.add(animation.text("name", ""));
         }
-        if (count > 0) {
-            GltfElement animation = document.item("animations", 0);
+        int index = choice.index(names);
+        if (names.size() > 1 && choice.wanted().isEmpty()) {
+            notes.add("animations", "of " + names.size() + ", the first is taken: " + NamedChoice.shown(names, index));
+        }
+        NodeMotions motions =
+                new NodeMotions(names.isEmpty() ? OptionalInt.empty() : OptionalInt.of(index), framesPerSecond);
+        if (!names.isEmpty()) {
+            GltfElement animation = document.item("animations", index);
             for (GltfElement channel : animation.items("channels")) {
                 motions.read(document, animation, channel, accessors, notes);
             }
@@ -123,6 +144,11 @@ final class NodeMotions {
             throw animation.failure("lasts " + seconds + " s, which is more than " + MOST_FRAMES + " frames of "
                     + framesPerSecond + " in a second");
         }
+    }
+
+    /** The number of the animation; empty if the file has none. */
+    OptionalInt animation() {
+        return animation;
     }
 
     /** How a node moves within its parent; empty if it stands. */

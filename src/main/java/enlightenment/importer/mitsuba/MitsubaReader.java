@@ -1,10 +1,10 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.importer.support.Affine;
-import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
+import enlightenment.importer.support.NamedChoice;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.text.Plain;
 import java.io.IOException;
@@ -52,7 +52,7 @@ public final class MitsubaReader {
      * @throws enlightenment.scene.SceneException for what is no such scene, with file, line and what was expected
      * @throws IOException if a file cannot be read, or a mesh is broken
      */
-    public static ImportDraft read(Path file, ExtractedFiles made, CameraChoice camera) throws IOException {
+    public static ImportDraft read(Path file, ExtractedFiles made, NamedChoice camera) throws IOException {
         XmlElement root = XmlFile.read(file);
         if (!root.tag().equals("scene")) {
             throw ImportFailure.at(
@@ -67,7 +67,7 @@ public final class MitsubaReader {
         return draft;
     }
 
-    private static int chosen(Path file, List<XmlElement> sensors, CameraChoice camera) {
+    private static int chosen(Path file, List<XmlElement> sensors, NamedChoice camera) {
         try {
             return camera.index(sensors.stream().map(e -> e.attribute("id")).toList());
         } catch (IOException e) {

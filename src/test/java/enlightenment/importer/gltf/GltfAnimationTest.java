@@ -8,6 +8,7 @@ import enlightenment.cli.CliRun;
 import enlightenment.geometry.Mesh;
 import enlightenment.importer.ImportOptions;
 import enlightenment.importer.ImportedScene;
+import enlightenment.importer.SceneImporter;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
@@ -247,7 +248,7 @@ class GltfAnimationTest {
         motion.add("");
         String notes = imported(ImportOptions.DEFAULT).notes().toString();
         assertTrue(notes.contains("morph targets"), notes);
-        assertTrue(notes.contains("animations: the first one counts: 1 more left out"), notes);
+        assertTrue(notes.contains("animations: of 2, the first is taken: 0"), notes);
     }
 
     private String problem() {
@@ -349,5 +350,53 @@ class GltfAnimationTest {
         assertEquals(
                 glb + ": /animation: there is no frame 4; the frames are 0..3 (in frame 4)",
                 none.err().strip());
+    }
+
+    /** Three animations: to 1, 2 and 3 along x. */
+    private void addThree() {
+        file.add("nodes", "{'mesh':0}");
+        for (int n = 1; n <= 3; n++) {
+            GltfMotion one = new GltfMotion(file);
+            one.move(0, "translation", "LINEAR", new float[] {0, 1}, 0, 0, 0, n, 0, 0);
+            one.add(n == 1 ? "" : ",'name':'Walk " + n + "\\u001b'");
+        }
+    }
+
+    private double end(String animation) throws IOException {
+        Path glb = folder.resolve("three.glb");
+        Files.write(glb, file.glb());
+        ImportedScene imported = SceneImporter.read(
+                glb, ImportOptions.DEFAULT.withFramesPerSecond(8).withAnimation(animation));
+        assertEquals("[]", imported.notes().toString(), "what was chosen needs no note");
+        return 8 * moved(imported.scene(), 1, 0, 0, 0).x();
+    }
+
+    @Test
+    void anAnimationIsChosenByNumberOrName() throws IOException {
+        addThree();
+        assertEquals(1, end("0"), CLOSE);
+        assertEquals(3, end("2"), CLOSE);
+        assertEquals(2, end("Walk 2\u001b"), CLOSE);
+    }
+
+    @Test
+    void anAnimationThatIsNotThereIsRefusedWithAList() throws IOException {
+        addThree();
+        Path glb = folder.resolve("three.glb");
+        Files.write(glb, file.glb());
+        for (String wrong : new String[] {"3", "-1", "Run"}) {
+            CliRun run = CliRun.of("animate", glb, "-o", folder.resolve("p-%d.png"), "--animation", wrong);
+            assertEquals(2, run.code());
+            assertEquals(
+                    glb + ": has no animation \"" + wrong + "\"; its animations are 0, 1 \"Walk 2?\", 2 \"Walk 3?\"",
+                    run.err().strip());
+        }
+        Path json = folder.resolve("three.json");
+        CliRun without = CliRun.of("convert", glb, json);
+        assertEquals(0, without.code());
+        assertTrue(without.err().contains("animations: of 3, the first is taken: 0"), without.err());
+        CliRun other = CliRun.of("validate", json, "--animation", "1");
+        assertEquals(2, other.code());
+        assertTrue(other.err().contains("--animation is for files of other programs"), other.err());
     }
 }

@@ -1,8 +1,8 @@
 package enlightenment.importer.mitsuba;
 
-import enlightenment.importer.support.CameraChoice;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
+import enlightenment.importer.support.NamedChoice;
 import enlightenment.material.Material;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
@@ -27,7 +27,7 @@ record MitsubaScenes(Path folder) {
 
     private ImportDraft read(Path file) throws IOException {
         return MitsubaReader.read(
-                file, new ExtractedFiles(Optional.of(folder.resolve("made"))), new CameraChoice(Optional.empty()));
+                file, new ExtractedFiles(Optional.of(folder.resolve("made"))), NamedChoice.camera(Optional.empty()));
     }
 
     /** The material of a sphere with this bsdf. */

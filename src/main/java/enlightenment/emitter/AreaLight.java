@@ -16,7 +16,7 @@ public sealed interface AreaLight permits SphereLight, SurfaceLight {
     /**
      * Samples a point of the light and sets {@link LightSample#dx} and so on (unit direction to it), {@link LightSample#length} (distance
      * in the frame), {@link LightSample#pdf} (per solid angle at the receiver) and {@link LightSample#cosine}. The pdf is 0 if there is no
-     * sample: the receiver is inside a sphere, in the plane of a flat light or behind a one-sided one, or the point faces away from it.
+     * sample: the receiver is inside a sphere, in the plane of a flat light or on a side of it that does not shine, or the point faces away from it.
      *
      * @param u with v a uniform point of the unit square
      */
@@ -71,7 +71,7 @@ public sealed interface AreaLight permits SphereLight, SurfaceLight {
     /** The area of one side. */
     double area();
 
-    /** Whether a flat light or an open surface shines from both of its sides. */
+    /** Whether a flat light or a curved surface shines from both of its sides. */
     boolean isTwoSided();
 
     /** Chooses a point evenly over the area, for (u, v) in the unit square, with its normal. */
@@ -83,7 +83,7 @@ public sealed interface AreaLight permits SphereLight, SurfaceLight {
     /** The radius of that ball. */
     double ballRadius();
 
-    /** The unit normal of a flat light, which points to its front; the zero vector for one that is not flat. */
+    /** The unit normal of a flat light, on its front unless it shines to its back alone; the zero vector for one that is not flat. */
     Vec3 flatNormal();
 
     /** The numbers that define the light, in a fixed order: lights of a kind are equal if these are. */

@@ -19,29 +19,35 @@ public final class AreaLights {
      * A face of a primitive as a light: the whole of it if it has one face.
      *
      * @param face in 0..{@link Primitive#faceCount}−1, as {@link enlightenment.primitive.Hit#face}
-     * @param twoSided whether a surface that encloses nothing shines from both sides, or from the one that its normal points to only;
-     *     solids shine outwards
+     * @param sides those that shine; solids that shine to both are not sampled from inside, where every direction meets them
      * @return null if the face has no area in the frame: it cannot be sampled, and hardly be met
      */
-    public static AreaLight of(Primitive primitive, int face, boolean twoSided) {
+    public static AreaLight of(Primitive primitive, int face, LightSides sides) {
         if (primitive instanceof SpherePrimitive s) {
-            return new SphereLight(s.center(), s.radius());
+            return sides == LightSides.BACK
+                    ? new InnerSphereLight(s.center(), s.radius())
+                    : new SphereLight(s.center(), s.radius());
         } else if (primitive instanceof RectanglePrimitive r) {
-            return rectangle(r.parameters(), twoSided);
+            return rectangle(r.parameters(), sides);
         } else if (primitive instanceof TrianglePrimitive t) {
-            return triangle(t.parameters(), twoSided);
+            return triangle(t.parameters(), sides);
         } else if (primitive instanceof DiskPrimitive d) {
-            return new DiskLight(d.center(), d.normal(), d.radius(), twoSided);
+            return new DiskLight(d.center(), d.normal(), d.radius(), sides);
         } else if (primitive instanceof AxialPrimitive a) {
-            return axial(a, face, twoSided);
+            return axial(a, face, sides);
         } else if (primitive instanceof TorusPrimitive t) {
-            return new TorusLight(t.center(), t.axis(), t.majorRadius(), t.minorRadius());
+            return new TorusLight(t.center(), t.axis(), t.majorRadius(), t.minorRadius(), ofSolid(sides));
         } else if (primitive instanceof BoxPrimitive b) {
-            return boxFace(b.bounds().min(), b.bounds().max(), face);
+            return boxFace(b.bounds().min(), b.bounds().max(), face, ofSolid(sides));
         } else if (primitive instanceof CubePrimitive c) {
-            return cubeFace(c, face);
+            return cubeFace(c, face, ofSolid(sides));
         }
         throw new AssertionError("no light of the form " + primitive.getClass().getSimpleName());
+    }
+
+    /** Every direction from inside a solid meets it, so that only one that shines there alone is sampled from there. */
+    private static LightSides ofSolid(LightSides sides) {
+        return sides == LightSides.BACK ? LightSides.BACK : LightSides.FRONT;
     }
 
     private static Vec3 vector(double[] numbers, int k) {
@@ -49,27 +55,28 @@ public final class AreaLights {
     }
 
     /** The corners are lower left, upper left, upper right and lower right. */
-    private static AreaLight rectangle(double[] corners, boolean twoSided) {
+    private static AreaLight rectangle(double[] corners, LightSides sides) {
         Vec3 a = vector(corners, 0);
-        return parallelogram(a, vector(corners, 3).minus(a), vector(corners, 1).minus(a), twoSided);
+        return parallelogram(a, vector(corners, 3).minus(a), vector(corners, 1).minus(a), sides);
     }
 
-    private static AreaLight parallelogram(Vec3 corner, Vec3 right, Vec3 up, boolean twoSided) {
-        return up.cross(right).maxAbs() > 0 ? new ParallelogramLight(corner, right, up, twoSided) : null;
+    private static AreaLight parallelogram(Vec3 corner, Vec3 right, Vec3 up, LightSides sides) {
+        return up.cross(right).maxAbs() > 0 ? new ParallelogramLight(corner, right, up, sides) : null;
     }
 
-    private static AreaLight triangle(double[] corners, boolean twoSided) {
+    private static AreaLight triangle(double[] corners, LightSides sides) {
         Vec3 a = vector(corners, 0);
         Vec3 b = vector(corners, 1);
         Vec3 c = vector(corners, 2);
-        return b.minus(a).cross(c.minus(a)).maxAbs() > 0 ? new TriangleLight(a, b, c, twoSided) : null;
+        return b.minus(a).cross(c.minus(a)).maxAbs() > 0 ? new TriangleLight(a, b, c, sides) : null;
     }
 
-    private static AreaLight axial(AxialPrimitive a, int face, boolean twoSided) {
+    private static AreaLight axial(AxialPrimitive a, int face, LightSides sides) {
         double[] p = a.parameters();
         Vec3 toTop = vector(p, 3);
         if (face == AxialPrimitive.LATERAL) {
-            return new LateralLight(a.base(), toTop, a.baseRadius(), a.topRadius(), twoSided && !a.isCapped());
+            return new LateralLight(
+                    a.base(), toTop, a.baseRadius(), a.topRadius(), a.isCapped() ? ofSolid(sides) : sides);
         }
         boolean top = face == AxialPrimitive.TOP;
         double radius = top ? a.topRadius() : a.baseRadius();
@@ -77,10 +84,10 @@ public final class AreaLights {
             return null;
         }
         Vec3 outward = top ? toTop.normalized() : toTop.normalized().negated();
-        return new DiskLight(top ? a.top() : a.base(), outward, radius, false);
+        return new DiskLight(top ? a.top() : a.base(), outward, radius, ofSolid(sides));
     }
 
-    private static AreaLight boxFace(Vec3 min, Vec3 max, int face) {
+    private static AreaLight boxFace(Vec3 min, Vec3 max, int face, LightSides sides) {
         Vec3 extent = max.minus(min);
         boolean upper = face % 2 == 1;
         // Assigned, not computed, as on the primitive.
@@ -88,22 +95,28 @@ public final class AreaLights {
                 upper && face / 2 == 0 ? max.x() : min.x(),
                 upper && face / 2 == 1 ? max.y() : min.y(),
                 upper && face / 2 == 2 ? max.z() : min.z());
-        return face(corner, new Vec3(extent.x(), 0, 0), new Vec3(0, extent.y(), 0), new Vec3(0, 0, extent.z()), face);
+        return face(
+                corner,
+                new Vec3(extent.x(), 0, 0),
+                new Vec3(0, extent.y(), 0),
+                new Vec3(0, 0, extent.z()),
+                face,
+                sides);
     }
 
     /** One of six faces of a box with these edges, from its lowest corner. */
-    private static AreaLight face(Vec3 corner, Vec3 x, Vec3 y, Vec3 z, int face) {
+    private static AreaLight face(Vec3 corner, Vec3 x, Vec3 y, Vec3 z, int face, LightSides sides) {
         Vec3 p = face / 2 == 0 ? y : face / 2 == 1 ? z : x;
         Vec3 q = face / 2 == 0 ? z : face / 2 == 1 ? x : y;
         // p × q points along the axis: outward on the upper face.
-        return face % 2 == 1 ? parallelogram(corner, q, p, false) : parallelogram(corner, p, q, false);
+        return face % 2 == 1 ? parallelogram(corner, q, p, sides) : parallelogram(corner, p, q, sides);
     }
 
-    private static AreaLight cubeFace(CubePrimitive c, int face) {
+    private static AreaLight cubeFace(CubePrimitive c, int face, LightSides sides) {
         Vec3 x = c.edge(0);
         Vec3 y = c.edge(1);
         Vec3 z = c.edge(2);
         Vec3 corner = c.center().minus(x.plus(y).plus(z).times(0.5));
-        return face(face % 2 == 1 ? corner.plus(c.edge(face / 2)) : corner, x, y, z, face);
+        return face(face % 2 == 1 ? corner.plus(c.edge(face / 2)) : corner, x, y, z, face, sides);
     }
 }

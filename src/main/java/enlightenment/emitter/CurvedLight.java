@@ -3,25 +3,25 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 
 /** A curved surface that is sampled evenly over its area. */
-abstract sealed class CurvedLight extends SurfaceLight permits LateralLight, TorusLight {
+abstract sealed class CurvedLight extends SurfaceLight permits LateralLight, TorusLight, InnerSphereLight {
     /**
      * A surface inside of a ball.
      *
      * @param center of the ball
      */
-    CurvedLight(Vec3 center, double ballRadius, double area, boolean twoSided) {
-        super(center, ballRadius, area, twoSided);
+    CurvedLight(Vec3 center, double ballRadius, double area, LightSides sides) {
+        super(center, ballRadius, area, sides);
     }
 
     @Override
     public final void sample(LightSample s, double u, double v) {
         samplePoint(u, v, s.point);
-        s.toPoint(area, twoSided);
+        s.toPoint(area, sides);
     }
 
     @Override
     public final double pdf(LightSample s, double dx, double dy, double dz, double distance, double cosine) {
-        return LightSample.pdfOfArea(area, twoSided, distance, cosine);
+        return LightSample.pdfOfArea(area, sides, distance, cosine);
     }
 
     @Override

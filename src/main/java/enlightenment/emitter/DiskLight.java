@@ -11,14 +11,19 @@ public final class DiskLight extends FlatLight {
     private final double radius;
     private final Basis basis = new Basis();
 
+    /** A surface whose front shines, or both of its sides. */
+    public DiskLight(Vec3 center, Vec3 normal, double radius, boolean twoSided) {
+        this(center, normal, radius, LightSides.of(twoSided));
+    }
+
     /**
      * A disk.
      *
      * @param normal of length 1, points to its front
-     * @param twoSided whether its back shines as well
+     * @param sides those that shine
      */
-    public DiskLight(Vec3 center, Vec3 normal, double radius, boolean twoSided) {
-        super(center, normal, Math.PI * radius * radius, twoSided, center, radius * (1 + Scale.gamma(8)));
+    public DiskLight(Vec3 center, Vec3 normal, double radius, LightSides sides) {
+        super(center, normal, Math.PI * radius * radius, sides, center, radius * (1 + Scale.gamma(8)));
         this.center = center;
         this.radius = radius;
         basis.around(normal.x(), normal.y(), normal.z());
@@ -73,6 +78,6 @@ public final class DiskLight extends FlatLight {
 
     @Override
     public double[] parameters() {
-        return Numbers.of(twoSided, center, normal, new Vec3(radius, 0, 0));
+        return Numbers.of(sides, center, normal, new Vec3(radius, 0, 0));
     }
 }

@@ -11,8 +11,8 @@ abstract sealed class FlatLight extends SurfaceLight permits ParallelogramLight,
     /** A point of the plane. */
     private final Vec3 foot;
 
-    FlatLight(Vec3 foot, Vec3 normal, double area, boolean twoSided, Vec3 center, double radius) {
-        super(center, radius, area, twoSided);
+    FlatLight(Vec3 foot, Vec3 normal, double area, LightSides sides, Vec3 center, double radius) {
+        super(center, radius, area, sides);
         this.foot = foot;
         this.normal = normal;
     }
@@ -25,7 +25,7 @@ abstract sealed class FlatLight extends SurfaceLight permits ParallelogramLight,
 
     /** Whether the receiver is on a side that shines. */
     final boolean faces(LightSample s) {
-        return twoSided ? s.height != 0 : s.height > 0;
+        return sides.shineAt(s.height);
     }
 
     /** Chooses a point that was sampled evenly over the area, given from the receiver. */
@@ -37,7 +37,7 @@ abstract sealed class FlatLight extends SurfaceLight permits ParallelogramLight,
 
     /** The density per solid angle of a point that is sampled evenly over the area. */
     final double density(double distance, double cosine) {
-        return LightSample.pdfOfArea(area, twoSided, distance, cosine);
+        return LightSample.pdfOfArea(area, sides, distance, cosine);
     }
 
     /** Chooses the point of the plane in the direction that the triangle has chosen. */
@@ -61,6 +61,6 @@ abstract sealed class FlatLight extends SurfaceLight permits ParallelogramLight,
 
     @Override
     public final Vec3 flatNormal() {
-        return normal;
+        return sides == LightSides.BACK ? normal.negated() : normal;
     }
 }

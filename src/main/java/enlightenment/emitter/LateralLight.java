@@ -18,6 +18,11 @@ public final class LateralLight extends CurvedLight {
 
     private final Vec3 alongNormal;
 
+    /** A surface whose front shines, or both of its sides. */
+    public LateralLight(Vec3 base, Vec3 toTop, double baseRadius, double topRadius, boolean twoSided) {
+        this(base, toTop, baseRadius, topRadius, LightSides.of(twoSided));
+    }
+
     /**
      * The surface between two circles.
      *
@@ -25,14 +30,14 @@ public final class LateralLight extends CurvedLight {
      * @param toTop from there to the centre of the other one
      * @param baseRadius the radius of the first circle, at least 0
      * @param topRadius that of the other one, at least 0; one of the two is greater
-     * @param twoSided whether its inner side shines as well: that of a surface without ends is seen
+     * @param sides those that shine
      */
-    public LateralLight(Vec3 base, Vec3 toTop, double baseRadius, double topRadius, boolean twoSided) {
+    public LateralLight(Vec3 base, Vec3 toTop, double baseRadius, double topRadius, LightSides sides) {
         super(
                 base.plus(toTop.times(0.5)),
                 ballRadius(base.plus(toTop.times(0.5)), toTop.length(), Math.max(baseRadius, topRadius)),
                 Math.PI * (baseRadius + topRadius) * slant(toTop, topRadius - baseRadius),
-                twoSided);
+                sides);
         this.base = base;
         this.toTop = toTop;
         this.baseRadius = baseRadius;
@@ -80,6 +85,6 @@ public final class LateralLight extends CurvedLight {
 
     @Override
     public double[] parameters() {
-        return Numbers.of(twoSided, base, toTop, new Vec3(baseRadius, topRadius, 0));
+        return Numbers.of(sides, base, toTop, new Vec3(baseRadius, topRadius, 0));
     }
 }

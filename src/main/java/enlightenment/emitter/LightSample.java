@@ -12,7 +12,7 @@ public final class LightSample extends EmitterView {
 
     /**
      * The cosine at the light between its normal (outward, or to its front) and the direction back to the receiver: negative where a
-     * two-sided light is seen from behind.
+     * light that shines to its back is seen from there.
      */
     public double cosine;
 
@@ -56,15 +56,15 @@ public final class LightSample extends EmitterView {
     }
 
     /** The sample is {@link #point}, chosen evenly over an area. */
-    void toPoint(double area, boolean twoSided) {
+    void toPoint(double area, LightSides sides) {
         toOffset(point.x - cone.x, point.y - cone.y, point.z - cone.z);
         cosine = -(dx * point.nx + dy * point.ny + dz * point.nz);
-        pdf = pdfOfArea(area, twoSided, length, cosine);
+        pdf = pdfOfArea(area, sides, length, cosine);
     }
 
-    /** Density by area to density by solid angle; 0 behind a light that shines to one side only, and where it is not finite. */
-    static double pdfOfArea(double area, boolean twoSided, double distance, double cosine) {
-        if (!(twoSided ? cosine != 0 : cosine > 0)) {
+    /** Density by area to density by solid angle; 0 on a side that does not shine, and where it is not finite. */
+    static double pdfOfArea(double area, LightSides sides, double distance, double cosine) {
+        if (!sides.shineAt(cosine)) {
             return 0;
         }
         double density = distance * distance / (area * Math.abs(cosine));

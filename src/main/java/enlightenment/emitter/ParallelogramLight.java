@@ -30,24 +30,29 @@ public final class ParallelogramLight extends FlatLight {
     private final double length;
     private final boolean rectangular;
 
+    /** A surface whose front shines, or both of its sides. */
+    public ParallelogramLight(Vec3 corner, Vec3 right, Vec3 up, boolean twoSided) {
+        this(corner, right, up, LightSides.of(twoSided));
+    }
+
     /**
      * A parallelogram.
      *
      * @param corner its lower left corner
      * @param right the edge from there to the lower right one
      * @param up the edge to the upper left one
-     * @param twoSided whether its back shines as well
+     * @param sides those that shine
      */
-    public ParallelogramLight(Vec3 corner, Vec3 right, Vec3 up, boolean twoSided) {
-        this(corner, right, up, twoSided, up.cross(right));
+    public ParallelogramLight(Vec3 corner, Vec3 right, Vec3 up, LightSides sides) {
+        this(corner, right, up, sides, up.cross(right));
     }
 
-    private ParallelogramLight(Vec3 corner, Vec3 right, Vec3 up, boolean twoSided, Vec3 product) {
+    private ParallelogramLight(Vec3 corner, Vec3 right, Vec3 up, LightSides sides, Vec3 product) {
         super(
                 corner,
                 product.normalized(),
                 product.length(),
-                twoSided,
+                sides,
                 corner.plus(right.plus(up).times(0.5)),
                 0.5 * diagonal(right, up) * (1 + Scale.gamma(16)));
         this.corner = corner;
@@ -233,6 +238,6 @@ public final class ParallelogramLight extends FlatLight {
 
     @Override
     public double[] parameters() {
-        return Numbers.of(twoSided, corner, right, up);
+        return Numbers.of(sides, corner, right, up);
     }
 }

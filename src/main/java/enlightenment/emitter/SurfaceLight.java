@@ -9,13 +9,13 @@ abstract sealed class SurfaceLight implements AreaLight permits FlatLight, Curve
 
     private final double ballRadius;
     final double area;
-    final boolean twoSided;
+    final LightSides sides;
 
-    SurfaceLight(Vec3 ballCenter, double ballRadius, double area, boolean twoSided) {
+    SurfaceLight(Vec3 ballCenter, double ballRadius, double area, LightSides sides) {
         this.ballCenter = ballCenter;
         this.ballRadius = ballRadius;
         this.area = area;
-        this.twoSided = twoSided;
+        this.sides = sides;
     }
 
     @Override
@@ -30,7 +30,7 @@ abstract sealed class SurfaceLight implements AreaLight permits FlatLight, Curve
 
     @Override
     public final boolean isTwoSided() {
-        return twoSided;
+        return sides == LightSides.BOTH;
     }
 
     @Override

@@ -4,7 +4,7 @@ import enlightenment.frame.Basis;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
-/** A torus that shines outwards, sampled evenly over its area. */
+/** A torus that shines outwards or inwards, sampled evenly over its area. */
 public final class TorusLight extends CurvedLight {
     /** Halvings of the angle's interval before Newton's steps, which then converge from wherever they are. */
     private static final int MOST_STEPS = 64;
@@ -18,19 +18,25 @@ public final class TorusLight extends CurvedLight {
 
     private final Basis basis = new Basis();
 
+    /** A torus that shines outwards. */
+    public TorusLight(Vec3 center, Vec3 axis, double majorRadius, double minorRadius) {
+        this(center, axis, majorRadius, minorRadius, LightSides.FRONT);
+    }
+
     /**
      * All points within {@code minorRadius} of a circle.
      *
      * @param axis the unit vector that the circle's plane is perpendicular to
      * @param majorRadius the circle's radius
      * @param minorRadius greater than 0, at most the major radius
+     * @param sides those that shine
      */
-    public TorusLight(Vec3 center, Vec3 axis, double majorRadius, double minorRadius) {
+    public TorusLight(Vec3 center, Vec3 axis, double majorRadius, double minorRadius, LightSides sides) {
         super(
                 center,
                 (majorRadius + minorRadius) * (1 + Scale.gamma(8)),
                 4 * Math.PI * Math.PI * majorRadius * minorRadius,
-                false);
+                sides);
         this.axis = axis;
         this.majorRadius = majorRadius;
         this.minorRadius = minorRadius;
@@ -86,6 +92,6 @@ public final class TorusLight extends CurvedLight {
 
     @Override
     public double[] parameters() {
-        return Numbers.of(false, ballCenter(), axis, new Vec3(majorRadius, minorRadius, 0));
+        return Numbers.of(sides, ballCenter(), axis, new Vec3(majorRadius, minorRadius, 0));
     }
 }

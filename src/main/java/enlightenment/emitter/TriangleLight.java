@@ -12,17 +12,22 @@ public final class TriangleLight extends FlatLight {
     private final Vec3 toB;
     private final Vec3 toC;
 
+    /** A surface whose front shines, or both of its sides. */
+    public TriangleLight(Vec3 a, Vec3 b, Vec3 c, boolean twoSided) {
+        this(a, b, c, LightSides.of(twoSided));
+    }
+
     /**
      * A triangle that spans an area.
      *
-     * @param twoSided whether its back shines as well
+     * @param sides those that shine
      */
-    public TriangleLight(Vec3 a, Vec3 b, Vec3 c, boolean twoSided) {
-        this(a, b.minus(a), c.minus(a), b.minus(a).cross(c.minus(a)), twoSided);
+    public TriangleLight(Vec3 a, Vec3 b, Vec3 c, LightSides sides) {
+        this(a, b.minus(a), c.minus(a), b.minus(a).cross(c.minus(a)), sides);
     }
 
-    private TriangleLight(Vec3 a, Vec3 toB, Vec3 toC, Vec3 product, boolean twoSided) {
-        super(a, product.normalized(), 0.5 * product.length(), twoSided, a.plus(middle(toB, toC)), radius(a, toB, toC));
+    private TriangleLight(Vec3 a, Vec3 toB, Vec3 toC, Vec3 product, LightSides sides) {
+        super(a, product.normalized(), 0.5 * product.length(), sides, a.plus(middle(toB, toC)), radius(a, toB, toC));
         this.a = a;
         this.toB = toB;
         this.toC = toC;
@@ -137,6 +142,6 @@ public final class TriangleLight extends FlatLight {
 
     @Override
     public double[] parameters() {
-        return Numbers.of(twoSided, a, toB, toC);
+        return Numbers.of(sides, a, toB, toC);
     }
 }

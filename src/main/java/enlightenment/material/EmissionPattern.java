@@ -24,7 +24,10 @@ public record EmissionPattern(Optional<Texture> map, Side side) {
          * that (upperLeft − lowerLeft) × (lowerRight − lowerLeft) of a rectangle points to, that a disk's normal points to, and, of a triangle with the
          * corners a, b, c, also in a mesh, the side that (b − a) × (c − a) points to once it is placed.
          */
-        FRONT
+        FRONT,
+
+        /** The other side alone: the inside of balls, boxes, cylinders, cones and tori. */
+        BACK
     }
 
     /** Both must be there. */

@@ -60,7 +60,7 @@ public final class LightStarts {
         double sum = 0;
         for (int l = 0; l <= n && brightest > 0; l++) {
             if (l < n) {
-                shinesBothWays[l] = lights[l].shinesInside;
+                shinesBothWays[l] = lights[l].shinesOutside && lights[l].shinesInside;
                 probability[l] = brightness(lights[l]) / brightest * reach(l);
             } else if (withBackground) {
                 probability[l] = background() / brightest * reach(l);
@@ -133,6 +133,11 @@ public final class LightStarts {
     /** Whether paths leave a light with extent from both sides of its surface. */
     public boolean shinesBothWays(int light) {
         return shinesBothWays[light];
+    }
+
+    /** Whether paths leave such a light from its inside alone. */
+    public boolean shinesInwards(int light) {
+        return !lights[light].shinesOutside;
     }
 
     /**

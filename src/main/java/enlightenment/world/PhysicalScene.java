@@ -232,7 +232,7 @@ public final class PhysicalScene {
         // Nothing comes into an opaque solid, or out of it.
         boolean isInsideSeen = !p.isSolid() || compiled.materials().inside(id).isGlass || eye.overlaps(p.bounds());
         PhysicalLight light =
-                PhysicalLight.glowing(p, id, face, m.glow(), ultraviolet, m.glowsInside, isInsideSeen, m.radianceMap);
+                PhysicalLight.glowing(p, id, face, m.glow(), ultraviolet, m.sides, isInsideSeen, m.radianceMap);
         // Where the texture is black nothing glows.
         return light == null || m.radianceMap != null && !(brightness(light) > 0) ? null : light;
     }

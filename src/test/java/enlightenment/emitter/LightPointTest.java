@@ -220,13 +220,17 @@ class LightPointTest {
             SceneFrame frame = new SceneFrame(ExactPoint.ORIGIN, e);
             assertArrayEquals(
                     new SphereLight(new Vec3(1, 2, 3), 0.5).parameters(),
-                    AreaLights.of(Primitives.place(Sphere.of(ExactPoint.of(f, 2 * f, 3 * f), f / 2), frame), 0, false)
+                    AreaLights.of(
+                                    Primitives.place(Sphere.of(ExactPoint.of(f, 2 * f, 3 * f), f / 2), frame),
+                                    0,
+                                    LightSides.FRONT)
                             .parameters());
             Rectangle square = new Rectangle(
                     ExactPoint.ORIGIN, ExactPoint.of(0, f, 0), ExactPoint.of(f, f, 0), ExactPoint.of(f, 0, 0));
             assertArrayEquals(
                     new ParallelogramLight(Vec3.ZERO, Vec3.X, Vec3.Y, true).parameters(),
-                    AreaLights.of(Primitives.place(square, frame), 0, true).parameters());
+                    AreaLights.of(Primitives.place(square, frame), 0, LightSides.BOTH)
+                            .parameters());
         }
     }
 }

@@ -18,6 +18,7 @@ final class SeenLight {
     final LightSample sample = new LightSample();
     private final Primitive primitive;
     private final int face;
+    private final LightSides sides;
     private final Ray ray = new Ray();
     private final Hit hit = new Hit();
     private final Basis basis = new Basis();
@@ -33,12 +34,13 @@ final class SeenLight {
 
     int crossings;
 
-    SeenLight(String name, Shape shape, int face, boolean twoSided, Vec3 viewer) {
+    SeenLight(String name, Shape shape, int face, LightSides sides, Vec3 viewer) {
         this.name = name;
         this.face = face;
+        this.sides = sides;
         this.viewer = viewer;
         primitive = Primitives.place(shape, SceneFrame.WORLD);
-        light = AreaLights.of(primitive, face, twoSided);
+        light = AreaLights.of(primitive, face, sides);
         aim(viewer);
         basis.around(sample.cone.wx, sample.cone.wy, sample.cone.wz);
     }
@@ -95,7 +97,7 @@ final class SeenLight {
                 return;
             }
             double cosine = -(hit.nx * dx + hit.ny * dy + hit.nz * dz);
-            if (hit.face == face && (cosine > 0 || light.isTwoSided())) {
+            if (hit.face == face && sides.shineAt(cosine)) {
                 double p = light.pdf(sample, dx, dy, dz, hit.t, cosine);
                 density += p;
                 crossings += p > 0 ? 1 : 0;

@@ -59,13 +59,13 @@ final class NaiveScene {
         }
         for (SceneObject object : scene.objects()) {
             double[] glow = NaiveColors.of(object.material().radiance());
+            EmissionPattern.Side side = object.material().pattern().side();
             surfaces.add(new Surface(
-                    NaiveShape.of(object.shape()), object.material(), glow, isOneSided(object) ? new double[3] : glow));
+                    NaiveShape.of(object.shape()),
+                    object.material(),
+                    side == EmissionPattern.Side.BACK ? new double[3] : glow,
+                    side == EmissionPattern.Side.FRONT ? new double[3] : glow));
         }
-    }
-
-    private static boolean isOneSided(SceneObject object) {
-        return object.material().pattern().side() == EmissionPattern.Side.FRONT;
     }
 
     /** Whether anything scatters light beside surfaces. */

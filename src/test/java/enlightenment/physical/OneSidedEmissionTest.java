@@ -11,10 +11,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
+import enlightenment.geometry.Box;
+import enlightenment.geometry.Cone;
+import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Shape;
+import enlightenment.geometry.Torus;
 import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.image.Image;
@@ -43,6 +47,8 @@ class OneSidedEmissionTest {
     private static final double REFLECTANCE = 0.6;
 
     private static final EmissionPattern FRONT = EmissionPattern.EVEN.withSide(EmissionPattern.Side.FRONT);
+
+    private static final EmissionPattern BACK = EmissionPattern.EVEN.withSide(EmissionPattern.Side.BACK);
 
     private static Material.Matte lamp(double color, Rgb radiance, EmissionPattern pattern) {
         return matte(color, color, color).withRadiance(radiance).withPattern(pattern);
@@ -124,9 +130,19 @@ class OneSidedEmissionTest {
     @ParameterizedTest
     @MethodSource("lampsAndMethods")
     void behindIsNoLightAtAllAndBeforeThatOfBothSides(Lamps lamps, BuiltInMethod method) {
+        compare(lamps, method, FRONT, lamps.isUp());
+    }
+
+    @ParameterizedTest
+    @MethodSource("lampsAndMethods")
+    void backsShineWhereFrontsDoNot(Lamps lamps, BuiltInMethod method) {
+        compare(lamps, method, BACK, !lamps.isUp());
+    }
+
+    private static void compare(Lamps lamps, BuiltInMethod method, EmissionPattern pattern, boolean isDark) {
         Rgb radiance = new Rgb(2, 1, 0.5);
-        Scene scene = floor(lamps.shapes(), lamp(0, radiance, FRONT));
-        if (lamps.isUp()) {
+        Scene scene = floor(lamps.shapes(), lamp(0, radiance, pattern));
+        if (isDark) {
             assertBlack(Renderer.render(scene, settings(scene, method, 4)));
         } else if (method != BuiltInMethod.LIGHT && method != BuiltInMethod.METROPOLIS) {
             // Of light paths few hit what the eye sees of this floor.
@@ -147,6 +163,71 @@ class OneSidedEmissionTest {
         assertBlack(Renderer.render(dark, settings(dark, method, 4)));
         Scene lit = floor(tube, lamp(0, Rgb.WHITE, EmissionPattern.EVEN));
         assertTrue(Rendered.mean(lit, settings(lit, BuiltInMethod.RAYTRACE, 4)) > 0.1);
+    }
+
+    /** Closed shapes around the origin, with room for a camera there. */
+    private static Stream<Shape> hollows() {
+        MeshBuilder pyramid = new MeshBuilder();
+        pyramid.vertex(-2, -1, -2);
+        pyramid.vertex(2, -1, -2);
+        pyramid.vertex(0, -1, 3);
+        pyramid.vertex(0, 3, 0);
+        pyramid.triangle(0, 1, 2);
+        pyramid.triangle(0, 3, 1);
+        pyramid.triangle(1, 3, 2);
+        pyramid.triangle(2, 3, 0);
+        return Stream.of(
+                ball(0.1, 0.2, -0.1, 1),
+                new Box(at(-1, -0.5, -0.7), at(1.2, 0.8, 1.5)),
+                new Cube(at(0.1, 0, 0), 2, new Vec3(20, 30, 40)),
+                new Cylinder(at(0, -1, 0), at(0.2, 1, 0), 0.9, true),
+                new Cone(at(0, -0.5, 0), at(0, 2, 0), 1.5, 0.2, true),
+                new Torus(at(-1, 0, 0), Vec3.Y, 1, 0.5),
+                Mesh.of(pyramid.build()));
+    }
+
+    private static Stream<Arguments> hollowsAndMethods() {
+        return hollows().flatMap(h -> Stream.of(BuiltInMethod.values()).map(m -> Arguments.of(h, m)));
+    }
+
+    private static Scene view(Shape hollow, Vec3 eye, Material material) {
+        return Scene.builder()
+                .size(8, 8)
+                .camera(new Camera.Perspective(at(eye), at(0.1, 0.2, 1), Vec3.Y, 40))
+                .shading(shading(0))
+                .object(hollow, material)
+                .build();
+    }
+
+    /** Walls that glow inwards and reflect: Le + ρ Le + ρ² Le + …, and nothing outside. */
+    @ParameterizedTest
+    @MethodSource("hollowsAndMethods")
+    void aHollowThatGlowsInwardsIsAFurnaceAndDarkFromOutside(Shape hollow, BuiltInMethod method) {
+        Material wall = lamp(0.5, new Rgb(1, 0.5, 0.25), BACK);
+        Scene inside = view(hollow, new Vec3(0.1, 0.05, -0.1), wall);
+        new ClosedForms.Known("hollow", inside, 2, 1, 0.5).assertShown(settings(inside, method, 4));
+        Scene outside = view(hollow, new Vec3(0.1, 0.3, -6), wall);
+        for (float v : Renderer.render(outside, settings(outside, method, 4)).toArray()) {
+            // Points on the two sides of a face see each other at cosines of rounding.
+            assertEquals(0, v, 1e-20f);
+        }
+    }
+
+    /** A ball that reflects a part of what comes from everywhere. */
+    @ParameterizedTest
+    @EnumSource(BuiltInMethod.class)
+    void whatStandsInAHollowIsLitFromEverywhere(BuiltInMethod method) {
+        for (Shape hollow : List.of(ball(0, 0, 0, 3), new Box(at(-2, -2, -2), at(2, 2, 2)))) {
+            Scene scene = Scene.builder()
+                    .size(8, 8)
+                    .camera(new Camera.Perspective(at(0, 0, -1.5), at(0, 0, 0), Vec3.Y, 20))
+                    .shading(shading(0))
+                    .object(hollow, lamp(0, new Rgb(1, 0.5, 0.25), BACK))
+                    .object(ball(0, 0, 0, 0.5), matte(REFLECTANCE, REFLECTANCE, REFLECTANCE))
+                    .build();
+            new ClosedForms.Known("ball", scene, REFLECTANCE, REFLECTANCE / 2, REFLECTANCE / 4)
+                    .assertShown(settings(scene, method, 8));
+        }
     }
 
     @Test
@@ -190,28 +271,33 @@ class OneSidedEmissionTest {
     }
 
     /** Lamps with one side, as many as make a tree of lights, with or without a mirror that throws caustics. */
-    private static Scene room(boolean hasMirror) {
+    private static Scene room(boolean hasMirror, EmissionPattern pattern) {
+        // A tube that glows inwards shines out of its upper end.
         SceneBuilder room = PhysicalScenes.room()
-                .object(sheet(), lamp(0.5, new Rgb(1, 2, 3), FRONT))
+                .object(sheet(), lamp(0.5, new Rgb(1, 2, 3), pattern))
                 // Lit from behind by what the wall reflects.
                 .object(
                         TestScenes.rectangle(0.1, 1.2, 0.8, 0.1, 1.8, 0.8, 0.9, 1.8, 0.6, 0.9, 1.2, 0.6),
-                        lamp(0.5, new Rgb(4, 3, 2), FRONT))
-                .object(new Disk(at(-0.5, 1.7, -0.2), new Vec3(0.3, 1, 0.1), 0.3), lamp(0.5, new Rgb(5, 2, 5), FRONT))
-                .object(new Cylinder(at(0.5, 0, -0.5), at(0.5, 0.3, -0.5), 0.2, false), lamp(0.3, Rgb.WHITE, FRONT));
+                        lamp(0.5, new Rgb(4, 3, 2), pattern))
+                .object(new Disk(at(-0.5, 1.7, -0.2), new Vec3(0.3, 1, 0.1), 0.3), lamp(0.5, new Rgb(5, 2, 5), pattern))
+                .object(new Cylinder(at(0.5, 0, -0.5), at(0.5, 0.3, -0.5), 0.2, false), lamp(0.3, Rgb.WHITE, pattern));
         if (hasMirror) {
             room.object(ball(0.3, 0.6, 0.2, 0.3), Material.Mirror.of(PhysicalScenes.linear(0.9, 0.9, 0.9)));
         }
         return room.build();
     }
 
+    private static Stream<Arguments> sidesAndMethods() {
+        return Stream.of(FRONT, BACK).flatMap(p -> Stream.of(BuiltInMethod.values())
+                .filter(m -> m != BuiltInMethod.RAYTRACE)
+                .map(m -> Arguments.of(p, m)));
+    }
+
     @ParameterizedTest
-    @EnumSource(
-            value = BuiltInMethod.class,
-            names = {"CLUSTER", "LIGHT", "BIDIRECTIONAL", "METROPOLIS"})
-    void allMethodsMakeThePictureOfSinglePaths(BuiltInMethod method) {
+    @MethodSource("sidesAndMethods")
+    void allMethodsMakeThePictureOfSinglePaths(EmissionPattern pattern, BuiltInMethod method) {
         // Light paths do not find what mirrors show.
-        Scene scene = room(method != BuiltInMethod.LIGHT);
+        Scene scene = room(method != BuiltInMethod.LIGHT, pattern);
         List<Image> traced = Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE, 4), 100, 12);
         List<Image> others = Rendered.seeds(scene, settings(scene, method, 4), 1, 12);
         Rendered.assertPartsAgree(traced, others, 48);
@@ -219,6 +305,7 @@ class OneSidedEmissionTest {
 
     @Test
     void singlePathsMakeThePictureOfPathsThatAimAtNoLight() {
-        NaivePartnerTest.compare(room(true), 2, 8, 3_000);
+        NaivePartnerTest.compare(room(true, FRONT), 2, 8, 3_000);
+        NaivePartnerTest.compare(room(true, BACK), 2, 8, 3_000);
     }
 }

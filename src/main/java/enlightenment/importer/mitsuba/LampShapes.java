@@ -1,10 +1,8 @@
 package enlightenment.importer.mitsuba;
 
-import enlightenment.geometry.Box;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
-import enlightenment.geometry.Sphere;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.Fronts;
 import enlightenment.importer.support.GlowingMaterial;
@@ -72,20 +70,15 @@ final class LampShapes {
 
     private void addObject(XmlElement e, Shape shape, boolean isTurned, Surface surface) {
         Material m = surface.material().orElseThrow();
-        boolean isSolid = shape instanceof Sphere || shape instanceof Box;
-        boolean staysInside = isTurned && !Fronts.isTurnable(shape);
-        if (staysInside) {
-            scene.note(e, e.described() + " that emits inwards emits to both sides");
-        }
+        boolean isInwards = isTurned && !Fronts.isTurnable(shape);
         Shape facing = shape;
-        if (isTurned && !staysInside) {
+        if (isTurned && !isInwards) {
             boolean isMapped = shape instanceof Rectangle && surface.isTextured();
             facing = Fronts.turned(
                     isMapped ? Mesh.of(TexturedRectangle.mesh((Rectangle) shape, UvMap.IDENTITY)) : shape);
         }
-        boolean isFront = !isSolid && !staysInside;
-        Material fitting = isFront ? GlowingMaterial.withSide(m, EmissionPattern.Side.FRONT) : m;
-        scene.draft().object(e.attribute("id"), facing, fitting);
+        EmissionPattern.Side side = isInwards ? EmissionPattern.Side.BACK : EmissionPattern.Side.FRONT;
+        scene.draft().object(e.attribute("id"), facing, GlowingMaterial.withSide(m, side));
     }
 
     /** Whether the front of a shape is not the side to which it emits without {@code flip_normals}. */

@@ -4,7 +4,6 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Disk;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Shape;
-import enlightenment.geometry.Sphere;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.Fronts;
 import enlightenment.importer.support.GlowingMaterial;
@@ -85,12 +84,9 @@ final class GlowingShapes {
         }
         boolean isTurned = !isTwoSided && isTurned(form, placed, map, shape.isReversed());
         boolean isInwards = isTurned && !Fronts.isTurnable(placed);
-        if (isInwards) {
-            draft.notes().add(place, "a sphere or cylinder that shines inwards shines from both sides");
-        }
-        boolean isBoth = isTwoSided || isInwards || placed instanceof Sphere;
+        EmissionPattern.Side oneSide = isInwards ? EmissionPattern.Side.BACK : EmissionPattern.Side.FRONT;
         EmissionPattern pattern = new EmissionPattern(
-                picture.flatMap(LampPicture::texture), isBoth ? EmissionPattern.Side.BOTH : EmissionPattern.Side.FRONT);
+                picture.flatMap(LampPicture::texture), isTwoSided ? EmissionPattern.Side.BOTH : oneSide);
         draft.object(
                 "",
                 isTurned && !isInwards ? Fronts.turned(placed) : placed,

@@ -97,7 +97,8 @@ final class BidirectionalLights {
 
     /** The density, per such area and solid angle, with which paths leave a light with extent. */
     private double emission(int index, double outside) {
-        double cosine = starts.shinesBothWays(index) ? Math.abs(outside) : outside;
+        double cosine =
+                starts.shinesBothWays(index) ? Math.abs(outside) : starts.shinesInwards(index) ? -outside : outside;
         double perArea = starts.pointDensity(index) * physical.areaUnit;
         return starts.probability(index) * perArea * starts.directionDensity(index, cosine);
     }

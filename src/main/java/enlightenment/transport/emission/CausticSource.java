@@ -162,17 +162,18 @@ public final class CausticSource extends PathSource {
         AreaLight area = l.form;
         area.samplePoint(numbers[1], numbers[2], point);
         boolean both = pass.shinesBothWays(light);
+        int only = pass.shinesInwards(light) ? Ray.INSIDE : Ray.OUTSIDE;
         aim(thing, 0, point.x, point.y, point.z);
         if (isWide()) {
-            byCosine(numbers, both);
+            byCosine(numbers, both && numbers[5] < 0.5 ? Ray.INSIDE : only);
         } else {
             toCone(numbers);
         }
         double cosine = dx * point.nx + dy * point.ny + dz * point.nz;
-        if (both ? cosine == 0 : !(cosine > 0)) {
+        if (both ? cosine == 0 : !(only * cosine > 0)) {
             return 0;
         }
-        double emission = both ? Math.abs(cosine) / (2 * Math.PI) : cosine / Math.PI;
+        double emission = Math.abs(cosine) / (both ? 2 * Math.PI : Math.PI);
         double density = 0;
         for (int s = 0; s < pass.things; s++) {
             if (probability(s) > 0) {
@@ -214,10 +215,10 @@ public final class CausticSource extends PathSource {
         }
     }
 
-    private void byCosine(double[] numbers, boolean both) {
+    private void byCosine(double[] numbers, int side) {
         Warp.toDisk(numbers[3], numbers[4], disk);
         double up = Math.sqrt(Math.max(1 - disk[2], 0));
-        direct(point.nx, point.ny, point.nz, disk[0], disk[1], both && numbers[5] < 0.5 ? -up : up);
+        direct(point.nx, point.ny, point.nz, disk[0], disk[1], side * up);
     }
 
     private double coneDensity(int s, int chosen, double wider, double x, double y, double z) {

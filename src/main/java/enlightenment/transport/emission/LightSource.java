@@ -177,7 +177,8 @@ public final class LightSource extends PathSource {
     private boolean fromSurface(PhysicalLight l, double[] numbers, Ray ray) {
         l.form.samplePoint(numbers[2], numbers[3], point);
         Warp.toDisk(numbers[4], numbers[5], disk);
-        int side = starts.shinesBothWays(light) && numbers[1] < 0.5 ? Ray.INSIDE : Ray.OUTSIDE;
+        boolean isInside = starts.shinesBothWays(light) ? numbers[1] < 0.5 : starts.shinesInwards(light);
+        int side = isInside ? Ray.INSIDE : Ray.OUTSIDE;
         direct(
                 side * point.nx,
                 side * point.ny,
@@ -186,7 +187,7 @@ public final class LightSource extends PathSource {
                 disk[1],
                 Math.sqrt(Math.max(1 - disk[2], 0)));
         cosine = side * (dx * point.nx + dy * point.ny + dz * point.nz);
-        isInside = side == Ray.INSIDE;
+        this.isInside = isInside;
         return leave(l, side, ray);
     }
 }

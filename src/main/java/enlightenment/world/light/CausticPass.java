@@ -67,7 +67,10 @@ public final class CausticPass {
     private final boolean hasSmallLights;
 
     private final boolean[] isBeam;
-    private final boolean[] shinesBothWays;
+    /** By light: whether light may come to things from its outside and from its inside. */
+    private final boolean[] shinesOutside;
+
+    private final boolean[] shinesInside;
 
     private CausticPass(
             PhysicalLight[] lights,
@@ -97,7 +100,8 @@ public final class CausticPass {
             brightest = Math.max(brightest, sun.max());
         }
         isBeam = new boolean[n];
-        shinesBothWays = new boolean[n];
+        shinesOutside = new boolean[n];
+        shinesInside = new boolean[n];
         int pairs = (n + suns.length) * things;
         probability = new double[pairs];
         cumulative = new double[pairs];
@@ -158,7 +162,8 @@ public final class CausticPass {
         }
         isBeam[l] = isApart && light.isBall;
         // What is outside of a solid is never met from its inside.
-        shinesBothWays[l] = light.shinesInside && !(isApart && light.surface.isSolid());
+        shinesOutside[l] = light.shinesOutside;
+        shinesInside[l] = light.shinesInside && !(isApart && light.surface.isSolid());
         for (int s = 0; s < things; s++) {
             probability[l * things + s] = brightest > 0 ? brightness(light) / brightest * reach(l, s) : 0;
         }
@@ -184,6 +189,9 @@ public final class CausticPass {
     /** About how much of a light of radiance 1 goes to a thing: the area seen from there times the solid angle seen from here. */
     private double reach(int l, int s) {
         PhysicalLight light = lights[l];
+        if (!shinesOutside[l] && !shinesInside[l]) {
+            return 0;
+        }
         double wide = ballRadius[s] + (light.isPoint ? 0 : light.ballRadius);
         double d = distance(light, s);
         double sine = wide / d;
@@ -227,7 +235,7 @@ public final class CausticPass {
         double height =
                 n.x() * (ballX[s] - light.ballX) + n.y() * (ballY[s] - light.ballY) + n.z() * (ballZ[s] - light.ballZ);
         boolean isFlat = n.maxAbs() > 0;
-        double front = shinesBothWays[l] || !isFlat ? Math.abs(height) : height;
+        double front = shinesBothWays(l) || !isFlat ? Math.abs(height) : height;
         if (isFlat && front < -ballRadius[s]) {
             return 0;
         }
@@ -269,7 +277,12 @@ public final class CausticPass {
 
     /** Whether a light with extent shines from both sides of its surface to where things may be. */
     public boolean shinesBothWays(int light) {
-        return shinesBothWays[light];
+        return shinesOutside[light] && shinesInside[light];
+    }
+
+    /** Whether it shines from its inside alone. */
+    public boolean shinesInwards(int light) {
+        return !shinesOutside[light];
     }
 
     /** The solids of glass that points of a light may lie in. */

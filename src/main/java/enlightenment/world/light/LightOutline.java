@@ -80,7 +80,7 @@ final class LightOutline {
     private boolean isLit(SupportSurface.Plane p, PhysicalLight l) {
         Vec3 normal = p.unitNormal();
         double above = eye.isParallel() ? -normal.dot(forward) : normal.dot(eyePoint.minus(p.corners()[0]));
-        return above > 0 || l.shinesInside;
+        return above > 0 ? l.shinesOutside : l.shinesInside;
     }
 
     /** Sets the points that the outline is around; returns whether all of them are before the eye. */

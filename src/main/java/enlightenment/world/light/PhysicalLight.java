@@ -4,7 +4,9 @@ import enlightenment.color.Rgb;
 import enlightenment.emitter.AreaLight;
 import enlightenment.emitter.AreaLights;
 import enlightenment.emitter.IntensityProfile;
+import enlightenment.emitter.LightSides;
 import enlightenment.emitter.SphereLight;
+import enlightenment.material.EmissionPattern;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Primitive;
@@ -68,6 +70,9 @@ public final class PhysicalLight extends LightBody {
     public final double meanB;
     public final double meanUltraviolet;
 
+    /** Whether its outside emits. */
+    public final boolean shinesOutside;
+
     /** Whether light that its inside emits may be seen. */
     public final boolean shinesInside;
 
@@ -86,6 +91,7 @@ public final class PhysicalLight extends LightBody {
             int face,
             Rgb glow,
             double ultraviolet,
+            boolean shinesOutside,
             boolean shinesInside,
             LightTexture texture) {
         super(place.at, place.radius, place.right, place.up, place.ball, place.ballRadius, surface);
@@ -106,6 +112,7 @@ public final class PhysicalLight extends LightBody {
         meanG = g * mean.g();
         meanB = b * mean.b();
         meanUltraviolet = ultraviolet * mean.b();
+        this.shinesOutside = shinesOutside;
         this.shinesInside = shinesInside;
         hidesNothingOfItself = surface != null && (surface.isFlat() || surface.isConvex() && surface.isSolid());
     }
@@ -133,7 +140,17 @@ public final class PhysicalLight extends LightBody {
      */
     static PhysicalLight point(Vec3 position, IntensityProfile profile, Rgb intensity, double ultraviolet) {
         return new PhysicalLight(
-                Place.ball(position, 0), null, profile, null, NO_PRIMITIVE, 0, intensity, ultraviolet, false, null);
+                Place.ball(position, 0),
+                null,
+                profile,
+                null,
+                NO_PRIMITIVE,
+                0,
+                intensity,
+                ultraviolet,
+                true,
+                false,
+                null);
     }
 
     /** This point light without its ultraviolet, which nothing shows. */
@@ -142,9 +159,9 @@ public final class PhysicalLight extends LightBody {
     }
 
     /**
-     * A face of a primitive that glows; null if it has no area in the frame.
+     * A face of a primitive that glows; null if it has no area in the frame, or glows only where nothing sees it.
      *
-     * @param isTwoSided whether it glows to its inside as well
+     * @param sides the sides that glow
      * @param isInsideSeen whether paths from the eye may come to its inside
      * @param map what radiance is multiplied by; null if it is the same at all points
      */
@@ -154,17 +171,36 @@ public final class PhysicalLight extends LightBody {
             int face,
             Rgb radiance,
             double ultraviolet,
-            boolean isTwoSided,
+            EmissionPattern.Side sides,
             boolean isInsideSeen,
             RadianceMap map) {
-        AreaLight form = AreaLights.of(p, face, isTwoSided);
-        if (form == null) {
+        AreaLight form = AreaLights.of(p, face, ofForm(sides));
+        boolean shinesOutside = sides != EmissionPattern.Side.BACK;
+        boolean shinesInside = sides != EmissionPattern.Side.FRONT && isInsideSeen;
+        if (form == null || !shinesOutside && !shinesInside) {
             return null;
         }
-        boolean shinesInside = isTwoSided && isInsideSeen;
         LightTexture texture = map == null ? null : new LightTexture(map, p, face);
         return new PhysicalLight(
-                Place.of(p, form), form, null, p, id, face, radiance, ultraviolet, shinesInside, texture);
+                Place.of(p, form),
+                form,
+                null,
+                p,
+                id,
+                face,
+                radiance,
+                ultraviolet,
+                shinesOutside,
+                shinesInside,
+                texture);
+    }
+
+    private static LightSides ofForm(EmissionPattern.Side sides) {
+        return switch (sides) {
+            case BOTH -> LightSides.BOTH;
+            case FRONT -> LightSides.FRONT;
+            case BACK -> LightSides.BACK;
+        };
     }
 
     /**
@@ -216,7 +252,7 @@ public final class PhysicalLight extends LightBody {
 
             private int covered(int other, int otherFace, boolean isTurned, int side) {
                 int own = isTurned ? -side : side;
-                boolean shines = own == Ray.OUTSIDE || shinesInside;
+                boolean shines = own == Ray.OUTSIDE ? shinesOutside : shinesInside;
                 return shines && coincident.precedes(other, otherFace, side, id, face, own) ? EndFaces.bit(side) : 0;
             }
         });

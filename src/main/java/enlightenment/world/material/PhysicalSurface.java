@@ -17,7 +17,7 @@ import enlightenment.numeric.Scale;
  *
  * @param bsdf how it scatters light
  * @param glow the radiance that it emits
- * @param glowsInside whether it emits from the inside as well
+ * @param sides the sides that emit
  * @param absorption how much of light a solid of it takes away on a straight way, per unit of length of the frame
  * @param dispersion how much its index of refraction grows with the place of the wavelength
  * @param ultraviolet the radiance of ultraviolet that it emits
@@ -28,7 +28,7 @@ import enlightenment.numeric.Scale;
 public record PhysicalSurface(
         Bsdf bsdf,
         Rgb glow,
-        boolean glowsInside,
+        EmissionPattern.Side sides,
         Rgb absorption,
         double dispersion,
         double ultraviolet,
@@ -36,7 +36,8 @@ public record PhysicalSurface(
         HomogeneousMedium medium,
         String look) {
     /** That of a material of classic shading. */
-    static final PhysicalSurface NONE = new PhysicalSurface(null, Rgb.BLACK, false, Rgb.BLACK, 0, 0, null, null, "");
+    static final PhysicalSurface NONE =
+            new PhysicalSurface(null, Rgb.BLACK, EmissionPattern.Side.FRONT, Rgb.BLACK, 0, 0, null, null, "");
 
     /** @param bsdfs makes how it scatters light */
     public static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes, MaterialBsdfs bsdfs) {
@@ -49,8 +50,8 @@ public record PhysicalSurface(
                 : Rgb.WHITE;
         Rgb glow = material.radiance().times(factor);
         double ultraviolet = material.ultraviolet() * factor.b();
-        boolean isTwoSided = material.pattern().side() == EmissionPattern.Side.BOTH;
-        String look = text(glow, ultraviolet) + (isTwoSided ? "" : " front");
+        EmissionPattern.Side sides = material.pattern().side();
+        String look = text(glow, ultraviolet) + ofSides(sides);
         if (material instanceof Material.Glass glass) {
             absorption = scaled(glass.absorption(), frame.exponent());
             look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
@@ -79,18 +80,27 @@ public record PhysicalSurface(
             look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
         }
         return new PhysicalSurface(
-                bsdfs.of(material), glow, isTwoSided, absorption, dispersion, ultraviolet, reradiation, medium, look);
+                bsdfs.of(material), glow, sides, absorption, dispersion, ultraviolet, reradiation, medium, look);
     }
 
     /** The surface of a light: black, and opaque. */
     public static PhysicalSurface light(Rgb radiance, double ultraviolet, boolean isTwoSided) {
-        return new PhysicalSurface(Lambert.INSTANCE, radiance, isTwoSided, Rgb.BLACK, 0, ultraviolet, null, null, null);
+        EmissionPattern.Side sides = isTwoSided ? EmissionPattern.Side.BOTH : EmissionPattern.Side.FRONT;
+        return new PhysicalSurface(Lambert.INSTANCE, radiance, sides, Rgb.BLACK, 0, ultraviolet, null, null, null);
     }
 
     /** That of a light is made when it is asked for: of thousands of lights hardly one is. */
     @Override
     public String look() {
-        return look == null ? text(glow, ultraviolet) + " " + glowsInside : look;
+        return look == null ? text(glow, ultraviolet) + " " + (sides == EmissionPattern.Side.BOTH) : look;
+    }
+
+    private static String ofSides(EmissionPattern.Side sides) {
+        return switch (sides) {
+            case BOTH -> "";
+            case FRONT -> " front";
+            case BACK -> " back";
+        };
     }
 
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */

@@ -7,6 +7,7 @@ import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.SmoothShading;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.color.Rgb;
+import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.primitive.Ray;
 import enlightenment.texture.ImageTexture;
@@ -51,8 +52,8 @@ public final class SurfaceMaterial {
     /** Whether it emits light. */
     public final boolean glows;
 
-    /** Whether it emits from the side that its normal points away from as well. */
-    public final boolean glowsInside;
+    /** The sides that emit. */
+    public final EmissionPattern.Side sides;
 
     /** The radiance that it emits, before it is multiplied by {@link #radianceMap}: linear, by band. */
     public final double glowR;
@@ -147,7 +148,7 @@ public final class SurfaceMaterial {
         glowB = p.glow().b();
         glowUltraviolet = p.ultraviolet();
         glows = glowsVisibly() || glowUltraviolet > 0;
-        glowsInside = p.glowsInside();
+        sides = p.sides();
         absorptionR = p.absorption().r();
         absorptionG = p.absorption().g();
         absorptionB = p.absorption().b();
@@ -203,7 +204,11 @@ public final class SurfaceMaterial {
 
     /** Whether it emits to a side ({@link enlightenment.primitive.Hit#side}). */
     public boolean glowsTo(int side) {
-        return glowsInside || side == Ray.OUTSIDE;
+        return switch (sides) {
+            case BOTH -> true;
+            case FRONT -> side == Ray.OUTSIDE;
+            case BACK -> side == Ray.INSIDE;
+        };
     }
 
     private static Bsdf opaque(Material material) {

@@ -571,7 +571,7 @@ final class RandomScenes {
         Texture map = named.isEmpty() ? Texture.of(surfaceColor()) : named.get(random.nextInt(named.size()));
         return new EmissionPattern(
                 random.nextBoolean() ? Optional.empty() : Optional.of(map),
-                random.nextBoolean() ? EmissionPattern.Side.BOTH : EmissionPattern.Side.FRONT);
+                EmissionPattern.Side.values()[random.nextInt(3)]);
     }
 
     /** A material that is made of others. */

@@ -1,0 +1,22 @@
+package enlightenment.emitter;
+
+/** The sides of a surface from which a light shines; the front is the side that its normal points to. */
+public enum LightSides {
+    FRONT,
+    BOTH,
+    BACK;
+
+    /** The front, or both sides. */
+    static LightSides of(boolean twoSided) {
+        return twoSided ? BOTH : FRONT;
+    }
+
+    /** Whether light leaves at an angle of this cosine with the normal. */
+    boolean shineAt(double cosine) {
+        return switch (this) {
+            case FRONT -> cosine > 0;
+            case BOTH -> cosine != 0;
+            case BACK -> cosine < 0;
+        };
+    }
+}

@@ -8,6 +8,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -79,16 +80,31 @@ final class PrincipledReader {
         return StrictMath.min(StrictMath.max(index, 1), Material.Coated.LARGEST_INDEX);
     }
 
+    /**
+     * A surface of Mitsuba's sum of lobes: a coat, which is ours but for the masking; metal, which lacks the light between facets; and a matte base, which
+     * is Burley's (2012, section 5.3): nowhere Lambert's, and not dimmed by the coat. Measured with Mitsuba 3.9: within 2 % of Lambert's up to 50° from the
+     * normal, at 70° from 12 % darker to 40 % brighter.
+     */
     private Material opaque(Properties p, Texture color, Amount metallic, double index) {
         Amount roughness = amount(p, "roughness", 0.5);
         double clearcoat = share(textures.number(p, "clearcoat", 0));
         double gloss = share(textures.number(p, "clearcoat_gloss", 0));
-        scene.note(
-                p.element(),
-                p.element().described() + " has "
-                        + (metallic.equals(Amount.of(1)) ? "" : "another matte base, and ")
-                        + "light between facets"
-                        + (clearcoat > 0 ? "; its clear coat takes light from what is below" : ""));
+        List<String> differences = new ArrayList<>();
+        if (!metallic.equals(Amount.of(1)) && !isBlack(color)) {
+            differences.add("another matte base");
+        }
+        if (!metallic.equals(Amount.of(0))) {
+            differences.add("light between facets");
+        }
+        if (clearcoat > 0) {
+            differences.add("a clear coat that takes light from what is below");
+        }
+        if (!differences.isEmpty()) {
+            scene.note(p.element(), p.element().described() + " has " + String.join(", and ", differences));
+        }
+        if (metallic.equals(Amount.of(0)) && index == 1 && clearcoat == 0) {
+            return Material.Matte.of(color);
+        }
         // The clear coat's alpha is 0.1 without gloss and 0.001 with all of it.
         double alpha = 0.1 + (0.001 - 0.1) * gloss;
         return new Principled(
@@ -101,6 +117,10 @@ final class PrincipledReader {
                 clearcoat > 0 ? RoughnessReader.ofAlpha(alpha) : 0,
                 Rgb.BLACK,
                 0);
+    }
+
+    private static boolean isBlack(Texture color) {
+        return color instanceof Texture.Solid s && s.color().linear().max() == 0;
     }
 
     /** Each crossing of the surface filters by the root of the base colour. */

@@ -312,4 +312,39 @@ class MitsubaBsdfTest {
                 + bsdf("principled", "<float name=\"metallic\" value=\"0.5\"/>") + "</shape>");
         assertTrue(draft.notes().list().get(0).contains("another matte base"));
     }
+
+    private ImportDraft principled(String inside) throws IOException {
+        return scenes.read("<shape type=\"sphere\">" + bsdf("principled", inside) + "</shape>");
+    }
+
+    /** The coat is Mitsuba's: only the base differs. */
+    @Test
+    void principledWithABlackBaseIsItsCoatWithoutANote() throws IOException {
+        String black = "<rgb name=\"base_color\" value=\"0\"/><float name=\"roughness\" value=\"0.3\"/>";
+        ImportDraft draft = principled(black + "<float name=\"eta\" value=\"1.5\"/>");
+        assertEquals(List.of(), draft.notes().list());
+        Principled m = (Principled) draft.objects().get(0).material();
+        assertEquals(1.5, m.indexOfRefraction());
+        assertEquals(Texture.of(Rgb.BLACK), m.color());
+        String metal = principled(black + "<float name=\"metallic\" value=\"0.5\"/>")
+                .notes()
+                .list()
+                .toString();
+        assertTrue(metal.contains("has light between facets"), metal);
+    }
+
+    @Test
+    void principledWithoutMetalAndCoatIsMatte() throws IOException {
+        for (String none : List.of("specular\" value=\"0", "eta\" value=\"1")) {
+            ImportDraft draft =
+                    principled("<rgb name=\"base_color\" value=\"0.2 0.4 0.6\"/><float name=\"" + none + "\"/>");
+            assertEquals(
+                    Material.Matte.of(Texture.of(new Rgb(0.2, 0.4, 0.6))),
+                    draft.objects().get(0).material());
+            assertEquals(1, draft.notes().list().size());
+            assertTrue(
+                    draft.notes().list().get(0).endsWith("has another matte base"),
+                    draft.notes().list()::toString);
+        }
+    }
 }

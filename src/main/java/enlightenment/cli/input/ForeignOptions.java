@@ -176,12 +176,9 @@ public final class ForeignOptions {
             if (NAMED.containsKey(text)) {
                 return NAMED.get(text);
             }
-            if (!text.matches("#[0-9a-fA-F]{6}")) {
-                throw BadValue.expected("studio, sky, white, black or #rrggbb", text);
-            }
-            int c = Integer.parseInt(text.substring(1), 16);
-            return new Backdrop.Constant(
-                    DisplayRgb.ofBytes(c >> 16, c >> 8 & 255, c & 255).linear());
+            return DisplayRgb.ofHexadecimal(text)
+                    .map(color -> new Backdrop.Constant(color.linear()))
+                    .orElseThrow(() -> BadValue.expected("studio, sky, white, black or #rrggbb", text));
         }
     }
 }

@@ -1,6 +1,7 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.color.BandSensitivities;
+import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.color.TransferCurve;
 import enlightenment.importer.support.SpectrumRgb;
@@ -11,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
 
 /** Colours and spectra as linear sRGB, as Mitsuba's variants for RGB have them. */
@@ -53,9 +55,11 @@ final class ColorValue {
     private static Rgb rgb(XmlElement e, boolean isEncoded) {
         String text = e.attribute("value").strip();
         double[] v;
-        if (text.matches("#[0-9a-fA-F]{6}")) {
-            int bits = Integer.parseInt(text.substring(1), 16);
-            v = new double[] {(bits >> 16) / 255.0, (bits >> 8 & 255) / 255.0, (bits & 255) / 255.0};
+        Optional<DisplayRgb> encoded = DisplayRgb.ofHexadecimal(text);
+        if (encoded.isPresent()) {
+            v = new double[] {
+                encoded.get().r(), encoded.get().g(), encoded.get().b()
+            };
         } else {
             v = Properties.numbers(e, text);
         }

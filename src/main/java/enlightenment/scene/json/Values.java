@@ -14,6 +14,7 @@ import java.math.BigInteger;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
@@ -201,14 +202,14 @@ final class Values {
             return DisplayRgb.BLACK;
         }
         if (v instanceof JsonValue.Str s) {
-            int rgb = named(s.text);
-            if (rgb < 0) {
+            Optional<DisplayRgb> named = named(s.text);
+            if (named.isEmpty()) {
                 String meant = Suggestion.nearest(s.text, ColorNames.ALL.keySet());
                 String suggestion = meant == null ? "" : "; did you mean \"" + meant + "\"?";
                 problems.add(v, place, "must be " + expected + ", not " + v.describe() + suggestion);
                 return DisplayRgb.BLACK;
             }
-            return DisplayRgb.ofBytes(rgb >> 16, rgb >> 8 & 255, rgb & 255);
+            return named.get();
         }
         JsonValue.Arr a = array(v, place, 3, expected);
         if (a == null) {
@@ -283,25 +284,10 @@ final class Values {
         return d >= 0 ? d : 0;
     }
 
-    /** 0xrrggbb of {@code "#rrggbb"}, {@code "#rgb"} (each digit twice) or a colour's name; -1 for anything else. */
-    private static int named(String text) {
-        int digits = text.length() == 7 || text.length() == 4 ? hexadecimal(text) : -1;
-        if (digits >= 0) {
-            return text.length() == 7 ? digits : 0x11 * ((digits >> 8) << 16 | (digits >> 4 & 15) << 8 | digits & 15);
-        }
-        return ColorNames.ALL.getOrDefault(text, -1);
-    }
-
-    /** The number that hexadecimal digits behind a {@code #} are; -1 for anything else. A loop: there may be a colour for each of many lights. */
-    private static int hexadecimal(String text) {
-        int value = text.charAt(0) == '#' ? 0 : -1;
-        for (int i = 1; i < text.length() && value >= 0; i++) {
-            char c = text.charAt(i);
-            // Digits of other scripts are none.
-            int digit = c < 128 ? Character.digit(c, 16) : -1;
-            value = digit < 0 ? -1 : 16 * value + digit;
-        }
-        return value;
+    /** The colour of {@code "#rrggbb"}, {@code "#rgb"} or a colour's name; empty for anything else. */
+    private static Optional<DisplayRgb> named(String text) {
+        Integer bits = ColorNames.ALL.get(text);
+        return bits == null ? DisplayRgb.ofHexadecimal(text) : Optional.of(DisplayRgb.ofBits(bits));
     }
 
     private double component(JsonValue.Arr a, int i, JsonPointer place) {

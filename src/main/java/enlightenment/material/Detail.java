@@ -19,7 +19,7 @@ final class Detail {
     static void check(String key, Material part) {
         Objects.requireNonNull(part, key);
         Check.that(
-                !(part instanceof Material.Glass)
+                !(part instanceof Glass)
                         && !(part instanceof Material.Scattering)
                         && !(part instanceof Material.Fluorescent),
                 key,

@@ -16,10 +16,10 @@ import java.util.Objects;
  *     term leads from there to white at grazing angles)
  * @param metallic the share of metal: 0 (a dielectric) to 1
  * @param roughness of metal and coat, 0 (smooth) to 1; the parameter alpha of the distribution GGX is its square
- * @param indexOfRefraction of the coat, relative to the surrounding medium: 1 (as without a coat) to {@value Material.Coated#LARGEST_INDEX}
+ * @param indexOfRefraction of the coat, relative to the surrounding medium: 1 (as without a coat) to {@value Coated#LARGEST_INDEX}
  * @param specular what the coat's reflectance at normal incidence is multiplied by, 0 (as without a coat) to 1; it is rendered as the coat
  *     of the index that has this reflectance
- * @param clearcoat the share of the surface that is under a clear coat of index {@value Material.Coated#USUAL_INDEX}, 0..1
+ * @param clearcoat the share of the surface that is under a clear coat of index {@value Coated#USUAL_INDEX}, 0..1
  * @param clearcoatRoughness of the clear coat, as {@code roughness}
  * @param radiance see {@link Material#radiance}
  * @param ultraviolet see {@link Material#ultraviolet}
@@ -45,7 +45,7 @@ public record Principled(
         Reflectance.check(color);
         Objects.requireNonNull(metallic, "metallic");
         Objects.requireNonNull(roughness, "roughness");
-        Check.range("indexOfRefraction", indexOfRefraction, 1, Material.Coated.LARGEST_INDEX);
+        Check.range("indexOfRefraction", indexOfRefraction, 1, Coated.LARGEST_INDEX);
         Check.range("specular", specular, 0, 1);
         Check.range("clearcoat", clearcoat, 0, 1);
         Check.range("clearcoatRoughness", clearcoatRoughness, 0, 1);
@@ -84,7 +84,7 @@ public record Principled(
                 color,
                 Detail.amount("metallic", metallic),
                 Detail.amount("roughness", roughness),
-                Material.Coated.USUAL_INDEX,
+                Coated.USUAL_INDEX,
                 1,
                 0,
                 0,

@@ -1,6 +1,7 @@
 package enlightenment.nff;
 
 import enlightenment.color.DisplayRgb;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 
@@ -54,7 +55,7 @@ record NffFill(DisplayRgb color, double diffuse, double specular, double transmi
         if (share < 1 && diffuse != 1) {
             notes.add(at, "Kd " + show(diffuse) + " is not used: the opaque share of glass is 1 - T");
         }
-        return new Material.Glass(texture, index, share, 0, true);
+        return new Glass(texture, index, share, 0, true);
     }
 
     /** As people write it: 1, not 1.0. */

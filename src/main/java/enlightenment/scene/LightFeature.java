@@ -1,6 +1,7 @@
 package enlightenment.scene;
 
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import java.util.EnumMap;
 import java.util.Map;
@@ -90,7 +91,7 @@ public enum LightFeature {
         if (material instanceof Material.Fluorescent) {
             return FLUORESCENCE;
         }
-        boolean disperses = material instanceof Material.Glass g
+        boolean disperses = material instanceof Glass g
                 && g.dispersion().isPresent()
                 && g.transparency() > 0
                 && g.indexOfRefraction() != 1;

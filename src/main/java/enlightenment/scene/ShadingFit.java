@@ -9,6 +9,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
 import enlightenment.material.Bump;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.NormalMap;
 import enlightenment.math.InvalidValueException;
@@ -133,7 +134,7 @@ final class ShadingFit {
         Material material = object.material();
         if (material instanceof Material.Scattering && !object.shape().enclosesVolume()) {
             found.putIfAbsent(place, "\"scattering\" fills a solid, and this shape encloses no volume" + SOLIDS);
-        } else if (material instanceof Material.Glass glass
+        } else if (material instanceof Glass glass
                 && glass.roughness() > 0
                 && !object.shape().enclosesVolume()) {
             found.putIfAbsent(

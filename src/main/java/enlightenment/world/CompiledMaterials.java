@@ -3,6 +3,8 @@ package enlightenment.world;
 import enlightenment.frame.SceneFrame;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
+import enlightenment.material.Coated;
+import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Mix;
@@ -129,9 +131,9 @@ final class CompiledMaterials {
             return SurfaceDetail.bump(add(bump.of()), lookup(bump.map()), physical.toFrame(bump.height()));
         } else if (physical == null) {
             return null;
-        } else if (m instanceof Material.Glossy glossy) {
+        } else if (m instanceof Glossy glossy) {
             return ofRoughness(glossy.roughness(), glossy::withRoughness);
-        } else if (m instanceof Material.Coated coated) {
+        } else if (m instanceof Coated coated) {
             return ofRoughness(coated.roughness(), coated::withRoughness);
         } else if (m instanceof Principled principled) {
             return ofPrincipled(principled);

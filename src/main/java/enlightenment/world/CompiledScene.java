@@ -6,6 +6,7 @@ import enlightenment.accel.PrimitiveList;
 import enlightenment.color.DisplayCurve;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
+import enlightenment.material.Glass;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.PhysicalShading;
@@ -92,7 +93,7 @@ public final class CompiledScene {
     /** Boxes around the solids of glass, a little wider than they are. */
     public final GlassBoxes glassBoxes;
 
-    /** By id: rank of a glass solid, the smallest fills overlaps; see {@link enlightenment.material.Material.Glass#priority}. */
+    /** By id: rank of a glass solid, the smallest fills overlaps; see {@link Glass#priority}. */
     public final int[] mediumRank;
 
     /** By id: the index of its object in the scene's list, from 0. */

@@ -14,6 +14,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Triangle;
 import enlightenment.image.Image;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -157,7 +158,7 @@ class NffReaderTest {
         assertEquals(Material.Matte.of(color), material("f 1 0.5 0 0.8 0.3 3 0 1"));
         assertEquals(Material.Mirror.of(color), material("f 1 0.5 0 0 0.3 3 0 1"));
         assertEquals(Material.Matte.of(color), material("f 1 0.5 0 0 0 3 0 1"));
-        assertEquals(new Material.Glass(color, 1.5, 0.75, 0, true), material("f 1 0.5 0 0 0.3 3 0.75 1.5"));
+        assertEquals(new Glass(color, 1.5, 0.75, 0, true), material("f 1 0.5 0 0 0.3 3 0.75 1.5"));
     }
 
     @Test

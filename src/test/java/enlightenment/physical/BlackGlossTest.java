@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.image.Image;
-import enlightenment.material.Material;
+import enlightenment.material.Glossy;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
@@ -30,7 +30,7 @@ class BlackGlossTest {
                 .shading(PhysicalScenes.shading(0.5))
                 .object(
                         TestScenes.rectangle(-3, 0, -3, -3, 0, 3, 3, 0, 3, 3, 0, -3),
-                        new Material.Glossy(linear(color, color, color), roughness, Optional.empty(), true, Rgb.BLACK))
+                        new Glossy(linear(color, color, color), roughness, Optional.empty(), true, Rgb.BLACK))
                 .object(ball(0.5, 0.5, 1, 0.5), PhysicalScenes.RED)
                 .light(PhysicalScenes.sphereLight(0, 1, 2, 0.3, 10))
                 .build();

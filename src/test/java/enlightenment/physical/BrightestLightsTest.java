@@ -12,6 +12,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.render.RenderProgress;
@@ -22,7 +23,6 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.util.List;
-import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -117,7 +117,6 @@ class BrightestLightsTest {
     }
 
     private static Material glass(double absorption) {
-        return new Material.Glass(
-                linear(1, 1, 1), 1.5, 1, 0, true, 0, Rgb.gray(absorption), true, OptionalDouble.empty());
+        return Glass.of(linear(1, 1, 1), 1.5).withAbsorption(Rgb.gray(absorption));
     }
 }

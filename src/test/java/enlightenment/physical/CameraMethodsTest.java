@@ -16,7 +16,7 @@ import enlightenment.color.Rgb;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Material;
+import enlightenment.material.Glass;
 import enlightenment.material.Medium;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
@@ -76,7 +76,7 @@ class CameraMethodsTest {
         SceneBuilder scene = opaqueScene();
         return method == BuiltInMethod.LIGHT
                 ? scene
-                : scene.object(ball(0.45, 0.5, 0.5, 0.35), Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5));
+                : scene.object(ball(0.45, 0.5, 0.5, 0.35), Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5));
     }
 
     private static SceneBuilder opaqueScene() {

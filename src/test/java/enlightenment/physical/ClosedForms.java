@@ -21,6 +21,8 @@ import enlightenment.geometry.Triangle;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
@@ -120,28 +122,28 @@ final class ClosedForms {
     }
 
     private static Material glass(double index, double roughness) {
-        return Material.Glass.of(linear(1, 1, 1), index).withRoughness(roughness);
+        return Glass.of(linear(1, 1, 1), index).withRoughness(roughness);
     }
 
     static List<Known> furnaces() {
-        Material glass = Material.Glass.of(linear(1, 1, 1), 1.5);
+        Material glass = Glass.of(linear(1, 1, 1), 1.5);
         Shape ball = ball(-0.2, 0.9, 0, 0.7);
         return List.of(
                 furnace("mirror", ball, Material.Mirror.of(linear(1, 1, 1))),
                 furnace("glass", ball, glass),
                 furnace("glass box", new Box(at(-0.6, 0.5, -0.5), at(0.5, 1.6, 0.2)), glass),
-                furnace("diamond", ball, Material.Glass.of(linear(1, 1, 1), 2.4)),
-                furnace("bubble", ball, Material.Glass.of(linear(1, 1, 1), 0.7)),
+                furnace("diamond", ball, Glass.of(linear(1, 1, 1), 2.4)),
+                furnace("bubble", ball, Glass.of(linear(1, 1, 1), 0.7)),
                 furnace(
                         "pane",
                         TestScenes.rectangle(-0.5, 0.4, 0.3, -0.6, 1.7, 0, 0.6, 1.7, -0.2, 0.7, 0.4, 0.1),
                         glass),
                 furnace("matte", ball, matte(1, 1, 1)),
                 furnace("rough matte", ball, matte(1, 1, 1).withRoughness(0.8)),
-                furnace("rough metal", ball, Material.Glossy.of(linear(1, 1, 1), 0.7)),
+                furnace("rough metal", ball, Glossy.of(linear(1, 1, 1), 0.7)),
                 furnace("frosted glass", ball, glass(1.5, 0.7)),
                 furnace("the roughest glass", new Box(at(-0.6, 0.5, -0.5), at(0.5, 1.6, 0.2)), glass(2.4, 1)),
-                furnace("half glass", ball, new Material.Glass(linear(1, 1, 1), 1.5, 0.4, 0, true)));
+                furnace("half glass", ball, new Glass(linear(1, 1, 1), 1.5, 0.4, 0, true)));
     }
 
     /** Two parallel faces of glass, lit from behind only, and looked at nearly straight on: (1 − R)/(1 + R) comes through. */
@@ -152,7 +154,7 @@ final class ClosedForms {
                 .size(4, 4)
                 .camera(new Camera.Perspective(at(0, 0, -2), at(0, 0, 0), Vec3.Y, 0.5))
                 .shading(shading(0))
-                .object(new Box(at(-50, -50, -0.1), at(50, 50, 0.2)), Material.Glass.of(linear(1, 1, 1), 1.5))
+                .object(new Box(at(-50, -50, -0.1), at(50, 50, 0.2)), Glass.of(linear(1, 1, 1), 1.5))
                 .object(
                         TestScenes.rectangle(-50, -50, 1, -50, 50, 1, 50, 50, 1, 50, -50, 1),
                         matte(0, 0, 0).withRadiance(new Rgb(1, 2, 3)))
@@ -160,7 +162,7 @@ final class ClosedForms {
         return new Known("slab", scene, through, 2 * through, 3 * through);
     }
 
-    private static final Material WATER = Material.Glass.of(linear(1, 1, 1), 4.0 / 3);
+    private static final Material WATER = Glass.of(linear(1, 1, 1), 4.0 / 3);
 
     /** What the faces of a pane of index 2 in water reflect straight on, as glass of index 3/2 does in empty space. */
     private static final double FACE_IN_WATER = 0.2 * 0.2;
@@ -183,7 +185,7 @@ final class ClosedForms {
         Scene scene = inWater(0.5)
                 .shading(shading(0))
                 .object(across(-3), matte(0, 0, 0))
-                .object(across(-0.5), Material.Glass.of(linear(1, 0.5, 1), 2))
+                .object(across(-0.5), Glass.of(linear(1, 0.5, 1), 2))
                 .object(across(1), matte(0, 0, 0).withRadiance(new Rgb(1, 2, 3)))
                 .build();
         double through = THROUGH_PANE_IN_WATER;
@@ -195,7 +197,7 @@ final class ClosedForms {
         Scene scene = inWater(0.02)
                 .shading(PhysicalScenes.atMost(1, 0))
                 .object(across(0), matte(0.5, 0.5, 0.5))
-                .object(across(-2.5), Material.Glass.of(linear(1, 0.5, 1), 2))
+                .object(across(-2.5), Glass.of(linear(1, 0.5, 1), 2))
                 .light(new Light.Point(at(0, 0, -3), Rgb.WHITE, Emission.power(new Rgb(4 * Math.PI, 8 * Math.PI, 0))))
                 .build();
         double one = 0.5 / Math.PI / 9 * THROUGH_PANE_IN_WATER;
@@ -211,7 +213,7 @@ final class ClosedForms {
                 .size(4, 4)
                 .camera(new Camera.Perspective(at(0, 0, 0), at(0, 0, 1), Vec3.Y, 0.5))
                 .shading(shading(0))
-                .object(ball(0, 0, 0, 1), Material.Glass.of(linear(1, 1, 1), n).withAbsorption(new Rgb(0.3, 0.6, 0)))
+                .object(ball(0, 0, 0, 1), Glass.of(linear(1, 1, 1), n).withAbsorption(new Rgb(0.3, 0.6, 0)))
                 .object(
                         TestScenes.rectangle(-1, -1, 2, -1, 1, 2, 1, 1, 2, 1, -1, 2),
                         matte(0, 0, 0).withRadiance(Rgb.gray(0.5)))

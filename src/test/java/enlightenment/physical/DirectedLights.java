@@ -11,6 +11,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -168,7 +169,7 @@ final class DirectedLights {
 
     private static SceneBuilder specular() {
         return room().object(ball(-0.4, 0.5, 0.1, 0.35), Material.Mirror.of(linear(0.9, 0.9, 0.9)))
-                .object(ball(0.4, 0.5, -0.2, 0.35), Material.Glass.of(linear(1, 1, 1), 1.5));
+                .object(ball(0.4, 0.5, -0.2, 0.35), Glass.of(linear(1, 1, 1), 1.5));
     }
 
     private static SceneBuilder foggy() {

@@ -10,6 +10,7 @@ import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Cube;
 import enlightenment.image.Image;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
@@ -28,8 +29,8 @@ class DispersionPicturesTest {
     private static final double INDEX = 1.3;
     private static final double ABBE = 8;
 
-    private static Material.Glass white(double index, double abbe) {
-        return Material.Glass.of(PhysicalScenes.linear(1, 1, 1), index).withDispersion(abbe);
+    private static Glass white(double index, double abbe) {
+        return Glass.of(PhysicalScenes.linear(1, 1, 1), index).withDispersion(abbe);
     }
 
     private static Statistics band(List<Image> pictures, int left, int right, int band) {
@@ -85,7 +86,7 @@ class DispersionPicturesTest {
 
     @Test
     void glassOfEndlessAbbeNumberIsGlassWithoutDispersion() {
-        Material.Glass plain = Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1.6);
+        Glass plain = Glass.of(PhysicalScenes.linear(1, 1, 1), 1.6);
         List<Image> with = render(caustic(plain.withDispersion(1e12)), BuiltInMethod.RAYTRACE, 4, 12);
         List<Image> without = render(caustic(plain), BuiltInMethod.RAYTRACE, 4, 12);
         for (int c = 0; c < 3; c++) {

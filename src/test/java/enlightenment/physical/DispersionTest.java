@@ -6,6 +6,7 @@ import enlightenment.color.BandSensitivities;
 import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import enlightenment.image.Image;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.render.Renderer;
@@ -46,7 +47,7 @@ class DispersionTest {
     private static final int NUMBERS = 3 * PARTS * PARTS;
 
     /** What becomes of a glass that disperses. */
-    private interface At extends Function<Material.Glass, Material> {}
+    private interface At extends Function<Glass, Material> {}
 
     private static final Map<String, Function<At, Scene>> SCENES = Map.of(
             "ball", DispersionTest::ball,
@@ -55,8 +56,8 @@ class DispersionTest {
             "in water", DispersionTest::inWater,
             "in fog", DispersionTest::inFog);
 
-    private static Material.Glass glass(double index, double abbe) {
-        return Material.Glass.of(PhysicalScenes.linear(1, 0.9, 0.8), index).withDispersion(abbe);
+    private static Glass glass(double index, double abbe) {
+        return Glass.of(PhysicalScenes.linear(1, 0.9, 0.8), index).withDispersion(abbe);
     }
 
     private static Scene ball(At at) {
@@ -81,8 +82,8 @@ class DispersionTest {
 
     /** A bubble of a gas of little dispersion, in glass that absorbs. */
     private static Scene nested(At at) {
-        Material.Glass outer = glass(1.5, 6).withAbsorption(new Rgb(0.2, 0.8, 1.5));
-        Material.Glass inner = new Material.Glass(PhysicalScenes.linear(1, 1, 1), 1.1, 1, 1, true).withDispersion(20);
+        Glass outer = glass(1.5, 6).withAbsorption(new Rgb(0.2, 0.8, 1.5));
+        Glass inner = new Glass(PhysicalScenes.linear(1, 1, 1), 1.1, 1, 1, true).withDispersion(20);
         return PhysicalScenes.room()
                 .light(PhysicalScenes.panel(0, 1.95, 0, 0.4, Rgb.gray(6), false))
                 .object(PhysicalScenes.ball(0, 0.8, 0, 0.6), at.apply(outer))
@@ -96,10 +97,10 @@ class DispersionTest {
                 .shading(PhysicalScenes.shading(0.3))
                 .light(PhysicalScenes.sphereLight(-1, 3, -0.5, 0.3, 20))
                 .object(TestScenes.rectangle(-2, 0, -2, -2, 0, 2, 2, 0, 2, 2, 0, -2), PhysicalScenes.GREEN)
-                .object(PhysicalScenes.ball(0, 0.9, 0, 0.8), Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5))
+                .object(PhysicalScenes.ball(0, 0.9, 0, 0.8), Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5))
                 .object(
                         PhysicalScenes.ball(0, 0.9, 0, 0.5),
-                        at.apply(new Material.Glass(PhysicalScenes.linear(1, 1, 1), 1.5, 1, 1, true).withDispersion(3)))
+                        at.apply(new Glass(PhysicalScenes.linear(1, 1, 1), 1.5, 1, 1, true).withDispersion(3)))
                 .build();
     }
 
@@ -115,19 +116,14 @@ class DispersionTest {
                 .build();
     }
 
-    private static Material single(Material.Glass glass, double wavelength) {
+    private static Material single(Glass glass, double wavelength) {
         double slope = CauchyFormula.slope(
                 glass.indexOfRefraction(), glass.dispersion().getAsDouble());
         double index = CauchyFormula.index(glass.indexOfRefraction(), slope, CauchyFormula.place(wavelength));
-        return new Material.Glass(
-                glass.color(),
-                index,
-                glass.transparency(),
-                glass.priority(),
-                glass.receivesShadows(),
-                glass.roughness(),
-                glass.absorption(),
-                glass.multipleScattering());
+        return new Glass(glass.color(), index, glass.transparency(), glass.priority(), glass.receivesShadows())
+                .withRoughness(glass.roughness())
+                .withAbsorption(glass.absorption())
+                .withMultipleScattering(glass.multipleScattering());
     }
 
     private static double[] means(Scene scene, BuiltInMethod method, int antialias, int seed) {

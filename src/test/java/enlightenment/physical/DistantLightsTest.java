@@ -15,6 +15,7 @@ import enlightenment.geometry.Box;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.InvalidValueException;
@@ -199,7 +200,7 @@ class DistantLightsTest {
                 windowed()
                         .shading(PhysicalScenes.atMost(6, 0.1))
                         .object(ball(-0.4, 0.5, 0.1, 0.35), Material.Mirror.of(linear(0.9, 0.9, 0.9)))
-                        .object(ball(0.15, 0.6, -0.2, 0.35), Material.Glass.of(linear(1, 1, 1), 1.5))
+                        .object(ball(0.15, 0.6, -0.2, 0.35), Glass.of(linear(1, 1, 1), 1.5))
                         .light(distant(down, 20, 4, 3, 2))
                         .build());
         // The ball is above the view.
@@ -210,7 +211,7 @@ class DistantLightsTest {
                         .shading(PhysicalScenes.atMost(4, 0))
                         .camera(new Camera.Perspective(at(0, 1, -1.5), at(0.1, 0, 0), Vec3.Y, 25))
                         .object(new Box(at(-1, -0.1, -1), at(1, 0, 1)), PhysicalScenes.WHITE)
-                        .object(ball(0.2, 1.1, -0.1, 0.3), Material.Glass.of(linear(1, 1, 1), 1.5))
+                        .object(ball(0.2, 1.1, -0.1, 0.3), Glass.of(linear(1, 1, 1), 1.5))
                         .light(distant(down, 8, 4, 3, 2))
                         .light(distant(new Vec3(0.3, -1, 0), 14, 1, 2, 3))
                         .build());

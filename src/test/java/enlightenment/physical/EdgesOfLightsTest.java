@@ -22,6 +22,7 @@ import enlightenment.geometry.Triangle;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
@@ -129,7 +130,7 @@ class EdgesOfLightsTest {
     private static SceneBuilder inBalls(double hidden) {
         return view(EYE, hidden)
                 .object(ball(-1.5, 0.3, 7, 1.8), TestScenes.mirror(0.8))
-                .object(ball(2.4, -1, 7, 1.6), Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5))
+                .object(ball(2.4, -1, 7, 1.6), Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5))
                 .object(ball(-6, 5, 2, 3), lamp(RADIANCE))
                 .object(TestScenes.rectangle(4, -4, -2, 4, 4, -2, 9, 4, -1, 9, -4, -1), lamp(RADIANCE));
     }

@@ -11,6 +11,7 @@ import enlightenment.color.Rgb;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.WavelengthBand;
@@ -116,12 +117,12 @@ class ExtremeMatterTest {
     private static void glass(Map<String, SceneBuilder> all) {
         for (double index : new double[] {1 - 1e-12, 1 + 1e-12, 1.5}) {
             for (double abbe : new double[] {0.6, 1e9, 1e300}) {
-                Material.Glass glass = Material.Glass.of(linear(1, 1, 1), index).withDispersion(abbe);
+                Glass glass = Glass.of(linear(1, 1, 1), index).withDispersion(abbe);
                 all.put("glass, index " + index + ", V " + abbe, lit(glass));
                 all.put("frosted, index " + index + ", V " + abbe, lit(glass.withRoughness(0.5)));
             }
         }
-        all.put("tiny V", lit(Material.Glass.of(linear(1, 1, 1), 1 + 1e-12).withDispersion(1e-11)));
+        all.put("tiny V", lit(Glass.of(linear(1, 1, 1), 1 + 1e-12).withDispersion(1e-11)));
     }
 
     private static void dyes(Map<String, SceneBuilder> all) {

@@ -11,7 +11,7 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Material;
+import enlightenment.material.Glass;
 import enlightenment.render.Renderer;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
@@ -33,7 +33,7 @@ class FarSpeckTest {
                 .shading(PhysicalScenes.atMost(6, 0))
                 .object(new Box(at(-1.5, -0.5, -4), at(1.5, 2.5, 1.7)), PhysicalScenes.WHITE)
                 .object(ball(-0.5, 0.4, 0.6, 0.45), PhysicalScenes.RED)
-                .object(ball(0.6, 0.5, 0.1, 0.5), Material.Glass.of(PhysicalScenes.linear(1, 0.9, 0.95), 1.5))
+                .object(ball(0.6, 0.5, 0.1, 0.5), Glass.of(PhysicalScenes.linear(1, 0.9, 0.95), 1.5))
                 .light(light);
     }
 

@@ -9,6 +9,7 @@ import enlightenment.camera.Camera;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
@@ -23,7 +24,7 @@ class GlassOnFloorTest {
     private static final int SIDE = 8;
 
     private static Material glass(double roughness) {
-        return new Material.Glass(linear(1, 1, 1), 1.5, 1, 0, true).withRoughness(roughness);
+        return new Glass(linear(1, 1, 1), 1.5, 1, 0, true).withRoughness(roughness);
     }
 
     private static double mean(BuiltInMethod method, double reflectance, double gap, double roughness) {

@@ -8,6 +8,7 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
@@ -23,7 +24,7 @@ class HiddenFacesTest {
     private static final double NOISE = 0.01;
 
     private static Material glass(double index, int priority, double roughness) {
-        return new Material.Glass(linear(1, 1, 1), index, 1, priority, true).withRoughness(roughness);
+        return new Glass(linear(1, 1, 1), index, 1, priority, true).withRoughness(roughness);
     }
 
     private static SceneBuilder floor(int maxBounces) {

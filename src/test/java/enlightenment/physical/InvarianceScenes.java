@@ -15,6 +15,8 @@ import enlightenment.geometry.Disk;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Conductor;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
@@ -93,22 +95,22 @@ public final class InvarianceScenes {
         Conductor copper = new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
         Material checkered = Material.Matte.of(
                 new Texture.Checker(List.of(DisplayRgb.of(0.9, 0.8, 0.7), new Rgb(0.05, 0.1, 0.2)), 5));
-        Material glass = Material.Glass.of(linear(1, 0.9, 0.95), 1.5).withAbsorption(new Rgb(0.1, 0.7, 0.3));
+        Material glass = Glass.of(linear(1, 0.9, 0.95), 1.5).withAbsorption(new Rgb(0.1, 0.7, 0.3));
         return PhysicalScenes.room()
                 .size(32, 24)
                 .shading(PhysicalScenes.shading(0.1))
                 .object(ball(-0.45, 0.45, 0.2, 0.4), Material.Mirror.of(linear(0.9, 0.95, 1)))
                 .object(ball(0.35, 0.5, -0.4, 0.35), glass)
-                .object(ball(0.45, 0.6, -0.35, 0.15), Material.Glass.of(linear(1, 1, 1), 1.2))
+                .object(ball(0.45, 0.6, -0.35, 0.15), Glass.of(linear(1, 1, 1), 1.2))
                 .object(
                         new Box(at(0.3, 0.01, 0.2), at(0.8, 0.9, 0.8)),
                         matte(0.5, 0.6, 0.7).withRoughness(0.6))
                 .object(
                         new Cylinder(at(-0.7, 0.1, -0.5), at(-0.3, 0.6, -0.7), 0.15, true),
-                        Material.Glossy.metal(linear(1, 1, 1), copper, 0.4))
+                        Glossy.metal(linear(1, 1, 1), copper, 0.4))
                 .object(
                         new Disk(at(-0.1, 1.2, 0.7), new Vec3(0.2, 0.3, -1), 0.3),
-                        Material.Glossy.of(linear(0.8, 0.7, 0.3), 0.7))
+                        Glossy.of(linear(0.8, 0.7, 0.3), 0.7))
                 .object(ball(-0.2, 0.15, -0.8, 0.12), checkered);
     }
 }

@@ -10,6 +10,7 @@ import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
@@ -28,7 +29,7 @@ class LampOnGlassTest {
     private static final double GAP = 1e-6;
 
     private static Material glass(double roughness) {
-        return new Material.Glass(linear(1, 1, 1), 1.5, 1, 0, true).withRoughness(roughness);
+        return new Glass(linear(1, 1, 1), 1.5, 1, 0, true).withRoughness(roughness);
     }
 
     /** A floor and a ceiling, seen from the side. */

@@ -16,6 +16,7 @@ import enlightenment.geometry.Box;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
@@ -82,9 +83,7 @@ class LightInMediaTest {
                                 new Box(at(-0.8, 0.1, -0.7), at(0.8, 1.3, 0.4)),
                                 Material.Scattering.of(medium(1, 1, 2, 0.2, 0)))
                         .object(ball(0.1, 0.7, -0.2, 0.3), new Material.Scattering(medium(9, 6, 3, 0.5, 0.2), 1, 0, 1))
-                        .object(
-                                ball(-0.4, 0.7, -0.4, 0.2),
-                                new Material.Glass(PhysicalScenes.linear(1, 1, 1), 1, 1, 2, true)));
+                        .object(ball(-0.4, 0.7, -0.4, 0.2), new Glass(PhysicalScenes.linear(1, 1, 1), 1, 1, 2, true)));
         all.put(
                 "cloud that takes light from a room that glows",
                 Scene.builder()

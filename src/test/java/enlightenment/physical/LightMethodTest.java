@@ -20,6 +20,7 @@ import enlightenment.geometry.Box;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
@@ -156,9 +157,10 @@ class LightMethodTest {
     void whatItCannotSeeIsToldWhereASceneHasItAndNowhereElse() {
         Scene plain = room().light(sphereLight(0.2, 1.5, -0.1, 0.3, 6)).build();
         assertEquals(List.of(), blindSpots(plain, BuiltInMethod.LIGHT));
-        Material glass = Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5);
-        Material frosted = new Material.Glass(PhysicalScenes.linear(1, 1, 1), 1.5, 1, 0, true, 0.5, Rgb.BLACK, false);
-        Material air = Material.Glass.of(PhysicalScenes.linear(1, 1, 1), 1);
+        Material glass = Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5);
+        Material frosted =
+                Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5).withRoughness(0.5).withMultipleScattering(false);
+        Material air = Glass.of(PhysicalScenes.linear(1, 1, 1), 1);
         for (Material seenThrough : List.of(frosted, air)) {
             Scene scene = room().object(ball(0, 1, 0, 0.3), seenThrough).build();
             assertEquals(List.of(), blindSpots(scene, BuiltInMethod.LIGHT));

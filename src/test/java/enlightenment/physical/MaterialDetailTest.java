@@ -18,6 +18,8 @@ import enlightenment.image.PngOptions;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Bump;
+import enlightenment.material.Coated;
+import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -357,7 +359,7 @@ class MaterialDetailTest {
     void allMethodsMakeOnePictureOfAllFour(BuiltInMethod method) throws IOException {
         Texture waves =
                 heights("waves", (u, v) -> 0.5 + 0.25 * Math.sin(20 * Math.PI * u) + 0.25 * Math.sin(12 * Math.PI * v));
-        Material plastic = Material.Coated.of(linear(0.2, 0.4, 0.7), 0.6);
+        Material plastic = Coated.of(linear(0.2, 0.4, 0.7), 0.6);
         Scene scene = PhysicalScenes.room()
                 .object(PhysicalScenes.ball(-0.4, 0.45, 0.2, 0.4), new Bump(plastic, waves, 0.1))
                 .object(
@@ -389,7 +391,7 @@ class MaterialDetailTest {
                         new Mix(mirror, PhysicalScenes.GREEN, share(0.5)))
                 .object(
                         TestScenes.rectangle(-0.7, 1.3, -0.5, -0.7, 1.5, 0.5, 0.7, 1.5, 0.5, 0.7, 1.3, -0.5),
-                        new Mask(Material.Glossy.of(linear(0.9, 0.9, 0.9), 0.2), share(0.5)))
+                        new Mask(Glossy.of(linear(0.9, 0.9, 0.9), 0.2), share(0.5)))
                 .light(PhysicalScenes.panel(0, 1.95, 0, 0.3, Rgb.gray(20), false))
                 .build();
         assertOnePicture(scene, method);

@@ -10,6 +10,7 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
@@ -63,8 +64,8 @@ public final class MatterScenes {
         return new Background.Picture(texture, Rgb.WHITE, 30);
     }
 
-    private static Material.Glass prism() {
-        return Material.Glass.of(linear(1, 0.95, 0.9), 1.6).withDispersion(9);
+    private static Glass prism() {
+        return Glass.of(linear(1, 0.95, 0.9), 1.6).withDispersion(9);
     }
 
     private static Material wax(double index, double roughness) {
@@ -85,7 +86,7 @@ public final class MatterScenes {
         return floor(picture, Optional.empty())
                 .object(ball(-0.4, 0.45, -0.1, 0.42), ink)
                 .object(new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1)), ink)
-                .object(ball(0.3, 1.1, 0.3, 0.25), Material.Glass.of(linear(1, 1, 1), 1.5))
+                .object(ball(0.3, 1.1, 0.3, 0.25), Glass.of(linear(1, 1, 1), 1.5))
                 .light(new Light.Sphere(
                         at(-0.3, 1.7, -0.4),
                         0.15,
@@ -105,7 +106,7 @@ public final class MatterScenes {
 
     private static Scene pictureAndMilk(Background picture) {
         return floor(picture, Optional.empty())
-                .object(ball(0, 0.7, -0.1, 0.6), Material.Glass.of(linear(0.95, 1, 0.9), 1.5))
+                .object(ball(0, 0.7, -0.1, 0.6), Glass.of(linear(0.95, 1, 0.9), 1.5))
                 .object(ball(0.02, 0.7, -0.1, 0.5), wax(1.33, 0))
                 .light(panel(0, 1.95, 0, 0.4, Rgb.gray(6), false))
                 .build();

@@ -12,6 +12,7 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.scene.Background;
@@ -31,7 +32,7 @@ final class MediaScenes {
     private static final Medium MILK = medium(new Rgb(8, 7, 6), new Rgb(0.1, 0.2, 0.8), 0.5);
     private static final Medium FOG = medium(new Rgb(0.4, 0.3, 0.2), new Rgb(0.05, 0.05, 0.1), 0.5);
     private static final Medium GREY_FOG = medium(Rgb.gray(0.3), Rgb.gray(0.05), -0.3);
-    private static final Material GLASS = Material.Glass.of(linear(0.95, 1, 0.9), 1.5);
+    private static final Material GLASS = Glass.of(linear(0.95, 1, 0.9), 1.5);
     private static final Material MIRROR = Material.Mirror.of(linear(0.95, 0.9, 0.85));
 
     private MediaScenes() {}

@@ -14,7 +14,8 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Material;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.SceneBuilder;
@@ -23,7 +24,7 @@ import java.util.Map;
 /** Scenes in which lights, media and surfaces touch each other or lie within each other. */
 final class MeetingScenes {
     private static final Rgb WARM = new Rgb(5, 4, 2);
-    private static final Material.Glass WATER = new Material.Glass(linear(1, 1, 1), 1.33, 1, 0, true);
+    private static final Glass WATER = new Glass(linear(1, 1, 1), 1.33, 1, 0, true);
 
     private MeetingScenes() {}
 
@@ -67,17 +68,17 @@ final class MeetingScenes {
                                 matte(0.7, 0.7, 0.2).withRoughness(0.9))
                         .object(
                                 TestScenes.rectangle(1, 0, -1, 1, 2, -1, 1, 2, 1, 1, 0, 1),
-                                Material.Glossy.of(linear(0.9, 0.6, 0.3), 0.6)));
+                                Glossy.of(linear(0.9, 0.6, 0.3), 0.6)));
         scenes.put(
                 "glass on the floor",
                 furnished()
                         .light(panel(0.05, 1.9, 0, 0.6, WARM, false))
-                        .object(ball(0.3, 0.2, -0.85, 0.2), Material.Glass.of(linear(0.9, 1, 1), 1.5))
+                        .object(ball(0.3, 0.2, -0.85, 0.2), Glass.of(linear(0.9, 1, 1), 1.5))
                         .object(ball(-0.5, 1.0, -0.3, 0.3), WATER));
         scenes.put(
                 "light half in glass",
                 room().light(sphereLight(0, 1.2, 0, 0.35, 4))
-                        .object(ball(0.1, 0.8, -0.1, 0.5), Material.Glass.of(linear(1, 0.9, 0.8), 1.5)));
+                        .object(ball(0.1, 0.8, -0.1, 0.5), Glass.of(linear(1, 0.9, 0.8), 1.5)));
     }
 
     private static void within(Map<String, SceneBuilder> scenes) {
@@ -90,7 +91,7 @@ final class MeetingScenes {
                 "under water by a panel",
                 room().light(panel(0.05, 1.9, 0, 0.6, WARM, false))
                         .object(new Box(at(-7, -7, -8), at(7, 8, 6)), WATER.withAbsorption(new Rgb(0.3, 0.1, 0.05)))
-                        .object(ball(-0.35, 0.45, -0.1, 0.42), Material.Glossy.of(linear(0.9, 0.8, 0.7), 0.7)));
+                        .object(ball(-0.35, 0.45, -0.1, 0.42), Glossy.of(linear(0.9, 0.8, 0.7), 0.7)));
         scenes.put(
                 "under water by a point",
                 furnished()
@@ -102,19 +103,18 @@ final class MeetingScenes {
                         .light(sphereLight(0.2, 1.5, -0.1, 0.3, 6))
                         .object(
                                 ball(0.1, 0.8, -0.2, 0.9),
-                                new Material.Glass(linear(1, 1, 1), 1, 1, 0, true)
-                                        .withAbsorption(new Rgb(0.5, 1, 0.1))));
+                                new Glass(linear(1, 1, 1), 1, 1, 0, true).withAbsorption(new Rgb(0.5, 1, 0.1))));
         scenes.put(
                 "matte in glass",
                 room().light(panel(0.05, 1.9, 0, 0.6, WARM, false))
-                        .object(ball(0, 0.8, -0.2, 0.6), Material.Glass.of(linear(1, 0.9, 0.8), 1.4))
+                        .object(ball(0, 0.8, -0.2, 0.6), Glass.of(linear(1, 0.9, 0.8), 1.4))
                         .object(ball(-0.1, 0.8, -0.2, 0.35), matte(0.8, 0.6, 0.3)));
         scenes.put(
                 "lamp and matte in glass",
                 room().light(sphereLight(0.25, 1.0, -0.2, 0.2, 8))
                         .object(
                                 ball(0, 0.8, -0.2, 0.7),
-                                Material.Glass.of(linear(1, 0.9, 0.8), 1.4).withAbsorption(new Rgb(0.2, 0.5, 1)))
+                                Glass.of(linear(1, 0.9, 0.8), 1.4).withAbsorption(new Rgb(0.2, 0.5, 1)))
                         .object(ball(-0.2, 0.8, -0.2, 0.3), matte(0.8, 0.6, 0.3)));
         scenes.put(
                 "pane within water",
@@ -122,7 +122,7 @@ final class MeetingScenes {
                         .object(new Box(at(-0.8, 0.1, -0.7), at(0.8, 1.5, 0.4)), WATER)
                         .object(
                                 TestScenes.rectangle(-0.6, 0.3, -0.5, -0.6, 1.3, -0.2, 0.6, 1.3, -0.2, 0.6, 0.3, -0.5),
-                                Material.Glass.of(linear(0.9, 0.7, 1), 1.9)));
+                                Glass.of(linear(0.9, 0.7, 1), 1.9)));
         scenes.put(
                 "eye near a lamp",
                 furnished()

@@ -10,6 +10,9 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Transform;
+import enlightenment.material.Coated;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TestMeshes;
@@ -37,14 +40,14 @@ final class MeshScenes {
                 room().light(panel(0.05, 1.9, 0, 0.6, new Rgb(5, 4, 2), false))
                         .object(ball(-0.45, 0.5, 0.1, 0.45), PhysicalScenes.WHITE)
                         .object(ball(0.5, 0.6, 0.3, 0.4), Material.Mirror.of(linear(0.95, 0.9, 0.85)))
-                        .object(ball(0.1, 0.4, -0.5, 0.3), Material.Glass.of(linear(0.95, 1, 0.9), 1.5)));
+                        .object(ball(0.1, 0.4, -0.5, 0.3), Glass.of(linear(0.95, 1, 0.9), 1.5)));
         scenes.put(
                 "smooth meshes of metal and coats",
                 room().light(sphereLight(0.2, 1.5, -0.1, 0.3, 6))
-                        .object(ball(-0.45, 0.5, 0.1, 0.45), Material.Glossy.of(linear(0.9, 0.6, 0.3), 0.7))
-                        .object(ball(0.5, 0.6, 0.3, 0.4), Material.Coated.of(linear(0.1, 0.5, 0.9), 0))
-                        .object(ball(0.1, 0.4, -0.5, 0.3), Material.Coated.of(linear(0.2, 0.9, 0.6), 0.5)));
-        Material.Glass glass = Material.Glass.of(linear(0.95, 1, 0.9), 1.5).withSmoothRefraction(true);
+                        .object(ball(-0.45, 0.5, 0.1, 0.45), Glossy.of(linear(0.9, 0.6, 0.3), 0.7))
+                        .object(ball(0.5, 0.6, 0.3, 0.4), Coated.of(linear(0.1, 0.5, 0.9), 0))
+                        .object(ball(0.1, 0.4, -0.5, 0.3), Coated.of(linear(0.2, 0.9, 0.6), 0.5)));
+        Glass glass = Glass.of(linear(0.95, 1, 0.9), 1.5).withSmoothRefraction(true);
         scenes.put(
                 "meshes that refract smoothly",
                 room().light(panel(0.05, 1.9, 0, 0.6, new Rgb(5, 4, 2), false))

@@ -1,6 +1,6 @@
 package enlightenment.physical;
 
-import enlightenment.material.Material;
+import enlightenment.material.Coated;
 import enlightenment.math.Vec3;
 import java.util.SplittableRandom;
 
@@ -19,7 +19,7 @@ final class NaiveCoat extends NaiveReflector {
     private final double[] again = new double[3];
     private final double mean;
 
-    NaiveCoat(double[] color, Material.Coated material) {
+    NaiveCoat(double[] color, Coated material) {
         index = material.indexOfRefraction();
         double alpha = NaiveAmount.squared(material.roughness());
         facets = alpha > 0 ? new NaiveFacets(alpha) : null;

@@ -1,5 +1,6 @@
 package enlightenment.physical;
 
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
@@ -28,15 +29,14 @@ record NaiveMedium(double[] scattering, double[] extinction, double anisotropy) 
     static NaiveMedium of(Material material) {
         return material instanceof Material.Scattering s
                 ? of(s.medium())
-                : new NaiveMedium(new double[3], NaiveColors.of(((Material.Glass) material).absorption()), 0);
+                : new NaiveMedium(new double[3], NaiveColors.of(((Glass) material).absorption()), 0);
     }
 
     /** The border of a solid of a material as that of glass. */
-    static Material.Glass border(Material material) {
+    static Glass border(Material material) {
         return material instanceof Material.Scattering s
-                ? new Material.Glass(s.color(), s.indexOfRefraction(), 1, s.priority(), true)
-                        .withRoughness(s.roughness())
-                : (Material.Glass) material;
+                ? new Glass(s.color(), s.indexOfRefraction(), 1, s.priority(), true).withRoughness(s.roughness())
+                : (Glass) material;
     }
 
     boolean scatters() {

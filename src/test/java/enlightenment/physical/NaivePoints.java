@@ -1,6 +1,6 @@
 package enlightenment.physical;
 
-import enlightenment.material.Material;
+import enlightenment.material.Glass;
 import enlightenment.math.Vec3;
 
 /** Lights without extent, which no path meets: what comes from them straight, through panes, or reflected by one. */
@@ -61,7 +61,7 @@ final class NaivePoints {
             }
             Vec3 met = at.plus(d.times(before));
             Vec3 rest = light.position().minus(met);
-            double index = ((Material.Glass) pane.material()).indexOfRefraction();
+            double index = ((Glass) pane.material()).indexOfRefraction();
             double around = NaiveScene.index(scene.medium(at.plus(d.times(before / 2))));
             double share = NaiveFresnel.pane(Math.abs(d.dot(flat.normal(met))), around, index);
             double[] kept = NaiveColors.product(
@@ -95,7 +95,7 @@ final class NaivePoints {
                 left = before == after ? left : NaiveColors.product(left, NaiveTracer.color(hit));
             } else {
                 double around = NaiveScene.index(scene.medium(hit, 1));
-                double index = ((Material.Glass) hit.surface().material()).indexOfRefraction();
+                double index = ((Glass) hit.surface().material()).indexOfRefraction();
                 left = NaiveColors.product(
                         left,
                         NaiveTracer.scaled(

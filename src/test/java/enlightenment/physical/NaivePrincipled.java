@@ -2,7 +2,8 @@ package enlightenment.physical;
 
 import enlightenment.color.Rgb;
 import enlightenment.material.Amount;
-import enlightenment.material.Material;
+import enlightenment.material.Coated;
+import enlightenment.material.Glossy;
 import enlightenment.material.Principled;
 import enlightenment.math.Vec3;
 import java.util.SplittableRandom;
@@ -27,12 +28,12 @@ final class NaivePrincipled extends NaiveReflector {
         metallic = ((Amount.Constant) p.metallic()).value();
         double root = (p.indexOfRefraction() - 1) / (p.indexOfRefraction() + 1) * Math.sqrt(p.specular());
         double index = (1 + root) / (1 - root);
-        coat = new NaiveCoat(color, new Material.Coated(p.color(), p.roughness(), index, false, Rgb.BLACK, 0));
-        clear = new NaiveCoat(color, Material.Coated.of(p.color(), p.clearcoatRoughness()));
+        coat = new NaiveCoat(color, new Coated(p.color(), p.roughness(), index, false, Rgb.BLACK, 0));
+        clear = new NaiveCoat(color, Coated.of(p.color(), p.clearcoatRoughness()));
         clearShare = p.clearcoat();
         metal = coat.isSmooth()
                 ? null
-                : new Facets(color, Material.Glossy.of(p.color(), 1).withRoughness(p.roughness()));
+                : new Facets(color, Glossy.of(p.color(), 1).withRoughness(p.roughness()));
         double sum = 0;
         for (int i = 0; i < STEPS; i++) {
             double mu = (i + 0.5) / STEPS;

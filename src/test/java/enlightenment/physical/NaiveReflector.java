@@ -1,7 +1,7 @@
 package enlightenment.physical;
 
 import enlightenment.material.Conductor;
-import enlightenment.material.Material;
+import enlightenment.material.Glossy;
 import enlightenment.math.Vec3;
 import java.util.SplittableRandom;
 
@@ -110,11 +110,11 @@ abstract class NaiveReflector {
     /** Reflection by facets with the distribution GGX (Walter and others, 2007), and what Kulla and Conty (2017) add. */
     static final class Facets extends NaiveReflector {
         private final double[] color;
-        private final Material.Glossy material;
+        private final Glossy material;
         private final NaiveFacets facets;
         private final double[] repeated = new double[3];
 
-        Facets(double[] color, Material.Glossy material) {
+        Facets(double[] color, Glossy material) {
             this.color = color;
             this.material = material;
             this.facets = new NaiveFacets(NaiveAmount.squared(material.roughness()));

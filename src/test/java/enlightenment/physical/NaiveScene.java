@@ -4,6 +4,7 @@ import enlightenment.camera.Camera;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.EmissionPattern;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.scene.PhysicalShading;
@@ -29,7 +30,7 @@ final class NaiveScene {
      */
     record Surface(NaiveShape shape, Material material, double[] front, double[] back) {
         boolean isGlass() {
-            return material instanceof Material.Glass || material instanceof Material.Scattering;
+            return material instanceof Glass || material instanceof Material.Scattering;
         }
 
         boolean isSolid() {

@@ -1,6 +1,7 @@
 package enlightenment.physical;
 
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Scene;
@@ -108,7 +109,7 @@ final class NaiveSpectralTracer {
         if (material instanceof Material.Mirror) {
             return color * radiance(hit.point(), reflected, wavelength, mirrored, events, random);
         }
-        if (material instanceof Material.Glass g) {
+        if (material instanceof Glass g) {
             double from = hit.front() ? 1 : g.indexOfRefraction();
             double to = hit.front() ? g.indexOfRefraction() : 1;
             double cosine = Math.min(1, -d.dot(n));

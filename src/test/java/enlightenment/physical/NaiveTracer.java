@@ -1,5 +1,8 @@
 package enlightenment.physical;
 
+import enlightenment.material.Coated;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.math.Vec3;
@@ -230,7 +233,7 @@ final class NaiveTracer {
     private double[] scattered(NaiveScene.Hit hit, Vec3 d, int scattered, int events, Path path) {
         Material material = hit.surface().material();
         if (hit.surface().isGlass()) {
-            Material.Glass g = NaiveMedium.border(material);
+            Glass g = NaiveMedium.border(material);
             return path.random.nextDouble() < g.transparency()
                     ? throughGlass(g, hit, d, scattered, events, path)
                     : scattered == scene.maxBounces
@@ -268,15 +271,15 @@ final class NaiveTracer {
     }
 
     private NaiveReflector reflector(Material material, NaiveScene.Hit hit) {
-        if (material instanceof Material.Glossy g) {
+        if (material instanceof Glossy g) {
             double[] color = color(hit);
-            Material.Glossy here = g.withRoughness(NaiveAmount.at(g.roughness(), hit));
+            Glossy here = g.withRoughness(NaiveAmount.at(g.roughness(), hit));
             List<Object> key = List.of(here, color[0], color[1], color[2]);
             return metals.computeIfAbsent(key, any -> new NaiveReflector.Facets(color, here));
         }
-        if (material instanceof Material.Coated c) {
+        if (material instanceof Coated c) {
             double[] color = color(hit);
-            Material.Coated here = c.withRoughness(NaiveAmount.at(c.roughness(), hit));
+            Coated here = c.withRoughness(NaiveAmount.at(c.roughness(), hit));
             List<Object> key = List.of(here, color[0], color[1], color[2]);
             return metals.computeIfAbsent(key, any -> new NaiveCoat(color, here));
         }
@@ -318,8 +321,7 @@ final class NaiveTracer {
         return sum;
     }
 
-    private double[] throughGlass(
-            Material.Glass glass, NaiveScene.Hit hit, Vec3 d, int scattered, int events, Path path) {
+    private double[] throughGlass(Glass glass, NaiveScene.Hit hit, Vec3 d, int scattered, int events, Path path) {
         Vec3 n = glass.smoothRefraction() && hit.surface().isSolid() ? interpolated(hit) : hit.normal();
         double cosine = Math.min(1, -d.dot(n));
         NaiveScene.Surface before = scene.medium(hit, 1);
@@ -396,14 +398,7 @@ final class NaiveTracer {
 
     /** Rough glass: by single scattering with the weight of Walter's equation 41, or what that loses. */
     private double[] throughFacets(
-            Material.Glass glass,
-            NaiveScene.Hit hit,
-            Vec3 d,
-            double from,
-            double to,
-            int scattered,
-            int events,
-            Path path) {
+            Glass glass, NaiveScene.Hit hit, Vec3 d, double from, double to, int scattered, int events, Path path) {
         if (isLeftOut(path)) {
             return new double[3];
         }

@@ -22,7 +22,10 @@ import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
 import enlightenment.material.Conductor;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
@@ -44,7 +47,7 @@ final class PartnerScenes {
     private static final Rgb WARM = new Rgb(5, 4, 2);
     private static final Texture WHITE = linear(1, 1, 1);
     private static final Material MIRROR = Material.Mirror.of(linear(0.95, 0.9, 0.85));
-    private static final Material GLASS = Material.Glass.of(linear(0.95, 1, 0.9), 1.5);
+    private static final Material GLASS = Glass.of(linear(0.95, 1, 0.9), 1.5);
     private static final Conductor COPPER = new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
     private static final Shape BALL = ball(-0.35, 0.45, -0.1, 0.42);
     static final Shape BLOCK = new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1));
@@ -155,9 +158,7 @@ final class PartnerScenes {
         scenes.put(
                 "glowing mirror and metal",
                 room().object(BALL, new Material.Mirror(linear(0.8, 0.8, 0.8), true, new Rgb(1, 2, 1)))
-                        .object(
-                                BLOCK,
-                                new Material.Glossy(WHITE, 0.6, Optional.of(COPPER), true, new Rgb(0.5, 0.2, 2))));
+                        .object(BLOCK, new Glossy(WHITE, 0.6, Optional.of(COPPER), true, new Rgb(0.5, 0.2, 2))));
     }
 
     private static void surfaces(Map<String, SceneBuilder> scenes) {
@@ -178,13 +179,13 @@ final class PartnerScenes {
         scenes.put(
                 "metals",
                 room().light(CEILING)
-                        .object(BALL, Material.Glossy.metal(linear(1, 0.9, 0.8), COPPER, 0.5))
-                        .object(BLOCK, Material.Glossy.of(linear(0.9, 0.6, 0.3), 0.8)));
+                        .object(BALL, Glossy.metal(linear(1, 0.9, 0.8), COPPER, 0.5))
+                        .object(BLOCK, Glossy.of(linear(0.9, 0.6, 0.3), 0.8)));
         scenes.put(
                 "coated",
                 room().light(CEILING)
-                        .object(BALL, new Material.Coated(linear(0.9, 0.5, 0.1), 0, 1.9, true, Rgb.BLACK, 0))
-                        .object(BLOCK, Material.Coated.of(linear(0.2, 0.9, 0.6), 0.5)));
+                        .object(BALL, new Coated(linear(0.9, 0.5, 0.1), 0, 1.9, true, Rgb.BLACK, 0))
+                        .object(BLOCK, Coated.of(linear(0.2, 0.9, 0.6), 0.5)));
         scenes.put(
                 "principled",
                 room().light(CEILING)
@@ -214,22 +215,20 @@ final class PartnerScenes {
                                         .withMetallic(Amount.of(shares)))
                         .object(
                                 TestScenes.rectangle(0.2, 0.1, -0.3, 0.2, 1, -0.1, 0.9, 1, 0.2, 0.9, 0.1, 0),
-                                Material.Glossy.of(linear(0.9, 0.9, 0.9), 0)
+                                Glossy.of(linear(0.9, 0.9, 0.9), 0)
                                         .withRoughness(new Amount.Textured(shares, Amount.Channel.GREEN, 1))));
         scenes.put(
                 "coated, mirror and glass",
                 room().light(LAMP)
-                        .object(BALL, Material.Coated.of(linear(0.1, 0.5, 0.9), 0))
-                        .object(BLOCK, new Material.Coated(linear(0, 0.1, 0), 0, 3, false, Rgb.BLACK, 0))
+                        .object(BALL, Coated.of(linear(0.1, 0.5, 0.9), 0))
+                        .object(BLOCK, new Coated(linear(0, 0.1, 0), 0, 3, false, Rgb.BLACK, 0))
                         .object(ball(-0.5, 1.4, -0.3, 0.25), MIRROR)
                         .object(ball(0.3, 1.2, -0.3, 0.25), GLASS));
         scenes.put(
                 "metals that scatter once",
                 room().light(LAMP)
-                        .object(BALL, new Material.Glossy(WHITE, 0.9, Optional.of(COPPER), false, Rgb.BLACK))
-                        .object(
-                                BLOCK,
-                                new Material.Glossy(linear(0.7, 0.8, 0.9), 0.4, Optional.empty(), false, Rgb.BLACK)));
+                        .object(BALL, new Glossy(WHITE, 0.9, Optional.of(COPPER), false, Rgb.BLACK))
+                        .object(BLOCK, new Glossy(linear(0.7, 0.8, 0.9), 0.4, Optional.empty(), false, Rgb.BLACK)));
         scenes.put(
                 "checkered",
                 view(16, 16)
@@ -249,48 +248,49 @@ final class PartnerScenes {
         scenes.put(
                 "glass that absorbs",
                 room().light(CEILING)
-                        .object(BALL, Material.Glass.of(WHITE, 1.3).withAbsorption(new Rgb(0.2, 1, 3)))
-                        .object(BLOCK, Material.Glass.of(WHITE, 1.7).withAbsorption(new Rgb(2, 0.5, 0))));
-        Material.Glass water = new Material.Glass(linear(0.9, 0.95, 1), 1.33, 1, 0, true);
-        Material.Glass inner = new Material.Glass(linear(1, 0.9, 0.9), 1.8, 1, 2, true);
+                        .object(BALL, Glass.of(WHITE, 1.3).withAbsorption(new Rgb(0.2, 1, 3)))
+                        .object(BLOCK, Glass.of(WHITE, 1.7).withAbsorption(new Rgb(2, 0.5, 0))));
+        Glass water = new Glass(linear(0.9, 0.95, 1), 1.33, 1, 0, true);
+        Glass inner = new Glass(linear(1, 0.9, 0.9), 1.8, 1, 2, true);
         scenes.put(
                 "nested glass",
                 room().light(CEILING)
                         .object(ball(0, 0.8, -0.2, 0.7), water.withAbsorption(new Rgb(0.5, 0.1, 0)))
                         .object(ball(0.1, 0.7, -0.3, 0.3), inner.withAbsorption(new Rgb(0, 0.4, 1)))
-                        .object(ball(-0.5, 1.1, -0.3, 0.35), new Material.Glass(WHITE, 1, 1, 3, true))
+                        .object(ball(-0.5, 1.1, -0.3, 0.35), new Glass(WHITE, 1, 1, 3, true))
                         .object(ball(0.4, 1.2, -0.1, 0.1), matte(0.7, 0.2, 0.2)));
         scenes.put(
                 "equal glass",
                 room().light(CEILING)
-                        .object(ball(0, 0.8, -0.2, 0.6), Material.Glass.of(linear(0.9, 0.8, 1), 1.4))
-                        .object(ball(0.3, 0.9, -0.3, 0.5), Material.Glass.of(linear(0.7, 1, 0.9), 1.4)));
+                        .object(ball(0, 0.8, -0.2, 0.6), Glass.of(linear(0.9, 0.8, 1), 1.4))
+                        .object(ball(0.3, 0.9, -0.3, 0.5), Glass.of(linear(0.7, 1, 0.9), 1.4)));
         scenes.put(
                 "half of glass",
-                room().light(CEILING).object(BALL, new Material.Glass(linear(0.9, 0.6, 0.5), 1.5, 0.4, 0, true)));
+                room().light(CEILING).object(BALL, new Glass(linear(0.9, 0.6, 0.5), 1.5, 0.4, 0, true)));
         scenes.put(
                 "rough glass",
                 room().light(CEILING)
-                        .object(BALL, new Material.Glass(WHITE, 1.5, 1, 0, true, 0.6, Rgb.BLACK, false))
+                        .object(BALL, Glass.of(WHITE, 1.5).withRoughness(0.6).withMultipleScattering(false))
                         .object(
                                 BLOCK,
-                                new Material.Glass(linear(0.8, 1, 1), 1.3, 1, 0, true, 0.4, Rgb.gray(0.3), false)));
+                                Glass.of(linear(0.8, 1, 1), 1.3)
+                                        .withRoughness(0.4)
+                                        .withAbsorption(Rgb.gray(0.3))
+                                        .withMultipleScattering(false)));
         scenes.put(
                 "pane",
                 furnished()
                         .light(CEILING)
                         .object(
                                 TestScenes.rectangle(-0.6, 0.2, -0.9, -0.7, 1.7, -0.5, 0.6, 1.7, -0.8, 0.7, 0.2, -1.2),
-                                Material.Glass.of(linear(0.9, 0.7, 1), 1.5)));
+                                Glass.of(linear(0.9, 0.7, 1), 1.5)));
         scenes.put(
                 "pane over a lamp",
                 furnished()
                         .light(sphereLight(0, 1.6, 0, 0.3, 6))
                         .object(new Disk(at(0, 1.2, 0), new Vec3(0.1, 1, 0), 0.5), GLASS));
         scenes.put("bulb", room().light(sphereLight(0, 1, 0, 0.3, 6)).object(ball(0.05, 1, 0, 0.5), GLASS));
-        scenes.put(
-                "eye in glass",
-                furnished().light(CEILING).object(ball(0, 1, -3.4, 0.4), Material.Glass.of(WHITE, 1.5)));
+        scenes.put("eye in glass", furnished().light(CEILING).object(ball(0, 1, -3.4, 0.4), Glass.of(WHITE, 1.5)));
         scenes.put(
                 "eye in two solids",
                 furnished()
@@ -303,7 +303,7 @@ final class PartnerScenes {
         SceneBuilder open = view(16, 16)
                 .shading(shading(0.4))
                 .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), PhysicalScenes.RED)
-                .object(BLOCK, Material.Glossy.of(linear(0.9, 0.8, 0.7), 0.6));
+                .object(BLOCK, Glossy.of(linear(0.9, 0.8, 0.7), 0.6));
         scenes.put("background", open);
         scenes.put(
                 "background and lights",

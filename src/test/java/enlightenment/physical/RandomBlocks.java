@@ -7,9 +7,10 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Shape;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import java.util.OptionalDouble;
 import java.util.Random;
 
 /** Blocks of all materials on a coarse grid, so that faces of theirs lie in one another in all ways there are. */
@@ -36,13 +37,12 @@ final class RandomBlocks {
             case 4 -> glass(1, 0, priority);
             case 5 -> fog(1, 0, priority);
             case 6 -> fog(1.4, random.nextBoolean() ? 0 : 0.4, priority);
-            default -> Material.Glossy.of(linear(1, 1, 1), 0.5);
+            default -> Glossy.of(linear(1, 1, 1), 0.5);
         };
     }
 
     private static Material glass(double index, double roughness, int priority) {
-        return new Material.Glass(
-                linear(1, 1, 1), index, 1, priority, true, roughness, Rgb.BLACK, true, OptionalDouble.empty());
+        return new Glass(linear(1, 1, 1), index, 1, priority, true).withRoughness(roughness);
     }
 
     private static Material fog(double index, double roughness, int priority) {

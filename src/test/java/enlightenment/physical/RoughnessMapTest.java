@@ -8,6 +8,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.material.Amount;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
@@ -72,7 +73,7 @@ class RoughnessMapTest {
     /** 0.4 is between two of 63 steps, a fifth beyond the 25th. */
     @Test
     void anImageOfOneRoughnessIsThatRoughness() throws IOException {
-        Material.Glossy metal = Material.Glossy.of(linear(0.9, 0.6, 0.3), 0.4);
+        Glossy metal = Glossy.of(linear(0.9, 0.6, 0.3), 0.4);
         Amount map = new Amount.Textured(image("even", 0.8, 0.8), Amount.Channel.GREEN, 0.5);
         assertAlike(
                 pictures(scene(metal), BuiltInMethod.RAYTRACE, 101),
@@ -81,7 +82,7 @@ class RoughnessMapTest {
 
     @Test
     void theSameImageOfAnotherFactorIsAnotherRoughness() throws IOException {
-        Material.Glossy metal = Material.Glossy.of(linear(0.9, 0.6, 0.3), 0.4);
+        Glossy metal = Glossy.of(linear(0.9, 0.6, 0.3), 0.4);
         Amount map = new Amount.Textured(image("other", 0.8, 0.8), Amount.Channel.GREEN, 0.75);
         double[] a = whole(pictures(scene(metal), BuiltInMethod.RAYTRACE, 101));
         double[] b = whole(pictures(scene(metal.withRoughness(map)), BuiltInMethod.RAYTRACE, 1));

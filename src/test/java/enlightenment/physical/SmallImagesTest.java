@@ -11,7 +11,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.camera.Camera;
 import enlightenment.geometry.Box;
 import enlightenment.image.Image;
-import enlightenment.material.Material;
+import enlightenment.material.Glass;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
@@ -97,9 +97,7 @@ class SmallImagesTest {
                 .size(1, 1)
                 .shading(shading(0))
                 .camera(new Camera.Orthographic(at(0, 0, 0), at(0, 0, 1), Vec3.Y, 2))
-                .object(
-                        new Box(at(-5, -5, -1), at(0, 5, 1)),
-                        Material.Glass.of(PhysicalScenes.linear(1, 0.9, 0.8), 1.5))
+                .object(new Box(at(-5, -5, -1), at(0, 5, 1)), Glass.of(PhysicalScenes.linear(1, 0.9, 0.8), 1.5))
                 .light(sphereLight(lampX, lampY, 4.95, 0.05, 1000))
                 .build();
         double expected = mean(Rendered.zoomed(scene, ZOOM, 64, BuiltInMethod.RAYTRACE, 1), ZOOM, 0, 0, 0);

@@ -12,6 +12,7 @@ import enlightenment.geometry.Box;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
@@ -84,7 +85,7 @@ class SpectralPartnerTest {
         scenes.put(
                 "black light through glass and from a mirror",
                 PhysicalScenes.room()
-                        .object(ball(-0.4, 1.0, -0.1, 0.35), Material.Glass.of(linear(0.95, 0.9, 0.85), 1.5))
+                        .object(ball(-0.4, 1.0, -0.1, 0.35), Glass.of(linear(0.95, 0.9, 0.85), 1.5))
                         .object(ball(0.5, 0.9, 0.2, 0.3), Material.Mirror.of(linear(0.9, 0.9, 0.8)))
                         .object(
                                 TestScenes.rectangle(-0.9, 0.1, -0.9, -0.9, 0.2, 0.9, 0.9, 0.1, 0.9, 0.9, 0, -0.9),

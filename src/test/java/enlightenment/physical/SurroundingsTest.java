@@ -16,6 +16,8 @@ import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.image.Image;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
@@ -209,11 +211,9 @@ class SurroundingsTest {
         return view(16, 16)
                 .shading(shading(-1, picture("rough", 16, 8, 130, rough())))
                 .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), PhysicalScenes.RED)
-                .object(
-                        new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1)),
-                        Material.Glossy.of(linear(0.9, 0.8, 0.7), 0.5))
+                .object(new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1)), Glossy.of(linear(0.9, 0.8, 0.7), 0.5))
                 .object(ball(-0.35, 0.45, -0.1, 0.42), PhysicalScenes.WHITE)
-                .object(ball(0.3, 1.3, 0.2, 0.3), Material.Glass.of(linear(0.95, 1, 0.9), 1.5))
+                .object(ball(0.3, 1.3, 0.2, 0.3), Glass.of(linear(0.95, 1, 0.9), 1.5))
                 .object(ball(-0.5, 1.4, 0.2, 0.25), rough(1.4))
                 .object(TestScenes.rectangle(-0.9, 0.2, -0.8, -0.9, 1, -0.8, -0.2, 1, -0.8, -0.2, 0.2, -0.8), GLASS)
                 .light(sphereLight(-0.2, 1.8, -0.3, 0.1, 20))
@@ -221,10 +221,10 @@ class SurroundingsTest {
                 .build();
     }
 
-    private static final Material GLASS = Material.Glass.of(linear(0.9, 0.7, 0.9), 1.5);
+    private static final Material GLASS = Glass.of(linear(0.9, 0.7, 0.9), 1.5);
 
     private static Material rough(double index) {
-        return Material.Glass.of(linear(1, 1, 1), index).withRoughness(0.5);
+        return Glass.of(linear(1, 1, 1), index).withRoughness(0.5);
     }
 
     private static void compare(BuiltInMethod method, int antialias, int seeds, int paths) {

@@ -10,6 +10,7 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.ExactPoint;
@@ -18,7 +19,6 @@ import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
-import java.util.OptionalDouble;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** A ball that is much smaller than a unit in the last place of its distance gives what a point gives of the same power. */
 class TinyLampsTest {
     private static final Rgb POWER = new Rgb(30, 20, 25);
-    private static final Material CLEAR = new Material.Glass(linear(1, 1, 1), 1, 1, 0, true);
+    private static final Material CLEAR = new Glass(linear(1, 1, 1), 1, 1, 0, true);
 
     /** Above what the camera sees: a ball there would be seen, which a point never is. */
     private static final ExactPoint CENTER = at(0.2, 2.2, -0.5);
@@ -45,13 +45,12 @@ class TinyLampsTest {
             case "pane" ->
                 room.object(
                         TestScenes.rectangle(-1.4, 1.7, -1.8, -1.4, 1.75, 1.1, 1.4, 1.75, 1.1, 1.4, 1.7, -1.8),
-                        new Material.Glass(linear(0.9, 0.8, 0.7), 1.5, 1, 0, true));
+                        new Glass(linear(0.9, 0.8, 0.7), 1.5, 1, 0, true));
             case "clear ball" -> room.object(ball(0.31, 2.13, -0.6, 0.35), CLEAR);
             case "filter" ->
                 room.object(
                         ball(0.31, 2.13, -0.6, 0.35),
-                        new Material.Glass(
-                                linear(1, 1, 1), 1, 1, 0, true, 0, new Rgb(0.8, 1.5, 2), true, OptionalDouble.empty()));
+                        Glass.of(linear(1, 1, 1), 1).withAbsorption(new Rgb(0.8, 1.5, 2)));
             case "fog" ->
                 room.object(
                         ball(0.31, 2.13, -0.6, 0.35),

@@ -6,6 +6,7 @@ import static enlightenment.physical.PhysicalScenes.linear;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.image.Image;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
@@ -31,8 +32,7 @@ class TouchingGlassTest {
     private static final double[] ABOVE = {0.3, 1, 0.6};
 
     private static Material glass(double[] color, double index, int priority, double roughness) {
-        return new Material.Glass(linear(color[0], color[1], color[2]), index, 1, priority, true)
-                .withRoughness(roughness);
+        return new Glass(linear(color[0], color[1], color[2]), index, 1, priority, true).withRoughness(roughness);
     }
 
     /** Slabs on each other above a floor, seen from a height; the upper one is sunk by an overlap into the lower one. */

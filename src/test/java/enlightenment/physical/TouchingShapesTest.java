@@ -12,6 +12,7 @@ import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
 import enlightenment.geometry.Sphere;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
@@ -37,7 +38,7 @@ class TouchingShapesTest {
     private static final Material GLOWING = matte(0, 0, 0).withRadiance(Rgb.WHITE);
 
     private static Material absorbing(double absorption) {
-        return new Material.Glass(linear(1, 1, 1), 1, 1, 0, true).withAbsorption(Rgb.gray(absorption));
+        return new Glass(linear(1, 1, 1), 1, 1, 0, true).withAbsorption(Rgb.gray(absorption));
     }
 
     private static double mean(Scene scene, BuiltInMethod method, int antialias) {
@@ -62,9 +63,7 @@ class TouchingShapesTest {
     void waterAbsorbsOnTheWholeWayToALabelOnGlass(BuiltInMethod method) {
         Scene scene = small(new Vec3(0, 0, -3))
                 .object(new Sphere(at(0, 0, 0), 6, 0), absorbing(0.3))
-                .object(
-                        new Box(at(-0.5, -0.5, -0.5), at(0.5, 0.5, 0.5)),
-                        new Material.Glass(linear(1, 1, 1), 1.5, 1, 0, true))
+                .object(new Box(at(-0.5, -0.5, -0.5), at(0.5, 0.5, 0.5)), new Glass(linear(1, 1, 1), 1.5, 1, 0, true))
                 .object(
                         TestScenes.rectangle(-0.4, -0.4, -0.5, -0.4, 0.4, -0.5, 0.4, 0.4, -0.5, 0.4, -0.4, -0.5),
                         GLOWING)
@@ -183,9 +182,7 @@ class TouchingShapesTest {
         Cube cube = new Cube(at(0, 0, 0), Math.sqrt(0.75), Vec3.ZERO);
         return small(new Vec3(0.25, 0.25, -3))
                 .object(new SceneObject("", cube, glass, faces))
-                .object(
-                        new Box(at(0, 0, 0), at(0.5, 0.5, 0.5 - gap)),
-                        new Material.Glass(linear(1, 1, 1), 1, 1, 1, true))
+                .object(new Box(at(0, 0, 0), at(0.5, 0.5, 0.5 - gap)), new Glass(linear(1, 1, 1), 1, 1, 1, true))
                 .build();
     }
 

@@ -18,6 +18,8 @@ import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
@@ -45,13 +47,13 @@ final class UnusualScenes {
         scenes.put(
                 "nearly mirrors",
                 room().light(CEILING)
-                        .object(BALL, Material.Glossy.of(linear(0.9, 0.8, 0.7), 0.06))
-                        .object(CUBE, Material.Glossy.of(linear(0.7, 0.8, 0.9), 0.15)));
+                        .object(BALL, Glossy.of(linear(0.9, 0.8, 0.7), 0.06))
+                        .object(CUBE, Glossy.of(linear(0.7, 0.8, 0.9), 0.15)));
         scenes.put(
                 "the roughest",
                 room().light(CEILING)
-                        .object(BALL, Material.Glossy.of(linear(0, 0.5, 1), 1))
-                        .object(CUBE, new Material.Glossy(linear(0, 0.5, 1), 1, Optional.empty(), false, Rgb.BLACK)));
+                        .object(BALL, Glossy.of(linear(0, 0.5, 1), 1))
+                        .object(CUBE, new Glossy(linear(0, 0.5, 1), 1, Optional.empty(), false, Rgb.BLACK)));
         scenes.put(
                 "hardly rough matte",
                 room().light(CEILING)
@@ -60,22 +62,33 @@ final class UnusualScenes {
         scenes.put(
                 "hardly rough glass",
                 room().light(CEILING)
-                        .object(BALL, new Material.Glass(linear(1, 1, 1), 1.5, 1, 0, true, 0.15, Rgb.BLACK, false))
-                        .object(CUBE, new Material.Glass(linear(1, 1, 1), 0.8, 1, 0, true, 0.9, Rgb.BLACK, false)));
+                        .object(
+                                BALL,
+                                Glass.of(linear(1, 1, 1), 1.5)
+                                        .withRoughness(0.15)
+                                        .withMultipleScattering(false))
+                        .object(
+                                CUBE,
+                                Glass.of(linear(1, 1, 1), 0.8)
+                                        .withRoughness(0.9)
+                                        .withMultipleScattering(false)));
         Texture checker = new Texture.Checker(List.of(DisplayRgb.of(0.9, 0.5, 0.7), new Rgb(0.05, 0.3, 0.9)), 6);
         scenes.put(
                 "checkered metal, mirror and glass",
                 room().light(CEILING)
-                        .object(BALL, Material.Glossy.of(checker, 0.6))
+                        .object(BALL, Glossy.of(checker, 0.6))
                         .object(ball(0.4, 0.4, -0.3, 0.35), Material.Mirror.of(checker))
-                        .object(ball(0.1, 1.2, -0.2, 0.35), Material.Glass.of(checker, 1.3)));
+                        .object(ball(0.1, 1.2, -0.2, 0.35), Glass.of(checker, 1.3)));
         scenes.put(
                 "rough glass in glass",
                 room().light(CEILING)
-                        .object(ball(0, 0.9, -0.2, 0.7), Material.Glass.of(linear(1, 0.9, 0.9), 1.3))
+                        .object(ball(0, 0.9, -0.2, 0.7), Glass.of(linear(1, 0.9, 0.9), 1.3))
                         .object(
                                 ball(0.1, 0.9, -0.3, 0.4),
-                                new Material.Glass(linear(1, 1, 1), 1.7, 1, 1, true, 0.5, Rgb.gray(0.2), false)));
+                                new Glass(linear(1, 1, 1), 1.7, 1, 1, true)
+                                        .withRoughness(0.5)
+                                        .withAbsorption(Rgb.gray(0.2))
+                                        .withMultipleScattering(false)));
     }
 
     private static void lights(Map<String, SceneBuilder> scenes) {
@@ -83,13 +96,10 @@ final class UnusualScenes {
         scenes.put("glowing cube", room().object(CUBE, glow).object(BALL, PhysicalScenes.WHITE));
         scenes.put(
                 "glowing metal cube",
-                room().object(
-                                CUBE,
-                                new Material.Glossy(
-                                        linear(0.9, 0.5, 0.2), 0.5, Optional.empty(), true, new Rgb(1, 2, 4)))
+                room().object(CUBE, new Glossy(linear(0.9, 0.5, 0.2), 0.5, Optional.empty(), true, new Rgb(1, 2, 4)))
                         .object(BALL, matte(0.7, 0.7, 0.7).withRoughness(1)));
         SceneBuilder many = room().object(BALL, PhysicalScenes.WHITE)
-                .object(CUBE, Material.Glossy.of(linear(0.9, 0.7, 0.5), 0.7))
+                .object(CUBE, Glossy.of(linear(0.9, 0.7, 0.5), 0.7))
                 .shading(shading(0.05));
         for (int k = 0; k < 12; k++) {
             double angle = k * 2.399963;

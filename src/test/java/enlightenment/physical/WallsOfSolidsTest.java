@@ -9,6 +9,7 @@ import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cube;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
@@ -18,7 +19,6 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import java.util.List;
-import java.util.OptionalDouble;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -32,7 +32,7 @@ class WallsOfSolidsTest {
     }
 
     private static Material glass() {
-        return new Material.Glass(linear(1, 1, 1), 1.3, 1, 0, true);
+        return new Glass(linear(1, 1, 1), 1.3, 1, 0, true);
     }
 
     /** A room that is the inside of a box, with a pool on its floor that reaches to the walls or nearly so. */
@@ -87,8 +87,7 @@ class WallsOfSolidsTest {
 
     /** A cube of dark glass of which the left or the right face is opaque, turned so that it is the same cube. */
     private static Scene painted(boolean isLeft) {
-        Material dark =
-                new Material.Glass(linear(1, 1, 1), 1.5, 1, 0, true, 0, Rgb.gray(2), true, OptionalDouble.empty());
+        Material dark = Glass.of(linear(1, 1, 1), 1.5).withAbsorption(Rgb.gray(2));
         Material[] faces = {dark, dark, dark, dark, dark, dark};
         faces[isLeft ? 0 : 1] = matte(0.5, 0.5, 0.5);
         Cube cube = new Cube(at(0, 1, 0), 0.5, new Vec3(0, isLeft ? 20 : 200, 0));
@@ -125,7 +124,7 @@ class WallsOfSolidsTest {
                 .camera(new Camera.Perspective(at(0, 6, -0.5), at(0, 0, 0), Vec3.Z, 8))
                 .shading(PhysicalScenes.atMost(100, 1))
                 .object(new Box(at(-1, gap, -1), at(1, 1, 1)), glass())
-                .object(new Box(at(-1, -1, -1), at(1, -gap, 1)), new Material.Glass(linear(1, 1, 1), lower, 1, 0, true))
+                .object(new Box(at(-1, -1, -1), at(1, -gap, 1)), new Glass(linear(1, 1, 1), lower, 1, 0, true))
                 .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), matte(0.6, 0.6, 0.6))
                 .build();
     }

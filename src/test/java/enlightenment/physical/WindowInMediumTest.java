@@ -8,6 +8,7 @@ import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.scene.Background;
@@ -17,7 +18,6 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneBuilder;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -57,8 +57,7 @@ class WindowInMediumTest {
     @ParameterizedTest
     @EnumSource(BuiltInMethod.class)
     void soDoesASolidThatEyeAndWindowAreIn(BuiltInMethod method) {
-        Material dark =
-                new Material.Glass(linear(1, 1, 1), 1, 1, 0, true, 0, Rgb.gray(1), true, OptionalDouble.empty());
+        Material dark = Glass.of(linear(1, 1, 1), 1).withAbsorption(Rgb.gray(1));
         assertShown(view().object(ball(0, 0, -1.5, 10), dark).build(), method, Math.exp(-1));
     }
 }

@@ -11,6 +11,7 @@ import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -34,7 +35,7 @@ class CameraInsideTest {
     private static final Vec3 LAMP = new Vec3(3, 5, -2);
 
     private static Material glass(double ior) {
-        return Material.Glass.of(Texture.of(DisplayRgb.WHITE), ior);
+        return Glass.of(Texture.of(DisplayRgb.WHITE), ior);
     }
 
     /** A ball-shaped room around the origin, lit from a point without shadows: what is seen depends on the direction. */
@@ -194,7 +195,7 @@ class CameraInsideTest {
             glass(1.5),
             glass(1),
             glass(0.7),
-            new Material.Glass(Texture.of(DisplayRgb.WHITE), 1.5, 0.5, 0, true)
+            new Glass(Texture.of(DisplayRgb.WHITE), 1.5, 0.5, 0, true)
         };
         Vec3[] along = {Vec3.Z, Vec3.Z.negated(), Vec3.X, Vec3.Y, new Vec3(1, 1, -1), new Vec3(-1, -1, 1)};
         for (Shape shape : new Shape[] {ball, box, tube}) {

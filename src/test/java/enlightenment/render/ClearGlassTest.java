@@ -8,6 +8,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -35,7 +36,7 @@ class ClearGlassTest {
     }
 
     private static Material glass(double ior, int priority) {
-        return new Material.Glass(Texture.of(DisplayRgb.WHITE), ior, 1, priority, true);
+        return new Glass(Texture.of(DisplayRgb.WHITE), ior, 1, priority, true);
     }
 
     @Test

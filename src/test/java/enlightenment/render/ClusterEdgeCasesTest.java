@@ -8,6 +8,7 @@ import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -71,7 +72,7 @@ class ClusterEdgeCasesTest {
         for (int k = 0; k < 9; k++) {
             many.light(lamp(k - 4.0));
         }
-        Material glass = Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5);
+        Material glass = Glass.of(Texture.of(DisplayRgb.WHITE), 1.5);
         return Stream.of(
                 Arguments.of("no light", room().build()),
                 Arguments.of(

@@ -11,6 +11,7 @@ import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -34,7 +35,7 @@ class CoincidentFacesTest {
     private static final Material BLUE = TestScenes.matte(0.1, 0.2, 0.9);
 
     private static Material glass(double r, double g, double b) {
-        return Material.Glass.of(Texture.of(new DisplayRgb(r, g, b)), 1.5);
+        return Glass.of(Texture.of(new DisplayRgb(r, g, b)), 1.5);
     }
 
     private static SceneObject object(Shape shape, Material material) {
@@ -106,7 +107,7 @@ class CoincidentFacesTest {
                         floor);
                 DoublePicture one = inAnyOrder(
                         lit, object(new Box(ExactPoint.of(-0.7, 0.3, -0.9), ExactPoint.of(0.9, 1.2, 0.7)), m), floor);
-                if (m instanceof Material.Glass) {
+                if (m instanceof Glass) {
                     assertTrue(two.shareBeyond(one, 1e-9) <= 0.001, "share " + two.shareBeyond(one, 1e-9));
                 } else {
                     assertEquals(0, two.difference(one), 1e-12, m.type());

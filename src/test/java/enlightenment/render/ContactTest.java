@@ -11,6 +11,7 @@ import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -72,7 +73,7 @@ class ContactTest {
             new Cone(ExactPoint.of(0, 0.5, 0), ExactPoint.of(0, 0, 0), 1, 0.9, true)
         };
         Camera above = new Camera.Perspective(ExactPoint.of(0.03, 6, -0.07), ExactPoint.of(0, 0, 0), Vec3.Z, 9);
-        Material glass = Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5);
+        Material glass = Glass.of(Texture.of(DisplayRgb.WHITE), 1.5);
         for (Shape thing : things) {
             Scene scene = Scene.builder()
                     .size(64, 64)

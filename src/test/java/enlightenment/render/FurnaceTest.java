@@ -8,6 +8,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -74,7 +75,7 @@ class FurnaceTest {
                     // Light enters at right angles to one side of a wedge and can leave it at no other: it is trapped.
                     continue;
                 }
-                Material glass = Material.Glass.of(Texture.of(DisplayRgb.WHITE), ior);
+                Material glass = Glass.of(Texture.of(DisplayRgb.WHITE), ior);
                 assertWhite(furnace(e.getValue(), glass).build(), 1e-12, e.getKey() + " of index " + ior);
             }
         }
@@ -83,7 +84,7 @@ class FurnaceTest {
     @Test
     void glassThatIsPartlyOpaqueShowsWhite() {
         for (Map.Entry<String, Shape> e : Solids.all().entrySet()) {
-            Material glass = new Material.Glass(Texture.of(DisplayRgb.WHITE), 1.5, 0.3, 0, true);
+            Material glass = new Glass(Texture.of(DisplayRgb.WHITE), 1.5, 0.3, 0, true);
             assertWhite(furnace(e.getValue(), glass).build(), 1e-12, e.getKey());
         }
     }
@@ -91,8 +92,7 @@ class FurnaceTest {
     @Test
     void insideALightEveryDirectionShowsItsColor() {
         for (Map.Entry<String, Shape> e : Solids.all().entrySet()) {
-            for (Material m :
-                    new Material[] {TestScenes.mirror(1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5)}) {
+            for (Material m : new Material[] {TestScenes.mirror(1), Glass.of(Texture.of(DisplayRgb.WHITE), 1.5)}) {
                 Scene scene = inside(e.getValue(), m, ExactPoint.of(0.2, -0.1, 0.3), CAMERA);
                 assertWhite(scene, 1e-12, e.getKey() + " " + m.type());
             }

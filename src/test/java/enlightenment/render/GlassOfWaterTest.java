@@ -7,6 +7,7 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -38,7 +39,7 @@ class GlassOfWaterTest {
     }
 
     private static Material glass(double ior, int priority, DisplayRgb color) {
-        return new Material.Glass(Texture.of(color), ior, 1, priority, true);
+        return new Glass(Texture.of(color), ior, 1, priority, true);
     }
 
     /** Smooth light without shadows from outside and a room without edges but for one ball. */

@@ -13,6 +13,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
@@ -91,7 +92,7 @@ class HiddenObjectsTest {
         places.put("behind the viewer", eye.plus(new Vec3(0.013, 0.017, -31.7)));
         for (int i = 0; i < scene.objects().size(); i++) {
             SceneObject o = scene.objects().get(i);
-            boolean opaque = !(o.material() instanceof Material.Glass);
+            boolean opaque = !(o.material() instanceof Glass);
             if (o.shape() instanceof Rectangle r) {
                 Vec3 middle = r.upperRight().minus(r.lowerLeft()).times(0.5);
                 Vec3 n = r.upperLeft()

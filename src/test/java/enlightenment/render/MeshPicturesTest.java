@@ -16,6 +16,7 @@ import enlightenment.geometry.Transform.Scale;
 import enlightenment.geometry.Transform.Translate;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -46,7 +47,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class MeshPicturesTest {
     private static final Material MATTE = Material.Matte.of(Texture.of(new Rgb(0.7, 0.4, 0.2)));
     private static final Material MIRROR = Material.Mirror.of(Texture.of(new Rgb(0.9, 0.9, 0.8)));
-    private static final Material GLASS = Material.Glass.of(Texture.of(new Rgb(0.9, 1, 0.95)), 1.5);
+    private static final Material GLASS = Glass.of(Texture.of(new Rgb(0.9, 1, 0.95)), 1.5);
 
     /** All coordinates are multiples of 2^-12: transforms by powers of two and right angles are exact for floats. */
     private static final TriangleMesh BALL = smooth(rounded(TestMeshes.icosphere(1)));

@@ -6,6 +6,7 @@ import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
 import enlightenment.geometry.Rectangle;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -41,7 +42,7 @@ class MirrorHallTest {
     void aPaneBetweenThemAddsAGeometricSeries(int limit, double reflectance, double opaque) {
         // The path meets pane, mirror, pane, mirror, ...: pane k (from 0) adds opaque · q^k, q = (1 - opaque) · r.
         // Panes are no bounces: after `limit` mirrors one more pane is seen.
-        Material pane = new Material.Glass(Texture.of(DisplayRgb.WHITE), 1.5, 1 - opaque, 0, true);
+        Material pane = new Glass(Texture.of(DisplayRgb.WHITE), 1.5, 1 - opaque, 0, true);
         Scene scene = Scene.builder()
                 .size(2, 2)
                 .camera(straightAhead(1e-7))

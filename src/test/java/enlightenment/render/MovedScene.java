@@ -16,6 +16,7 @@ import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
@@ -156,8 +157,8 @@ final class MovedScene {
     }
 
     private Material material(Material m) {
-        boolean absorbs = m instanceof Material.Glass g && g.absorption().max() > 0;
-        return absorbs ? ((Material.Glass) m).withAbsorption(absorption(((Material.Glass) m).absorption())) : m;
+        boolean absorbs = m instanceof Glass g && g.absorption().max() > 0;
+        return absorbs ? ((Glass) m).withAbsorption(absorption(((Glass) m).absorption())) : m;
     }
 
     private Rgb absorption(Rgb a) {

@@ -12,6 +12,7 @@ import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
 import enlightenment.image.Image;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -104,7 +105,7 @@ class RendererTest {
         // each pane of glass that stands between them adds its opaque share: a/(1 - r) summed as a series.
         double r = 0.5;
         double opaque = 0.25;
-        Material pane = new Material.Glass(Texture.of(DisplayRgb.WHITE), 1.5, 1 - opaque, 0, true);
+        Material pane = new Glass(Texture.of(DisplayRgb.WHITE), 1.5, 1 - opaque, 0, true);
         for (int limit : new int[] {1, 10, 1000, 100_000}) {
             Scene scene = Scene.builder()
                     .size(1, 1)
@@ -151,9 +152,7 @@ class RendererTest {
         Scene without = SMALL;
         SceneBuilder b = Scene.builder().size(80, 40).camera(SMALL.camera());
         SMALL.objects().forEach(b::object);
-        b.object(
-                Sphere.of(ExactPoint.of(0.3, 1.2, 3), 0.9),
-                new Material.Glass(Texture.of(DisplayRgb.WHITE), 1, 1, 0, true));
+        b.object(Sphere.of(ExactPoint.of(0.3, 1.2, 3), 0.9), new Glass(Texture.of(DisplayRgb.WHITE), 1, 1, 0, true));
         // Glass throws shadows in classic shading, so both scenes are lit by ambient light only.
         RenderSettings s = QUICK;
         SceneBuilder plain = Scene.builder().size(80, 40).camera(SMALL.camera());
@@ -170,7 +169,7 @@ class RendererTest {
                 .size(64, 64)
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -20), ExactPoint.of(0, 0, 0), Vec3.Y, 12))
                 .shading(new ClassicShading(1, 1, DisplayRgb.BLACK, 10))
-                .object(Sphere.of(ExactPoint.of(0, 0, 0), 1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5))
+                .object(Sphere.of(ExactPoint.of(0, 0, 0), 1), Glass.of(Texture.of(DisplayRgb.WHITE), 1.5))
                 .object(TestScenes.rectangle(-9, 0, 8, -9, 9, 8, 9, 9, 8, 9, 0, 8), TestScenes.matte(1, 0, 0))
                 .object(TestScenes.rectangle(-9, -9, 8, -9, 0, 8, 9, 0, 8, 9, -9, 8), TestScenes.matte(0, 0, 1))
                 .build();
@@ -256,7 +255,7 @@ class RendererTest {
                 .object(new Sphere(p(k, 0.125, 3, 4), Math.scalb(0.7, k), 0), TestScenes.mirror(0.9))
                 .object(
                         new Sphere(p(k, 1.75, 1, 3), Math.scalb(1.0, k), 0),
-                        Material.Glass.of(Texture.of(new DisplayRgb(1, 0.9, 0.9)), 1.5))
+                        Glass.of(Texture.of(new DisplayRgb(1, 0.9, 0.9)), 1.5))
                 .object(
                         new Rectangle(p(k, -6, -1, -2), p(k, -6, -1, 8), p(k, 6, -1, 8), p(k, 6, -1, -2)),
                         TestScenes.matte(0.5, 0.7, 0.9))

@@ -10,6 +10,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -25,7 +26,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Borders that bend nothing are no bounces: glass may be cut up as one likes. */
 class StraightGlassTest {
     private static Material glass(double ior, int priority) {
-        return new Material.Glass(Texture.of(DisplayRgb.WHITE), ior, 1, priority, true);
+        return new Glass(Texture.of(DisplayRgb.WHITE), ior, 1, priority, true);
     }
 
     private static SceneBuilder room(int maxBounces) {

@@ -9,6 +9,7 @@ import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Sphere;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
@@ -31,7 +32,7 @@ class LightFeatureTest {
     private static final Material WAX = Material.Scattering.of(MILK);
     private static final Material MARKER =
             new Material.Fluorescent(GRAY, new WavelengthBand(320, 450), new WavelengthBand(500, 600), 0.5);
-    private static final Material PRISM = Material.Glass.of(GRAY, 1.5).withDispersion(36);
+    private static final Material PRISM = Glass.of(GRAY, 1.5).withDispersion(36);
 
     private static SceneBuilder scene(Shading shading) {
         return Scene.builder()
@@ -83,8 +84,8 @@ class LightFeatureTest {
     void whatHasNoEffectIsNotAskedFor() {
         Scene scene = physical()
                 .material("wax", WAX)
-                .object(BALL, Material.Glass.of(GRAY, 1).withDispersion(36))
-                .object(BALL, new Material.Glass(GRAY, 1.5, 0, 0, true).withDispersion(36))
+                .object(BALL, Glass.of(GRAY, 1).withDispersion(36))
+                .object(BALL, new Glass(GRAY, 1.5, 0, 0, true).withDispersion(36))
                 .build();
         assertEquals(Map.of(), LightFeature.of(scene));
         assertEquals(

@@ -15,6 +15,8 @@ import enlightenment.image.PngOptions;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Conductor;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -48,10 +50,10 @@ class NamedFaultsTest {
         fails("rotation: must be a finite number, not NaN", () -> new Sphere(O, 1, Double.NaN));
         fails("top: must differ from \"base\"", () -> new Cylinder(O, O, 1, true));
         fails("max/1: must be greater than the same coordinate of \"min\"", () -> new Box(O, ExactPoint.of(1, 0, 1)));
-        fails("transparency: must lie in 0.0..1.0, not 2.0", () -> new Material.Glass(WHITE, 1, 2, 0, true));
+        fails("transparency: must lie in 0.0..1.0, not 2.0", () -> new Glass(WHITE, 1, 2, 0, true));
         fails(
                 "smoothRefraction: must stand without \"roughness\": rough glass refracts by the normals of its triangles",
-                () -> Material.Glass.of(WHITE, 1.5).withRoughness(0.5).withSmoothRefraction(true));
+                () -> Glass.of(WHITE, 1.5).withRoughness(0.5).withSmoothRefraction(true));
         fails("radius: must be a number greater than 0, not 0.0", () -> new Light.Sphere(O, 0, DisplayRgb.WHITE));
         fails(
                 "intensity: belongs to point lights; a sphere light has \"radiance\" or \"power\"",
@@ -69,7 +71,7 @@ class NamedFaultsTest {
         fails("ultraviolet: must be at most 1e100", () -> Emission.RADIANCE_1.withUltraviolet(2e100));
         fails(
                 "color: reflects more than it receives: no component of a surface's colour may be above 1, as 1.25 is",
-                () -> Material.Glossy.of(Texture.of(new Rgb(0, 1.25, 0)), 0.5));
+                () -> Glossy.of(Texture.of(new Rgb(0, 1.25, 0)), 0.5));
         fails(
                 "color: reflects more than it receives: no component of a surface's colour may be above 1, as 2.0 is",
                 () -> Material.Matte.of(new Texture.Checker(List.of(DisplayRgb.WHITE, Rgb.gray(2)), 4)));

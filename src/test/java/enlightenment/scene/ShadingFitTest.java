@@ -17,6 +17,8 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.material.Bump;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -35,7 +37,7 @@ import org.junit.jupiter.api.Test;
 
 class ShadingFitTest {
     private static final Texture WHITE = Texture.of(DisplayRgb.WHITE);
-    private static final Material BRASS = Material.Glossy.of(WHITE, 0.5);
+    private static final Material BRASS = Glossy.of(WHITE, 0.5);
     private static final Material SKY = new Material.Matte(WHITE, false);
     private static final Texture HEIGHTS =
             new Texture.File(Path.of("heights.png"), Texture.Filter.BILINEAR, Texture.Encoding.LINEAR);
@@ -120,7 +122,7 @@ class ShadingFitTest {
 
     @Test
     void aPaneIsNeitherRoughNorFilledInPhysicalShading() {
-        Material rough = Material.Glass.of(WHITE, 1.5).withRoughness(0.3);
+        Material rough = Glass.of(WHITE, 1.5).withRoughness(0.3);
         Material fog = Material.Scattering.of(Medium.Coefficients.of(Rgb.WHITE, Rgb.BLACK));
         Cylinder tube = new Cylinder(ExactPoint.ORIGIN, ExactPoint.of(0, 1, 0), 0.5, false);
         for (Material material : new Material[] {rough, fog}) {
@@ -133,9 +135,7 @@ class ShadingFitTest {
                     .build();
         }
         scene(ClassicShading.DEFAULT).object(tube, rough).build();
-        scene(PhysicalShading.DEFAULT)
-                .object(tube, Material.Glass.of(WHITE, 1.5))
-                .build();
+        scene(PhysicalShading.DEFAULT).object(tube, Glass.of(WHITE, 1.5)).build();
     }
 
     @Test

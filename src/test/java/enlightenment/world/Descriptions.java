@@ -18,6 +18,9 @@ import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Bump;
+import enlightenment.material.Coated;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -124,10 +127,10 @@ public final class Descriptions {
             List.of(
                     Material.Matte.of(RED),
                     Material.Mirror.of(RED),
-                    Material.Glossy.of(RED, 0.5),
-                    Material.Coated.of(RED, 0.5),
+                    Glossy.of(RED, 0.5),
+                    Coated.of(RED, 0.5),
                     Principled.of(RED, 0.25, 0.5),
-                    Material.Glass.of(RED, 1.5),
+                    Glass.of(RED, 1.5),
                     Material.Scattering.of(Medium.Colored.of(Rgb.gray(0.5), Rgb.gray(0.25))),
                     new Material.Fluorescent(RED, new WavelengthBand(300, 400), new WavelengthBand(500, 600), 0.5),
                     new Mix(Material.Matte.of(RED), Material.Mirror.of(RED), Texture.of(Rgb.gray(0.5))),
@@ -140,7 +143,7 @@ public final class Descriptions {
 
     /** Those that classic shading knows. */
     public static final List<Material> CLASSIC_MATERIALS = MATERIALS.stream()
-            .filter(m -> m instanceof Material.Matte || m instanceof Material.Mirror || m instanceof Material.Glass)
+            .filter(m -> m instanceof Material.Matte || m instanceof Material.Mirror || m instanceof Glass)
             .toList();
 
     /** Textures; no file is where the one names it. */

@@ -18,6 +18,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -146,7 +147,7 @@ class HierarchyTest {
         Material[] materials = {
             Material.Matte.of(Texture.of(new DisplayRgb(0.9, 0.6, 0.4))),
             Material.Mirror.of(Texture.of(new DisplayRgb(0.8, 0.9, 0.8))),
-            Material.Glass.of(Texture.of(new DisplayRgb(0.9, 0.9, 1)), 1.5)
+            Glass.of(Texture.of(new DisplayRgb(0.9, 0.9, 1)), 1.5)
         };
         for (int i = 0; i < 60; i++) {
             b.object(shape(r, 0.2 + 1.3 * r.nextDouble()), materials[i % 5 < 3 ? 0 : i % 5 - 2]);

@@ -3,7 +3,9 @@ package enlightenment.importer.gltf;
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
 import enlightenment.material.EmissionPattern;
+import enlightenment.material.Glass;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.NormalMap;
@@ -194,11 +196,13 @@ final class MaterialReader {
             note("what transmits light is smooth: its mesh is not closed");
             roughness = 0;
         }
-        Material.Glass glass = new Material.Glass(color, index(), share, 0, true, roughness, absorption(volume), true);
+        Glass glass = new Glass(color, index(), share, 0, true)
+                .withRoughness(roughness)
+                .withAbsorption(absorption(volume));
         return dispersing(glass);
     }
 
-    private Material.Glass dispersing(Material.Glass glass) throws IOException {
+    private Glass dispersing(Glass glass) throws IOException {
         double dispersion = material.extension("KHR_materials_dispersion").number("dispersion", 0);
         if (dispersion <= 0) {
             return glass;
@@ -231,11 +235,11 @@ final class MaterialReader {
 
     private double index() throws IOException {
         double ior = material.extension("KHR_materials_ior").number("ior", USUAL_INDEX);
-        if (ior < 1 || ior > Material.Coated.LARGEST_INDEX) {
-            note("ior is limited to 1.." + (int) Material.Coated.LARGEST_INDEX);
+        if (ior < 1 || ior > Coated.LARGEST_INDEX) {
+            note("ior is limited to 1.." + (int) Coated.LARGEST_INDEX);
         }
         // 0 stands for a reflectance of 1.
-        return ior == 0 ? Material.Coated.LARGEST_INDEX : Math.min(Math.max(ior, 1), Material.Coated.LARGEST_INDEX);
+        return ior == 0 ? Coated.LARGEST_INDEX : Math.min(Math.max(ior, 1), Coated.LARGEST_INDEX);
     }
 
     private double roughnessFactor() throws IOException {
@@ -330,7 +334,7 @@ final class MaterialReader {
         if (map.isEmpty() && constant == 1) {
             return surface;
         }
-        if (surface instanceof Material.Glass || !surface.radiance().equals(Rgb.BLACK)) {
+        if (surface instanceof Glass || !surface.radiance().equals(Rgb.BLACK)) {
             note("the opacity of what glows or transmits light is left out");
             return surface;
         }

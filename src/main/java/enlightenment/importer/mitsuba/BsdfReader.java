@@ -3,6 +3,7 @@ package enlightenment.importer.mitsuba;
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.UvMap;
 import enlightenment.material.Bump;
+import enlightenment.material.Glass;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Mix;
@@ -93,7 +94,7 @@ final class BsdfReader {
 
         private Optional<Material> opaque(Properties p, XmlElement part, int depth) {
             Optional<Material> m = material(part, depth + 1);
-            if (m.isPresent() && (m.get() instanceof Material.Glass || m.get() instanceof Material.Scattering)) {
+            if (m.isPresent() && (m.get() instanceof Glass || m.get() instanceof Material.Scattering)) {
                 scene.note(
                         part,
                         part.described() + " inside of " + p.element().described() + " stands alone: only opaque"
@@ -103,7 +104,7 @@ final class BsdfReader {
         }
 
         private boolean isOpaque(Optional<Material> m) {
-            return m.isPresent() && !(m.get() instanceof Material.Glass) && !(m.get() instanceof Material.Scattering);
+            return m.isPresent() && !(m.get() instanceof Glass) && !(m.get() instanceof Material.Scattering);
         }
 
         private Optional<Material> mask(Properties p, int depth) {

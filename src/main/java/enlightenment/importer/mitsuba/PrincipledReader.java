@@ -3,7 +3,10 @@ package enlightenment.importer.mitsuba;
 import enlightenment.color.Color;
 import enlightenment.color.Rgb;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
 import enlightenment.material.EmissionPattern;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
@@ -54,10 +57,10 @@ final class PrincipledReader {
         LEFT_OUT.forEach(p::ignore);
         p.ignore("eta", "specular");
         if (share(textures.number(p, "clearcoat", 0)) > 0) {
-            return opaque(p, color, Amount.of(1), Material.Coated.USUAL_INDEX);
+            return opaque(p, color, Amount.of(1), Coated.USUAL_INDEX);
         }
         p.ignore("clearcoat_gloss");
-        return new Material.Glossy(
+        return new Glossy(
                 color, amount(p, "roughness", 0.5), Optional.empty(), false, Rgb.BLACK, 0, EmissionPattern.EVEN);
     }
 
@@ -73,11 +76,11 @@ final class PrincipledReader {
     private double index(Properties p) {
         double specular = share(textures.number(p, "specular", 0.5));
         double index = p.number("eta", 2 / (1 - StrictMath.sqrt(0.08 * specular)) - 1);
-        if (index >= 1 && index <= Material.Coated.LARGEST_INDEX) {
+        if (index >= 1 && index <= Coated.LARGEST_INDEX) {
             return index;
         }
         scene.note(p.element(), "an index of refraction of " + index + " becomes the nearest possible one");
-        return StrictMath.min(StrictMath.max(index, 1), Material.Coated.LARGEST_INDEX);
+        return StrictMath.min(StrictMath.max(index, 1), Coated.LARGEST_INDEX);
     }
 
     /**
@@ -136,7 +139,7 @@ final class PrincipledReader {
         }
         p.ignore("clearcoat_gloss");
         double roughness = share(textures.number(p, "roughness", 0.5));
-        return new Material.Glass(root(p, color), index, 1, 0, true, roughness, Rgb.BLACK, false);
+        return Glass.of(root(p, color), index).withRoughness(roughness).withMultipleScattering(false);
     }
 
     private Texture root(Properties p, Texture color) {

@@ -6,6 +6,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.PlacedShapes;
 import enlightenment.importer.support.UvMap;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
@@ -170,7 +171,7 @@ final class ShapeReader {
     private Material fitting(Properties p, Surface surface, Shape shape) {
         Material m = surface.material().orElseThrow();
         XmlElement e = p.element();
-        if (m instanceof Material.Glass glass) {
+        if (m instanceof Glass glass) {
             boolean isSolid = shape.enclosesVolume();
             if (surface.isThin() && isSolid) {
                 scene.note(e, "a thin dielectric around a volume becomes solid glass");

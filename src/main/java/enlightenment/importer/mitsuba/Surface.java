@@ -1,6 +1,7 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.importer.support.UvMap;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import java.util.Optional;
@@ -26,7 +27,7 @@ record Surface(Optional<Material> material, UvMap map, boolean isThin) {
 
     /** Whether its material fills a solid. */
     boolean fillsSolid() {
-        return material.filter(m -> m instanceof Material.Glass || m instanceof Material.Scattering)
+        return material.filter(m -> m instanceof Glass || m instanceof Material.Scattering)
                 .isPresent();
     }
 }

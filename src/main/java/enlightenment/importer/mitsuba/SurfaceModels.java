@@ -2,7 +2,10 @@ package enlightenment.importer.mitsuba;
 
 import enlightenment.color.Rgb;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
 import enlightenment.material.Conductor;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Metal;
 import enlightenment.material.Texture;
@@ -56,7 +59,7 @@ final class SurfaceModels {
         double roughness = roughnesses.number(p);
         noteIfNotWhite(p, "specular_reflectance");
         Texture through = textures.reflectance(p, "specular_transmittance", 1);
-        return new Material.Glass(through, index, 1, 0, true, roughness, Rgb.BLACK, false);
+        return Glass.of(through, index).withRoughness(roughness).withMultipleScattering(false);
     }
 
     private void noteIfNotWhite(Properties p, String name) {
@@ -91,7 +94,7 @@ final class SurfaceModels {
                     })
                     .conductor();
         }
-        return new Material.Glossy(color, roughness, Optional.of(conductor), false, Rgb.BLACK, 0);
+        return new Glossy(color, roughness, Optional.of(conductor), false, Rgb.BLACK, 0);
     }
 
     /** η must be above 0. */
@@ -108,11 +111,11 @@ final class SurfaceModels {
         Amount roughness = roughnesses.amount(p);
         Texture color = textures.reflectance(p, "diffuse_reflectance", 0.5);
         noteIfNotWhite(p, "specular_reflectance");
-        if (index < 1 || index > Material.Coated.LARGEST_INDEX) {
+        if (index < 1 || index > Coated.LARGEST_INDEX) {
             note(p, "a coat of index of refraction " + index + " is left out");
             return Material.Matte.of(color);
         }
-        return new Material.Coated(color, roughness, index, p.flag("nonlinear", false), Rgb.BLACK, 0);
+        return new Coated(color, roughness, index, p.flag("nonlinear", false), Rgb.BLACK, 0);
     }
 
     /** Blinn's exponent n has the width of the distribution of α² = 2 / (n + 2) (Walter et al. 2007). */
@@ -131,7 +134,7 @@ final class SurfaceModels {
     private Material highlight(Properties p, double alpha) {
         note(p, p.element().type() + " becomes a coat of index 1.5 over matte");
         p.ignore("specular_reflectance", "specular_sampling_weight");
-        return new Material.Coated(
+        return new Coated(
                 textures.reflectance(p, "diffuse_reflectance", 0.5),
                 RoughnessReader.ofAlpha(alpha),
                 1.5,

@@ -4,7 +4,9 @@ import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.importer.support.InputFolder;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
 import enlightenment.material.EmissionPattern;
+import enlightenment.material.Glass;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -38,7 +40,7 @@ final class MtlMaterial {
         boolean isGlass = model == 4 || model == 6 || model == 7 || model == 9;
         if (isGlass) {
             double index = mtl.ni().orElse(USUAL_INDEX);
-            return Material.Glass.of(Texture.of(Rgb.WHITE), index > 1 ? index : USUAL_INDEX);
+            return Glass.of(Texture.of(Rgb.WHITE), index > 1 ? index : USUAL_INDEX);
         }
         if (model == 3 || model == 5 || model == 8) {
             return Material.Mirror.of(Texture.of(clamped(mtl.ks().orElse(new Vec3(1, 1, 1)), 1)));
@@ -68,7 +70,7 @@ final class MtlMaterial {
         // Blinn's exponent n has the width of the distribution of alpha² = 2 / (n + 2) (Walter et al. 2007); roughness
         // is the root of alpha.
         double alpha = StrictMath.sqrt(2 / (mtl.ns().getAsDouble() + 2));
-        return new Material.Coated(
+        return new Coated(
                 color, Amount.of(StrictMath.sqrt(alpha)), USUAL_INDEX, false, radiance, 0, EmissionPattern.of(map));
     }
 

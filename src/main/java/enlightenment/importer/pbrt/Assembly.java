@@ -4,6 +4,7 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Shape;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ImportDraft;
+import enlightenment.material.Glass;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -79,7 +80,7 @@ final class Assembly {
             return surface;
         }
         Material m = surface.material();
-        if (m instanceof Material.Glass || m instanceof Material.Scattering) {
+        if (m instanceof Glass || m instanceof Material.Scattering) {
             note(shape, "the opacity of what is not opaque is left out");
             return surface;
         }
@@ -102,7 +103,7 @@ final class Assembly {
             return p.medium().isEmpty()
                     ? surface
                     : Surface.of(Material.Scattering.of(p.medium().get()));
-        } else if (surface.material() instanceof Material.Glass glass) {
+        } else if (surface.material() instanceof Glass glass) {
             return surface.with(isSolid ? filled(shape, surface, glass, p.medium()) : pane(shape, surface, glass));
         } else if (surface.material() instanceof Material.Scattering && !isSolid) {
             note(shape, "what scatters below its surface encloses no volume; it becomes matte");
@@ -111,11 +112,10 @@ final class Assembly {
         return surface;
     }
 
-    private Material filled(
-            ShapeDefinition shape, Surface surface, Material.Glass glass, Optional<Medium.Coefficients> medium) {
+    private Material filled(ShapeDefinition shape, Surface surface, Glass glass, Optional<Medium.Coefficients> medium) {
         if (surface.isThinGlass()) {
             note(shape, "thin glass around a volume reflects nothing");
-            return Material.Glass.of(Texture.of(Rgb.WHITE), 1);
+            return Glass.of(Texture.of(Rgb.WHITE), 1);
         }
         if (medium.isEmpty()) {
             return glass;
@@ -126,7 +126,7 @@ final class Assembly {
                 : new Material.Scattering(inside, glass.indexOfRefraction(), glass.roughness(), 0);
     }
 
-    private Material pane(ShapeDefinition shape, Surface surface, Material.Glass glass) {
+    private Material pane(ShapeDefinition shape, Surface surface, Glass glass) {
         if (!surface.isThinGlass()) {
             note(shape, "glass that encloses no volume becomes a thin pane");
         }

@@ -2,6 +2,7 @@ package enlightenment.importer.pbrt;
 
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
@@ -42,16 +43,11 @@ final class ClearMaterials {
                 .find("eta")
                 .filter(p -> p.type().equals("spectrum") && p.words().size() == 1)
                 .flatMap(p -> NamedSpectra.glass(p.words().get(0)));
-        return new Material.Glass(
-                Texture.of(Rgb.WHITE),
-                named.map(NamedSpectra.GlassType::index).orElseGet(() -> index(source, USUAL_INDEX)),
-                1,
-                0,
-                true,
-                rough,
-                Rgb.BLACK,
-                false,
-                named.map(NamedSpectra.GlassType::abbe).orElse(OptionalDouble.empty()));
+        double index = named.map(NamedSpectra.GlassType::index).orElseGet(() -> index(source, USUAL_INDEX));
+        Glass glass =
+                Glass.of(Texture.of(Rgb.WHITE), index).withRoughness(rough).withMultipleScattering(false);
+        OptionalDouble abbe = named.map(NamedSpectra.GlassType::abbe).orElse(OptionalDouble.empty());
+        return abbe.isPresent() ? glass.withDispersion(abbe.getAsDouble()) : glass;
     }
 
     private double index(MaterialSource source, double usual) {

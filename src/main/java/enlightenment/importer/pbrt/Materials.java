@@ -3,6 +3,7 @@ package enlightenment.importer.pbrt;
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.material.Bump;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
@@ -127,9 +128,7 @@ final class Materials {
     }
 
     private static boolean isMixable(Surface s) {
-        return !s.isInterface()
-                && !(s.material() instanceof Material.Glass)
-                && !(s.material() instanceof Material.Scattering);
+        return !s.isInterface() && !(s.material() instanceof Glass) && !(s.material() instanceof Material.Scattering);
     }
 
     private Material relief(MaterialSource source, Material material, UvChoice uv) {

@@ -3,7 +3,9 @@ package enlightenment.importer.pbrt;
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
 import enlightenment.material.Conductor;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Metal;
 import enlightenment.material.Texture;
@@ -73,12 +75,11 @@ final class OpaqueMaterials {
                         .equals(Rgb.BLACK)) {
             note(source, "scattering inside of a coat is left out");
         }
-        double eta = spectra.rgb(
-                        p, "eta", Spectra.Kind.UNBOUNDED, source.space(), Rgb.gray(Material.Coated.USUAL_INDEX))
+        double eta = spectra.rgb(p, "eta", Spectra.Kind.UNBOUNDED, source.space(), Rgb.gray(Coated.USUAL_INDEX))
                 .g();
-        double index = Math.min(Math.max(eta, 1), Material.Coated.LARGEST_INDEX);
+        double index = Math.min(Math.max(eta, 1), Coated.LARGEST_INDEX);
         Texture base = reflectance(source, uv, USUAL_REFLECTANCE);
-        return new Material.Coated(base, roughness.amount(p, "", uv), index, true, Rgb.BLACK, 0);
+        return new Coated(base, roughness.amount(p, "", uv), index, true, Rgb.BLACK, 0);
     }
 
     private Material conductor(MaterialSource source, UvChoice uv, String prefix) {
@@ -88,8 +89,7 @@ final class OpaqueMaterials {
             if (!r.isSolid()) {
                 note(source, "a conductor whose reflectance is a texture reflects by Schlick's approximation");
                 Texture color = uv.color(r);
-                return new Material.Glossy(
-                        color, roughness.amount(p, prefix, uv), Optional.empty(), false, Rgb.BLACK, 0);
+                return new Glossy(color, roughness.amount(p, prefix, uv), Optional.empty(), false, Rgb.BLACK, 0);
             }
             return metal(ofReflectance(r.color()), roughness.amount(p, prefix, uv));
         }
@@ -100,7 +100,7 @@ final class OpaqueMaterials {
     }
 
     private static Material metal(Conductor conductor, Amount rough) {
-        return new Material.Glossy(Texture.of(Rgb.WHITE), rough, Optional.of(conductor), false, Rgb.BLACK, 0);
+        return new Glossy(Texture.of(Rgb.WHITE), rough, Optional.of(conductor), false, Rgb.BLACK, 0);
     }
 
     /** As pbrt has it: eta is 1, and k such that the reflectance straight on is the given one. */

@@ -1,7 +1,9 @@
 package enlightenment.importer.support;
 
 import enlightenment.color.Rgb;
+import enlightenment.material.Coated;
 import enlightenment.material.EmissionPattern;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
@@ -36,8 +38,8 @@ public final class GlowingMaterial {
                     d.color(), d.receivesShadows(), d.roughness(), radiance, d.ultraviolet(), pattern));
         } else if (m instanceof Material.Mirror d) {
             return Optional.of(new Material.Mirror(d.color(), d.receivesShadows(), radiance, d.ultraviolet(), pattern));
-        } else if (m instanceof Material.Glossy g) {
-            return Optional.of(new Material.Glossy(
+        } else if (m instanceof Glossy g) {
+            return Optional.of(new Glossy(
                     g.color(),
                     g.roughness(),
                     g.conductor(),
@@ -45,8 +47,8 @@ public final class GlowingMaterial {
                     radiance,
                     g.ultraviolet(),
                     pattern));
-        } else if (m instanceof Material.Coated c) {
-            return Optional.of(new Material.Coated(
+        } else if (m instanceof Coated c) {
+            return Optional.of(new Coated(
                     c.color(),
                     c.roughness(),
                     c.indexOfRefraction(),

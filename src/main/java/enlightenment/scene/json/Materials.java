@@ -4,8 +4,11 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
+import enlightenment.material.Coated;
 import enlightenment.material.Conductor;
 import enlightenment.material.EmissionPattern;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -38,12 +41,12 @@ final class Materials {
                     "color | radiance radianceMap radianceSide ultraviolet receivesShadows")
             .with(
                     "glossy",
-                    Material.Glossy.class,
+                    Glossy.class,
                     "roughness | color metal eta k multipleScattering radiance radianceMap radianceSide ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no glossy surfaces"))
             .with(
                     "coated",
-                    Material.Coated.class,
+                    Coated.class,
                     "color | roughness indexOfRefraction nonlinear radiance radianceMap radianceSide ultraviolet",
                     Map.of("receivesShadows", "belongs to classic shading, which has no coated surfaces"))
             .with(
@@ -53,7 +56,7 @@ final class Materials {
                     Map.of("receivesShadows", "belongs to classic shading, which has no principled surfaces"))
             .with(
                     "glass",
-                    Material.Glass.class,
+                    Glass.class,
                     "color indexOfRefraction | transparency priority roughness absorption multipleScattering dispersion"
                             + " smoothRefraction receivesShadows",
                     Map.of(
@@ -136,7 +139,7 @@ final class Materials {
                             m.pattern().side())
                     .numberUnless(0, "ultraviolet", m.ultraviolet())
                     .flagUnless(true, "receivesShadows", m.receivesShadows());
-        } else if (value instanceof Material.Glossy g) {
+        } else if (value instanceof Glossy g) {
             p.texture("color", g.color()).amount("roughness", g.roughness());
             g.conductor().ifPresent(c -> conductor(c, p));
             p.flagUnless(true, "multipleScattering", g.multipleScattering())
@@ -147,10 +150,10 @@ final class Materials {
                             "radianceSide",
                             g.pattern().side())
                     .numberUnless(0, "ultraviolet", g.ultraviolet());
-        } else if (value instanceof Material.Coated c) {
+        } else if (value instanceof Coated c) {
             p.texture("color", c.color())
                     .amountUnless(0, "roughness", c.roughness())
-                    .numberUnless(Material.Coated.USUAL_INDEX, "indexOfRefraction", c.indexOfRefraction())
+                    .numberUnless(Coated.USUAL_INDEX, "indexOfRefraction", c.indexOfRefraction())
                     .flagUnless(false, "nonlinear", c.nonlinear())
                     .bandsUnless(Rgb.BLACK, "radiance", c.radiance())
                     .textureIfPresent("radianceMap", c.radianceMap())
@@ -159,7 +162,7 @@ final class Materials {
                             "radianceSide",
                             c.pattern().side())
                     .numberUnless(0, "ultraviolet", c.ultraviolet());
-        } else if (value instanceof Material.Glass g) {
+        } else if (value instanceof Glass g) {
             p.texture("color", g.color())
                     .number("indexOfRefraction", g.indexOfRefraction())
                     .numberUnless(1, "transparency", g.transparency())
@@ -271,7 +274,7 @@ final class Materials {
         if (color == null || roughness == null) {
             return null;
         }
-        return f.make(() -> new Material.Glossy(
+        return f.make(() -> new Glossy(
                 color,
                 roughness,
                 hasConstants ? Optional.of(new Conductor(eta, k)) : metal,
@@ -314,14 +317,14 @@ final class Materials {
     private static Material coated(Fields f) {
         Texture color = Textures.color(f, "color");
         Amount roughness = Amounts.read(f, "roughness", 0);
-        double index = f.number("indexOfRefraction", Material.Coated.USUAL_INDEX);
+        double index = f.number("indexOfRefraction", Coated.USUAL_INDEX);
         boolean nonlinear = f.flag("nonlinear", false);
         Rgb radiance = radiance(f);
         EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         return color == null || roughness == null
                 ? null
-                : f.make(() -> new Material.Coated(color, roughness, index, nonlinear, radiance, ultraviolet, pattern));
+                : f.make(() -> new Coated(color, roughness, index, nonlinear, radiance, ultraviolet, pattern));
     }
 
     private static Material glass(Fields f) {
@@ -338,7 +341,7 @@ final class Materials {
         if (color == null) {
             return null;
         }
-        return f.make(() -> new Material.Glass(
+        return f.make(() -> new Glass(
                 color, index, transparency, priority, shadows, roughness, absorption, several, abbe, smoothly));
     }
 

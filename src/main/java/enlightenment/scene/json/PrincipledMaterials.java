@@ -2,6 +2,7 @@ package enlightenment.scene.json;
 
 import enlightenment.color.Rgb;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
 import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
@@ -20,7 +21,7 @@ final class PrincipledMaterials {
         Texture color = Textures.color(f, "color");
         Amount metallic = Amounts.read(f, "metallic", 0);
         Amount roughness = Amounts.read(f, "roughness", Principled.USUAL_ROUGHNESS);
-        double index = f.number("indexOfRefraction", Material.Coated.USUAL_INDEX);
+        double index = f.number("indexOfRefraction", Coated.USUAL_INDEX);
         double specular = f.number("specular", 1);
         double clearcoat = f.number("clearcoat", 0);
         double clearcoatRoughness = f.number("clearcoatRoughness", 0);
@@ -47,7 +48,7 @@ final class PrincipledMaterials {
         p.texture("color", m.color())
                 .amountUnless(0, "metallic", m.metallic())
                 .amountUnless(Principled.USUAL_ROUGHNESS, "roughness", m.roughness())
-                .numberUnless(Material.Coated.USUAL_INDEX, "indexOfRefraction", m.indexOfRefraction())
+                .numberUnless(Coated.USUAL_INDEX, "indexOfRefraction", m.indexOfRefraction())
                 .numberUnless(1, "specular", m.specular())
                 .numberUnless(0, "clearcoat", m.clearcoat())
                 .numberUnless(0, "clearcoatRoughness", m.clearcoatRoughness())

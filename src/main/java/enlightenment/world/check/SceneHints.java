@@ -5,6 +5,7 @@ import enlightenment.emitter.RectangleEmitter;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.Rotation;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
@@ -113,7 +114,7 @@ public final class SceneHints {
     /** Whether the object shows the light that falls on it: mirrors and clear glass do not. */
     private static boolean isShaded(SceneObject object) {
         return !materials(object).stream()
-                .allMatch(m -> m instanceof Material.Mirror || m instanceof Material.Glass g && g.transparency() == 1);
+                .allMatch(m -> m instanceof Material.Mirror || m instanceof Glass g && g.transparency() == 1);
     }
 
     private static List<Material> materials(SceneObject object) {
@@ -178,7 +179,7 @@ public final class SceneHints {
     private boolean isOpaqueSolid(int id) {
         return compiled.primitives[id].isSolid()
                 && materials(scene.objects().get(compiled.object[id])).stream()
-                        .noneMatch(m -> m instanceof Material.Glass g && g.transparency() > 0);
+                        .noneMatch(m -> m instanceof Glass g && g.transparency() > 0);
     }
 
     private boolean startsIn(Primitive solid) {

@@ -15,7 +15,10 @@ import enlightenment.bsdf.SmoothDielectric;
 import enlightenment.bsdf.SmoothRefraction;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
 import enlightenment.material.Conductor;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import java.util.HashMap;
@@ -38,12 +41,12 @@ public final class MaterialBsdfs {
         if (material instanceof Material.Mirror) {
             return SpecularReflection.INSTANCE;
         }
-        if (material instanceof Material.Glossy g) {
+        if (material instanceof Glossy g) {
             return g.roughness() instanceof Amount.Constant roughness
                     ? metal(roughness.value(), g.conductor(), g.multipleScattering())
                     : Lambert.INSTANCE;
         }
-        if (material instanceof Material.Coated c) {
+        if (material instanceof Coated c) {
             return c.roughness() instanceof Amount.Constant roughness
                     ? coating(roughness.value(), c.indexOfRefraction(), c.nonlinear())
                     : Lambert.INSTANCE;
@@ -54,7 +57,7 @@ public final class MaterialBsdfs {
                     ? principled(metallic.value(), roughness.value(), p)
                     : Lambert.INSTANCE;
         }
-        if (material instanceof Material.Glass glass) {
+        if (material instanceof Glass glass) {
             return glass.smoothRefraction()
                     ? SmoothRefraction.INSTANCE
                     : border(glass.roughness(), glass.multipleScattering());
@@ -115,8 +118,7 @@ public final class MaterialBsdfs {
         double alpha = roughness * roughness;
         double clearAlpha = p.clearcoatRoughness() * p.clearcoatRoughness();
         return once(
-                () -> new PrincipledReflection(
-                        metallic, alpha, index, p.clearcoat(), clearAlpha, Material.Coated.USUAL_INDEX),
+                () -> new PrincipledReflection(metallic, alpha, index, p.clearcoat(), clearAlpha, Coated.USUAL_INDEX),
                 "principled",
                 metallic,
                 alpha,

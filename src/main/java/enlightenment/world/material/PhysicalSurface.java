@@ -6,7 +6,10 @@ import enlightenment.bsdf.Reradiation;
 import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import enlightenment.frame.SceneFrame;
+import enlightenment.material.Coated;
 import enlightenment.material.EmissionPattern;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
@@ -52,7 +55,7 @@ public record PhysicalSurface(
         double ultraviolet = material.ultraviolet() * factor.b();
         EmissionPattern.Side sides = material.pattern().side();
         String look = text(glow, ultraviolet) + ofSides(sides);
-        if (material instanceof Material.Glass glass) {
+        if (material instanceof Glass glass) {
             absorption = scaled(glass.absorption(), frame.exponent());
             look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
             if (glass.dispersion().isPresent()) {
@@ -68,9 +71,9 @@ public record PhysicalSurface(
             medium = medium.scatters() ? medium : null;
         } else if (material instanceof Material.Matte matte) {
             look += " " + matte.roughness();
-        } else if (material instanceof Material.Glossy glossy) {
+        } else if (material instanceof Glossy glossy) {
             look += " " + glossy.roughness() + " " + glossy.conductor() + " " + glossy.multipleScattering();
-        } else if (material instanceof Material.Coated coated) {
+        } else if (material instanceof Coated coated) {
             look += " " + coated.roughness() + " " + coated.indexOfRefraction() + " " + coated.nonlinear();
         } else if (material instanceof Principled p) {
             look += " " + p.metallic() + " " + p.roughness() + " " + p.indexOfRefraction() + " " + p.specular() + " "

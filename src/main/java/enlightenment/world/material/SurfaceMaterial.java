@@ -8,6 +8,7 @@ import enlightenment.bsdf.SmoothShading;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.color.Rgb;
 import enlightenment.material.EmissionPattern;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.primitive.Ray;
 import enlightenment.texture.ImageTexture;
@@ -117,7 +118,7 @@ public final class SurfaceMaterial {
         this.radianceMap = radianceMap;
         description = material;
         receivesShadows = material.receivesShadows();
-        if (material instanceof Material.Glass glass) {
+        if (material instanceof Glass glass) {
             bsdf = physical == null ? ClassicDielectric.INSTANCE : physical.bsdf();
             indexOfRefraction = glass.indexOfRefraction();
             transparency = glass.transparency();

@@ -11,6 +11,7 @@ import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.importer.ImportedScene;
 import enlightenment.material.Amount;
+import enlightenment.material.Glass;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.NormalMap;
@@ -177,7 +178,7 @@ class GltfMaterialTest {
         file.add("meshes", "{'primitives':[{'attributes':{'POSITION':" + p + "},'indices':" + i + ",'material':0}]}");
         file.add("nodes", "{'mesh':0}");
         ImportedScene imported = file.read(folder);
-        Material.Glass glass = (Material.Glass) material(imported);
+        Glass glass = (Glass) material(imported);
         assertEquals(1.45, glass.indexOfRefraction());
         assertEquals(1, glass.transparency());
         assertEquals(40, glass.dispersion().orElseThrow(), "V = 20 / 0.5");
@@ -191,7 +192,7 @@ class GltfMaterialTest {
     void openMeshesThatTransmitLightAreSmooth() throws IOException {
         ImportedScene imported = read("{'pbrMetallicRoughness':{'metallicFactor':0,'roughnessFactor':0.5},"
                 + "'extensions':{'KHR_materials_transmission':{'transmissionFactor':0.5}}}");
-        Material.Glass glass = (Material.Glass) material(imported);
+        Glass glass = (Glass) material(imported);
         assertEquals(0, glass.roughness());
         assertEquals(0.5, glass.transparency());
         assertEquals(List.of("materials/0: what transmits light is smooth: its mesh is not closed"), imported.notes());

@@ -11,6 +11,9 @@ import enlightenment.image.ImageFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
+import enlightenment.material.Coated;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Metal;
@@ -54,7 +57,7 @@ class MitsubaBsdfTest {
 
     @Test
     void alphaIsTheSquareOfOurRoughness() throws IOException {
-        Material.Glossy m = (Material.Glossy) scenes.material(bsdf(
+        Glossy m = (Glossy) scenes.material(bsdf(
                 "roughconductor",
                 "<float name=\"alpha\" value=\"0.09\"/><string name=\"distribution\" value=\"ggx\"/>"
                         + "<string name=\"material\" value=\"Au\"/>"));
@@ -65,8 +68,8 @@ class MitsubaBsdfTest {
     @Test
     void roughSurfacesHaveNoMultipleScatteringAsInMitsuba() throws IOException {
         String ggx = "<string name=\"distribution\" value=\"ggx\"/>";
-        assertFalse(((Material.Glossy) scenes.material(bsdf("roughconductor", ggx))).multipleScattering());
-        assertFalse(((Material.Glass) scenes.material(bsdf("roughdielectric", ggx))).multipleScattering());
+        assertFalse(((Glossy) scenes.material(bsdf("roughconductor", ggx))).multipleScattering());
+        assertFalse(((Glass) scenes.material(bsdf("roughdielectric", ggx))).multipleScattering());
     }
 
     @Test
@@ -76,7 +79,7 @@ class MitsubaBsdfTest {
                         "roughconductor",
                         "<float name=\"alpha_u\" value=\"0.04\"/><float name=\"alpha_v\" value=\"0.25\"/>")
                 + "</shape>");
-        Material.Glossy m = (Material.Glossy) draft.objects().get(0).material();
+        Glossy m = (Glossy) draft.objects().get(0).material();
         assertEquals(0.1, StrictMath.pow(((Amount.Constant) m.roughness()).value(), 2), 1e-15);
         String notes = String.join("\n", draft.notes().list());
         assertTrue(notes.contains("beckmann") && notes.contains("anisotropic"), notes);
@@ -89,7 +92,7 @@ class MitsubaBsdfTest {
 
     @Test
     void conductorsTakeEtaAndK() throws IOException {
-        Material.Glossy m = (Material.Glossy) scenes.material(
+        Glossy m = (Glossy) scenes.material(
                 bsdf("conductor", "<rgb name=\"eta\" value=\"1, 2, 3\"/><rgb name=\"k\" value=\"4, 5, 6\"/>"));
         assertEquals(new Rgb(1, 2, 3), m.conductor().orElseThrow().eta());
         assertEquals(new Rgb(4, 5, 6), m.conductor().orElseThrow().k());
@@ -98,34 +101,34 @@ class MitsubaBsdfTest {
 
     @Test
     void dielectricIsRelativeToAir() throws IOException {
-        Material.Glass usual = (Material.Glass) scenes.material(bsdf("dielectric", ""));
+        Glass usual = (Glass) scenes.material(bsdf("dielectric", ""));
         assertEquals(1.5046 / 1.000277, usual.indexOfRefraction(), 1e-15);
-        Material.Glass water = (Material.Glass) scenes.material(
+        Glass water = (Glass) scenes.material(
                 bsdf("dielectric", "<string name=\"int_ior\" value=\"water\"/><float name=\"ext_ior\" value=\"1\"/>"));
         assertEquals(1.333, water.indexOfRefraction(), 1e-15);
     }
 
     @Test
     void plasticIsCoatedWithItsFlag() throws IOException {
-        Material.Coated m = (Material.Coated) scenes.material(bsdf(
+        Coated m = (Coated) scenes.material(bsdf(
                 "roughplastic",
                 "<string name=\"distribution\" value=\"ggx\"/><float name=\"alpha\""
                         + " value=\"0.16\"/><float name=\"int_ior\" value=\"1.6\"/><float name=\"ext_ior\""
                         + " value=\"1\"/><boolean name=\"nonlinear\" value=\"true\"/><rgb"
                         + " name=\"diffuse_reflectance\" value=\"0.7\"/>"));
-        assertEquals(new Material.Coated(Texture.of(Rgb.gray(0.7)), 0.4, 1.6, true, Rgb.BLACK, 0), m);
+        assertEquals(new Coated(Texture.of(Rgb.gray(0.7)), 0.4, 1.6, true, Rgb.BLACK, 0), m);
     }
 
     @Test
     void smoothPlasticHasASmoothCoat() throws IOException {
-        Material.Coated m = (Material.Coated) scenes.material(bsdf("plastic", ""));
+        Coated m = (Coated) scenes.material(bsdf("plastic", ""));
         assertEquals(Amount.of(0), m.roughness());
         assertEquals(1.49 / 1.000277, m.indexOfRefraction(), 1e-15);
     }
 
     @Test
     void twosidedIsUnwrapped() throws IOException {
-        assertInstanceOf(Material.Coated.class, scenes.material(bsdf("twosided", bsdf("plastic", ""))));
+        assertInstanceOf(Coated.class, scenes.material(bsdf("twosided", bsdf("plastic", ""))));
     }
 
     @Test
@@ -142,7 +145,7 @@ class MitsubaBsdfTest {
         assertEquals(Amount.of(0.25), mask.map());
         Mix mix = (Mix) scenes.material(bsdf(
                 "blendbsdf", "<float name=\"weight\" value=\"0.75\"/>" + bsdf("plastic", "") + bsdf("diffuse", "")));
-        assertInstanceOf(Material.Coated.class, mix.first());
+        assertInstanceOf(Coated.class, mix.first());
         assertInstanceOf(Material.Matte.class, mix.second());
         assertEquals(Amount.of(0.75), mix.weight());
     }
@@ -179,7 +182,7 @@ class MitsubaBsdfTest {
                 "<shape type=\"sphere\"><bsdf type=\"roughplastic\"><string name=\"distribution\" value=\"ggx\"/>"
                         + "<float name=\"intIOR\" value=\"2\"/><float name=\"extIOR\" value=\"1\"/>"
                         + "<spectrum name=\"diffuseReflectance\" value=\"0.3\"/></bsdf></shape>");
-        Material.Coated m = (Material.Coated) draft.objects().get(0).material();
+        Coated m = (Coated) draft.objects().get(0).material();
         assertEquals(2, m.indexOfRefraction());
         assertEquals(Texture.of(Rgb.gray(0.3)), m.color());
         assertEquals(List.of(), draft.notes().list());
@@ -226,7 +229,7 @@ class MitsubaBsdfTest {
     void aPictureOfAlphaBecomesOneOfItsRoot() throws IOException {
         picture("a.png", 0.2F);
         String ggx = "<string name=\"distribution\" value=\"ggx\"/>";
-        Material.Glossy m = (Material.Glossy) scenes.material(bsdf("roughconductor", ggx + raw("alpha", "a.png")));
+        Glossy m = (Glossy) scenes.material(bsdf("roughconductor", ggx + raw("alpha", "a.png")));
         Texture.File made = (Texture.File) m.roughness().textures().get(0);
         assertEquals(Texture.Encoding.LINEAR, made.encoding());
         assertEquals(StrictMath.sqrt(51 / 255.0), ImageFiles.read(made.file()).component(0, 0, 1), 1e-4);
@@ -236,7 +239,7 @@ class MitsubaBsdfTest {
     void aCheckerOfAlphaBecomesOneOfItsRoots() throws IOException {
         String checker = "<texture type=\"checkerboard\" name=\"alpha\"><rgb name=\"color0\" value=\"0.25\"/>"
                 + "<rgb name=\"color1\" value=\"0.81\"/></texture>";
-        Material.Coated m = (Material.Coated) scenes.material(bsdf("roughplastic", checker));
+        Coated m = (Coated) scenes.material(bsdf("roughplastic", checker));
         Texture.Checker c = (Texture.Checker) m.roughness().textures().get(0);
         assertEquals(0.5, c.colors().get(0).linear().g(), 1e-15);
         assertEquals(0.9, c.colors().get(1).linear().g(), 1e-15);
@@ -275,7 +278,7 @@ class MitsubaBsdfTest {
 
     @Test
     void principledThatTransmitsIsGlassOfTheRootOfItsColour() throws IOException {
-        Material.Glass m = (Material.Glass) scenes.material(bsdf(
+        Glass m = (Glass) scenes.material(bsdf(
                 "principled",
                 "<rgb name=\"base_color\" value=\"0.25 0.36 1\"/><float name=\"spec_trans\" value=\"1\"/>"
                         + "<float name=\"eta\" value=\"1.5\"/><float name=\"roughness\" value=\"0.2\"/>"));
@@ -291,8 +294,7 @@ class MitsubaBsdfTest {
     void principledMetalIsGlossyWithoutANote() throws IOException {
         String metal = "<rgb name=\"base_color\" value=\"0.9 0.5 0.1\"/><float name=\"metallic\" value=\"1\"/>"
                 + "<float name=\"roughness\" value=\"0.3\"/>";
-        Material expected =
-                new Material.Glossy(Texture.of(new Rgb(0.9, 0.5, 0.1)), 0.3, Optional.empty(), false, Rgb.BLACK, 0);
+        Material expected = new Glossy(Texture.of(new Rgb(0.9, 0.5, 0.1)), 0.3, Optional.empty(), false, Rgb.BLACK, 0);
         for (String name : List.of("sheen", "sheen_tint", "flatness", "spec_tint", "eta", "specular", "spec_trans")) {
             ImportDraft draft = scenes.read("<shape type=\"sphere\">"
                     + bsdf("principled", metal + "<float name=\"" + name + "\" value=\"0.75\"/>") + "</shape>");

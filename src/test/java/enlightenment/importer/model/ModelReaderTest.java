@@ -18,6 +18,8 @@ import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.light.Light;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
+import enlightenment.material.Glass;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -112,10 +114,9 @@ class ModelReaderTest {
         assertEquals(Material.Matte.of(Texture.of(new Rgb(0.5, 0.25, 0.125))), by.get("clay"));
         // alpha² = 2 / (198 + 2): alpha is 0.1, the roughness its root.
         Amount.Constant rough = (Amount.Constant)
-                assertInstanceOf(Material.Coated.class, by.get("shiny")).roughness();
+                assertInstanceOf(Coated.class, by.get("shiny")).roughness();
         assertEquals(0.1, rough.value() * rough.value(), 1e-15);
-        assertEquals(
-                1.45, assertInstanceOf(Material.Glass.class, by.get("window")).indexOfRefraction());
+        assertEquals(1.45, assertInstanceOf(Glass.class, by.get("window")).indexOfRefraction());
         assertEquals(Material.Mirror.of(Texture.of(new Rgb(0.75, 0.5, 0.25))), by.get("looking"));
         assertEquals(
                 Amount.of(Texture.of(Rgb.gray(0.25))),

@@ -16,6 +16,9 @@ import enlightenment.importer.SceneImporter;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -180,33 +183,32 @@ class PbrtSceneTest {
 
     @Test
     void roughnessIsTheFourthRootWhereItIsRemapped() throws IOException {
-        Material.Coated c = (Material.Coated) material("Material \"coateddiffuse\" \"float roughness\" .0625");
+        Coated c = (Coated) material("Material \"coateddiffuse\" \"float roughness\" .0625");
         assertEquals(0.5, ((Amount.Constant) c.roughness()).value(), 1e-12);
-        Material.Glass g = (Material.Glass)
-                material("Material \"dielectric\" \"float roughness\" .25 \"bool remaproughness\" false");
+        Glass g = (Glass) material("Material \"dielectric\" \"float roughness\" .25 \"bool remaproughness\" false");
         assertEquals(0.5, g.roughness(), 1e-12);
-        Material.Coated two = (Material.Coated) material("Material \"coateddiffuse\" \"float uroughness\" .01"
+        Coated two = (Coated) material("Material \"coateddiffuse\" \"float uroughness\" .01"
                 + " \"float vroughness\" .09 \"bool remaproughness\" false");
         assertEquals(StrictMath.pow(0.01 * 0.09, 0.25), ((Amount.Constant) two.roughness()).value(), 1e-12);
     }
 
     @Test
     void conductorsAreMetalsWithoutMultipleScattering() throws IOException {
-        Material.Glossy g = (Material.Glossy)
+        Glossy g = (Glossy)
                 material("Material \"conductor\" \"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" \"metal-Au-k\"");
         assertEquals(Optional.of(Metal.GOLD.conductor()), g.conductor());
         assertEquals(false, g.multipleScattering());
-        Material.Glossy r = (Material.Glossy) material("Material \"conductor\" \"rgb reflectance\" [.5 .5 .5]");
+        Glossy r = (Glossy) material("Material \"conductor\" \"rgb reflectance\" [.5 .5 .5]");
         double k = r.conductor().orElseThrow().k().r();
         assertEquals(0.5, k * k / (4 + k * k), 1e-12);
     }
 
     @Test
     void glassHasTheIndexOfItsName() throws IOException {
-        Material.Glass g = (Material.Glass) material("Material \"dielectric\" \"spectrum eta\" \"glass-BK7\"");
+        Glass g = (Glass) material("Material \"dielectric\" \"spectrum eta\" \"glass-BK7\"");
         assertEquals(1.5168, g.indexOfRefraction());
         assertEquals(64.17, g.dispersion().orElseThrow());
-        assertEquals(1.7, ((Material.Glass) material("Material \"dielectric\" \"float eta\" 1.7")).indexOfRefraction());
+        assertEquals(1.7, ((Glass) material("Material \"dielectric\" \"float eta\" 1.7")).indexOfRefraction());
     }
 
     @Test
@@ -216,8 +218,7 @@ class PbrtSceneTest {
         Material.Scattering s = (Material.Scattering)
                 material(medium + "[4 5 6] \"float scale\" 2 MediumInterface \"m\" \"\" Material \"interface\"");
         assertEquals(new Medium.Coefficients(new Rgb(8, 10, 12), new Rgb(2, 4, 6), 0), s.medium());
-        Material.Glass g =
-                (Material.Glass) material(medium + "[0 0 0] MediumInterface \"m\" \"\" Material \"dielectric\"");
+        Glass g = (Glass) material(medium + "[0 0 0] MediumInterface \"m\" \"\" Material \"dielectric\"");
         assertEquals(new Rgb(1, 2, 3), g.absorption());
     }
 
@@ -228,7 +229,7 @@ class PbrtSceneTest {
                 + " Material \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .25");
         Mix mix = (Mix) m;
         assertInstanceOf(Material.Matte.class, mix.first());
-        assertInstanceOf(Material.Coated.class, mix.second());
+        assertInstanceOf(Coated.class, mix.second());
         assertEquals(Amount.of(0.25), mix.weight());
     }
 

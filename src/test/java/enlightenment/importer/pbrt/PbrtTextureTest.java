@@ -9,6 +9,8 @@ import enlightenment.importer.ImportOptions;
 import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.material.Amount;
+import enlightenment.material.Coated;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import java.io.IOException;
@@ -82,12 +84,10 @@ class PbrtTextureTest {
         for (boolean isRemapped : List.of(false, true)) {
             String p = " \"texture roughness\" \"t\" \"bool remaproughness\" " + isRemapped;
             double expected = StrictMath.pow(mean, isRemapped ? 0.25 : 0.5);
-            Amount.Textured coat =
-                    (Amount.Textured) ((Material.Coated) material(NUMBERS, "\"coateddiffuse\"" + p)).roughness();
+            Amount.Textured coat = (Amount.Textured) ((Coated) material(NUMBERS, "\"coateddiffuse\"" + p)).roughness();
             assertPixel(expected, expected, expected, coat.texture());
             Files.delete(((Texture.File) coat.texture()).file());
-            Amount.Textured metal =
-                    (Amount.Textured) ((Material.Glossy) material(NUMBERS, "\"conductor\"" + p)).roughness();
+            Amount.Textured metal = (Amount.Textured) ((Glossy) material(NUMBERS, "\"conductor\"" + p)).roughness();
             assertPixel(expected, expected, expected, metal.texture());
             Files.delete(((Texture.File) metal.texture()).file());
         }

@@ -10,6 +10,7 @@ import enlightenment.color.Tone;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Conductor;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Metal;
@@ -97,9 +98,9 @@ class PhysicalFilesTest {
     @Test
     void metalsHaveConstantsOrNone() {
         assertEquals(
-                Material.Glossy.of(Texture.of(DisplayRgb.WHITE), 0.25),
+                Glossy.of(Texture.of(DisplayRgb.WHITE), 0.25),
                 material("\"type\": \"glossy\", \"color\": \"#fff\", \"roughness\": 0.25"));
-        Material.Glossy metal = (Material.Glossy) material(
+        Glossy metal = (Glossy) material(
                 "\"type\": \"glossy\", \"color\": \"#fff\", \"roughness\": 0.25, \"eta\": 0.5, \"k\": [3, 2, 1]");
         assertEquals(Optional.of(new Conductor(Rgb.gray(0.5), new Rgb(3, 2, 1))), metal.conductor());
         assertTrue(metal.multipleScattering());
@@ -108,7 +109,7 @@ class PhysicalFilesTest {
     @Test
     void metalsHaveNames() {
         for (Metal metal : Metal.values()) {
-            Material.Glossy named = Material.Glossy.metal(Texture.of(DisplayRgb.WHITE), metal.conductor(), 0.25);
+            Glossy named = Glossy.metal(Texture.of(DisplayRgb.WHITE), metal.conductor(), 0.25);
             for (String word : List.of(metal.word(), metal.symbol())) {
                 assertEquals(named, material("\"type\": \"glossy\", \"roughness\": 0.25, \"metal\": \"" + word + "\""));
             }

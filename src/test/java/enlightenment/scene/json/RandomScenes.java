@@ -24,8 +24,11 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
+import enlightenment.material.Coated;
 import enlightenment.material.Conductor;
 import enlightenment.material.EmissionPattern;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -418,8 +421,7 @@ final class RandomScenes {
     }
 
     private static boolean needsVolume(Material material) {
-        return material instanceof Material.Scattering
-                || material instanceof Material.Glass glass && glass.roughness() > 0;
+        return material instanceof Material.Scattering || material instanceof Glass glass && glass.roughness() > 0;
     }
 
     private Optional<Conductor> conductor() {
@@ -513,7 +515,7 @@ final class RandomScenes {
             case 1:
                 return new Material.Mirror(color, shadows, light, near, pattern(light, near));
             case 3:
-                return new Material.Glossy(
+                return new Glossy(
                         color, amount(), conductor(), random.nextBoolean(), light, near, pattern(light, near));
             case 4:
                 return new Material.Scattering(
@@ -522,10 +524,10 @@ final class RandomScenes {
                         random.nextBoolean() ? 0 : unit(),
                         random.nextBoolean() ? 0 : random.nextInt());
             case 5:
-                return new Material.Coated(
+                return new Coated(
                         color,
                         random.nextBoolean() ? Amount.of(0) : amount(),
-                        random.nextBoolean() ? Material.Coated.USUAL_INDEX : 1 + 9 * unit(),
+                        random.nextBoolean() ? Coated.USUAL_INDEX : 1 + 9 * unit(),
                         random.nextBoolean(),
                         light,
                         near,
@@ -537,7 +539,7 @@ final class RandomScenes {
                         color,
                         random.nextBoolean() ? Amount.of(0) : amount(),
                         random.nextBoolean() ? Amount.of(Principled.USUAL_ROUGHNESS) : amount(),
-                        random.nextBoolean() ? Material.Coated.USUAL_INDEX : 1 + 9 * unit(),
+                        random.nextBoolean() ? Coated.USUAL_INDEX : 1 + 9 * unit(),
                         random.nextBoolean() ? 1 : unit(),
                         random.nextBoolean() ? 0 : unit(),
                         random.nextBoolean() ? 0 : unit(),
@@ -548,7 +550,7 @@ final class RandomScenes {
                 return retry(() -> new Material.Fluorescent(
                         color, wavelengths(), wavelengths(), unit(), light, near, pattern(light, near)));
             default:
-                return retry(() -> new Material.Glass(
+                return retry(() -> new Glass(
                         color,
                         positive(),
                         random.nextBoolean() ? 1 : unit(),

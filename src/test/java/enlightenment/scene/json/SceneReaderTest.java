@@ -27,8 +27,11 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
+import enlightenment.material.Coated;
 import enlightenment.material.Conductor;
 import enlightenment.material.EmissionPattern;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -92,9 +95,12 @@ class SceneReaderTest {
         assertEquals(Map.of("ice", ice, "checks", checks, "plain", plain(0, 0, 255)), s.textures());
         Material matte = new Material.Matte(ice, false);
         Material chrome = new Material.Mirror(Texture.of(DisplayRgb.of(0.1, 0.2, 0.3)), true, Rgb.gray(0.5));
-        Material glass = new Material.Glass(plain(254, 254, 254), 1.5, 0.875, -2, true, 0.25, new Rgb(0.5, 0, 2), false)
+        Material glass = new Glass(plain(254, 254, 254), 1.5, 0.875, -2, true)
+                .withRoughness(0.25)
+                .withAbsorption(new Rgb(0.5, 0, 2))
+                .withMultipleScattering(false)
                 .withDispersion(36.5);
-        Material lens = Material.Glass.of(plain(254, 254, 254), 1.8125).withSmoothRefraction(true);
+        Material lens = Glass.of(plain(254, 254, 254), 1.8125).withSmoothRefraction(true);
         Material ember = new Material.Matte(
                 Texture.of(new Rgb(0.25, 0.5, 1)),
                 true,
@@ -102,14 +108,14 @@ class SceneReaderTest {
                 new Rgb(4, 2, 0),
                 2.5,
                 new EmissionPattern(Optional.of(checks), EmissionPattern.Side.FRONT));
-        Material copper = new Material.Glossy(
+        Material copper = new Glossy(
                 plain(255, 238, 255),
                 0.375,
                 Optional.of(new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14))),
                 false,
                 Rgb.gray(1.5),
                 0.25);
-        Material varnish = new Material.Coated(plain(128, 64, 32), 0.6875, 1.75, true, Rgb.gray(0.375), 0.125);
+        Material varnish = new Coated(plain(128, 64, 32), 0.6875, 1.75, true, Rgb.gray(0.375), 0.125);
         Material enamel = new Principled(
                 plain(17, 33, 49),
                 new Amount.Textured(ice, Amount.Channel.BLUE, 1),
@@ -243,7 +249,7 @@ class SceneReaderTest {
         assertEquals(List.of(), s.lights());
         assertEquals(Optional.empty(), s.animation());
         assertEquals(
-                SceneObject.of(Sphere.of(ExactPoint.ORIGIN, 1), Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5)),
+                SceneObject.of(Sphere.of(ExactPoint.ORIGIN, 1), Glass.of(Texture.of(DisplayRgb.WHITE), 1.5)),
                 s.objects().get(0));
         assertEquals(
                 new Cone(ExactPoint.ORIGIN, p(0, 1, 0), 1, 0, true),

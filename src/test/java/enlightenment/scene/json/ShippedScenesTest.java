@@ -14,6 +14,8 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.material.Amount;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -233,12 +235,12 @@ class ShippedScenesTest {
         assertEquals(
                 Set.of(0.1, 0.3, 0.5, 0.8),
                 read("metals.json").materials().values().stream()
-                        .filter(m -> m instanceof Material.Glossy)
-                        .map(m -> ((Amount.Constant) ((Material.Glossy) m).roughness()).value())
+                        .filter(m -> m instanceof Glossy)
+                        .map(m -> ((Amount.Constant) ((Glossy) m).roughness()).value())
                         .collect(Collectors.toSet()));
-        List<Material.Glass> glass = read("glass-physical.json").materials().values().stream()
-                .filter(m -> m instanceof Material.Glass)
-                .map(m -> (Material.Glass) m)
+        List<Glass> glass = read("glass-physical.json").materials().values().stream()
+                .filter(m -> m instanceof Glass)
+                .map(m -> (Glass) m)
                 .toList();
         assertTrue(glass.stream().anyMatch(g -> g.roughness() > 0));
         assertTrue(glass.stream().anyMatch(g -> g.absorption().max() > 0));

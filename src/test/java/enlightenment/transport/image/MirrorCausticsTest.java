@@ -9,6 +9,7 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -47,7 +48,7 @@ class MirrorCausticsTest {
                         Material.Mirror.of(Texture.of(new Rgb(1, 1, 1))))
                 .object(rectangle(scale, -9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), floor)
                 .object(new Sphere(at(scale, 1.5, 1, 1), length(scale, 1), 0), Material.Mirror.of(SILVER))
-                .object(new Sphere(at(scale, -1.5, 0.75, 1), length(scale, 0.75), 0), Material.Glossy.of(SILVER, 0));
+                .object(new Sphere(at(scale, -1.5, 0.75, 1), length(scale, 0.75), 0), Glossy.of(SILVER, 0));
         return scene.light(new Light.Sphere(
                         at(scale, 0, 2.5, -2),
                         length(scale, lamp),
@@ -139,7 +140,7 @@ class MirrorCausticsTest {
 
     @Test
     void imagesAndChanceAgreeOnRoughMetal() {
-        Material floor = Material.Glossy.of(Texture.of(new Rgb(0.9, 0.8, 0.7)), 0.5);
+        Material floor = Glossy.of(Texture.of(new Rgb(0.9, 0.8, 0.7)), 0.5);
         agree(scene(floor, 0.8, PhysicalShading.DEFAULT, 1), 1024);
     }
 

@@ -14,6 +14,7 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
@@ -72,7 +73,7 @@ class PathLightTest {
         return floor(bounces)
                 .object(
                         new Sphere(ExactPoint.of(0, 0, 0), 30, 0),
-                        Material.Glass.of(PathIntegratorTest.grey(1), 1).withAbsorption(new Rgb(SIGMA, 0, 0)));
+                        Glass.of(PathIntegratorTest.grey(1), 1).withAbsorption(new Rgb(SIGMA, 0, 0)));
     }
 
     @Test
@@ -137,7 +138,7 @@ class PathLightTest {
         return floor(bounces)
                 .object(
                         TestScenes.rectangle(-9, 2, -9, -9, 2, 9, 9, 2, 9, 9, 2, -9),
-                        Material.Glass.of(PathIntegratorTest.grey(TINT), 1.5));
+                        Glass.of(PathIntegratorTest.grey(TINT), 1.5));
     }
 
     private static double passes(double cosine) {
@@ -191,7 +192,7 @@ class PathLightTest {
     /** A ball of index 1 absorbs along a diameter, and another lies behind the light. */
     @Test
     void aShadowRayPassesMediaThatDoNotTurnIt() {
-        Material mist = Material.Glass.of(PathIntegratorTest.grey(1), 1).withAbsorption(new Rgb(SIGMA, 0, 0));
+        Material mist = Glass.of(PathIntegratorTest.grey(1), 1).withAbsorption(new Rgb(SIGMA, 0, 0));
         SceneBuilder scene = floor(1).object(new Sphere(ExactPoint.of(1.5, 2, 0), 0.5, 0), mist)
                 .object(new Sphere(ExactPoint.of(6, 8, 0), 0.5, 0), mist)
                 .light(new Light.Point(ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))));
@@ -207,7 +208,7 @@ class PathLightTest {
                 .shading(new PhysicalShading(OptionalInt.of(0), Rgb.BLACK))
                 .object(
                         TestScenes.rectangle(-9, 2, -9, -9, 2, 9, 9, 2, 9, 9, 2, -9),
-                        Material.Glass.of(PathIntegratorTest.grey(1), 1.5))
+                        Glass.of(PathIntegratorTest.grey(1), 1.5))
                 .light(new Light.Sphere(ExactPoint.of(0, 4, 0), 1, DisplayRgb.WHITE));
         double expected = ThinDielectric.transmittance(1, 1 / 1.5);
         double mean = PathIntegratorTest.render(scene.build(), 1024).value();
@@ -224,7 +225,7 @@ class PathLightTest {
                 .shading(new PhysicalShading(OptionalInt.of(1), Rgb.BLACK))
                 .object(
                         new Cube(ExactPoint.of(0, -9, 0), 9 * Math.sqrt(3), Vec3.ZERO),
-                        Material.Glass.of(PathIntegratorTest.grey(1), 1.5).withRoughness(roughness))
+                        Glass.of(PathIntegratorTest.grey(1), 1.5).withRoughness(roughness))
                 .light(new Light.Sphere(ExactPoint.of(0, 3, 0), 2, DisplayRgb.WHITE));
         RoughDielectric bsdf = new RoughDielectric(roughness * roughness, true);
         Scattering s = new Scattering();

@@ -12,6 +12,8 @@ import enlightenment.geometry.Cube;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -138,9 +140,9 @@ class PathIntegratorTest {
             Material.Matte.of(grey(1)),
             Material.Matte.of(grey(1)).withRoughness(0.7),
             Material.Mirror.of(grey(1)),
-            Material.Glass.of(grey(1), 1.5),
-            Material.Glass.of(grey(1), 1),
-            Material.Glossy.of(grey(1), 0.5));
+            Glass.of(grey(1), 1.5),
+            Glass.of(grey(1), 1),
+            Glossy.of(grey(1), 0.5));
 
     /** P05. */
     @ParameterizedTest
@@ -162,7 +164,7 @@ class PathIntegratorTest {
                 .shading(IN_WHITE)
                 .object(
                         TestScenes.rectangle(-9, -9, 0, -9, 9, 0, 9, 9, 0, 9, -9, 0),
-                        new Material.Glass(grey(1), 1.5, transparency, 0, true))
+                        new Glass(grey(1), 1.5, transparency, 0, true))
                 .build();
         assertEquals(1, render(scene, 64).value, 1e-12);
     }
@@ -174,7 +176,7 @@ class PathIntegratorTest {
                 .shading(IN_WHITE)
                 .object(
                         new Sphere(ExactPoint.of(0, 0, 0), 1, 0),
-                        Material.Glass.of(grey(1), 1.5).withRoughness(0.3))
+                        Glass.of(grey(1), 1.5).withRoughness(0.3))
                 .build();
         double mean = render(scene, 64).value;
         assertTrue(mean > 0.95 && mean < 1.001, () -> "mean " + mean);
@@ -188,7 +190,7 @@ class PathIntegratorTest {
                 .shading(IN_WHITE)
                 .object(
                         new Sphere(ExactPoint.of(0, 0, 0), 3, 0),
-                        Material.Glass.of(grey(1), 1).withAbsorption(new Rgb(0.25, 0, 0)))
+                        Glass.of(grey(1), 1).withAbsorption(new Rgb(0.25, 0, 0)))
                 .build();
         assertEquals(Math.exp(-0.25 * 6), render(scene, 1).value, 1e-12);
     }
@@ -202,10 +204,10 @@ class PathIntegratorTest {
                 .shading(IN_WHITE)
                 .object(
                         new Sphere(ExactPoint.of(0, 0, 0), 1, 0),
-                        Material.Glass.of(grey(1), 1).withAbsorption(new Rgb(0.25, 0, 0)))
+                        Glass.of(grey(1), 1).withAbsorption(new Rgb(0.25, 0, 0)))
                 .object(
                         new Cube(ExactPoint.of(0, 0, 0), 0.8 * Math.sqrt(3), new Vec3(0, 0, degrees)),
-                        Material.Glass.of(grey(1), 1).withAbsorption(new Rgb(1, 0, 0)))
+                        Glass.of(grey(1), 1).withAbsorption(new Rgb(1, 0, 0)))
                 .build();
         assertEquals(Math.exp(-1.6 - 0.25 * 0.4), render(scene, 1).value, 1e-12);
     }
@@ -229,7 +231,7 @@ class PathIntegratorTest {
     void theFurnaceIsBrighterFromWithinGlass() {
         Scene scene = seenFrom(0.1, 0.2, -0.1, 60)
                 .shading(IN_WHITE)
-                .object(new Sphere(ExactPoint.of(0, 0, 0), 1, 0), Material.Glass.of(grey(1), 1.5))
+                .object(new Sphere(ExactPoint.of(0, 0, 0), 1, 0), Glass.of(grey(1), 1.5))
                 .build();
         Mean mean = render(scene, 256);
         mean.agreesWith(2.25);

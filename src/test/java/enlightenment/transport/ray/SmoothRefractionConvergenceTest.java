@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Mesh;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -33,7 +34,7 @@ class SmoothRefractionConvergenceTest {
     private static final double INDEX = 1.5;
 
     private static CompiledScene scene(int cuts, boolean smoothly) {
-        Material glass = Material.Glass.of(Texture.of(new Rgb(1, 1, 1)), INDEX).withSmoothRefraction(smoothly);
+        Material glass = Glass.of(Texture.of(new Rgb(1, 1, 1)), INDEX).withSmoothRefraction(smoothly);
         Scene scene = Scene.builder()
                 .size(SIDE, SIDE)
                 .camera(new Camera.Perspective(

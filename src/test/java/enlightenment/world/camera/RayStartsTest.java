@@ -9,6 +9,7 @@ import enlightenment.color.Rgb;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Sphere;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -29,7 +30,7 @@ import org.junit.jupiter.api.Test;
 
 /** Boxes that camera rays may start in. */
 class RayStartsTest {
-    private static final Material GLASS = Material.Glass.of(Texture.of(Rgb.WHITE), 1.5);
+    private static final Material GLASS = Glass.of(Texture.of(Rgb.WHITE), 1.5);
 
     private static Vec3 vector(SplittableRandom r, double most) {
         return new Vec3(r.nextDouble(-most, most), r.nextDouble(-most, most), r.nextDouble(-most, most));

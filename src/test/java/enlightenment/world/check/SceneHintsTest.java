@@ -12,6 +12,7 @@ import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -36,8 +37,8 @@ import org.junit.jupiter.api.Test;
 class SceneHintsTest {
     private static final Material WHITE = Material.Matte.of(Texture.of(DisplayRgb.WHITE));
     private static final Material MIRROR = Material.Mirror.of(Texture.of(DisplayRgb.WHITE));
-    private static final Material CLEAR = Material.Glass.of(Texture.of(DisplayRgb.WHITE), 1.5);
-    private static final Material MILKY = new Material.Glass(Texture.of(DisplayRgb.WHITE), 1.5, 0, 0, true);
+    private static final Material CLEAR = Glass.of(Texture.of(DisplayRgb.WHITE), 1.5);
+    private static final Material MILKY = new Glass(Texture.of(DisplayRgb.WHITE), 1.5, 0, 0, true);
     private static final Light LAMP = new Light.Sphere(ExactPoint.of(3, 3, -3), 0.5, DisplayRgb.WHITE);
     private static final Sphere BALL = Sphere.of(ExactPoint.of(0, 0, 0), 1);
     private static final Predicate<String> DISTANT = hint -> hint.contains("cannot distinguish neighbouring pixels");

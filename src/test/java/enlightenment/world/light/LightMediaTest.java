@@ -12,6 +12,7 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
+import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -37,7 +38,7 @@ import org.junit.jupiter.api.Test;
 class LightMediaTest {
     private static final Texture WHITE = Texture.of(Rgb.WHITE);
     private static final Material MATTE = Material.Matte.of(WHITE);
-    private static final Material GLASS = Material.Glass.of(WHITE, 1.5);
+    private static final Material GLASS = Glass.of(WHITE, 1.5);
     private static final Material GLOW =
             Material.Matte.of(Texture.of(Rgb.BLACK)).withRadiance(Rgb.WHITE);
 

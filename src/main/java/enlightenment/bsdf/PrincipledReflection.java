@@ -45,16 +45,29 @@ public final class PrincipledReflection implements Bsdf {
      * @param clearcoat the share of the surface that the clear coat covers, 0..1
      * @param clearAlpha its α, 0..1
      * @param clearIndex its index of refraction, at least 1
+     * @param layers makes the tables, each once
      */
     public PrincipledReflection(
-            double metallic, double alpha, double index, double clearcoat, double clearAlpha, double clearIndex) {
+            double metallic,
+            double alpha,
+            double index,
+            double clearcoat,
+            double clearAlpha,
+            double clearIndex,
+            PrincipledLayers layers) {
         this.metallic = metallic;
-        clear = new DielectricLayer(clearcoat, clearAlpha, clearIndex);
-        coat = new DielectricLayer(metallic < 1 ? 1 : 0, alpha, index);
+        clear = layers.layer(clearcoat, clearAlpha, clearIndex);
+        coat = layers.layer(metallic < 1 ? 1 : 0, alpha, index);
         boolean hasFacets = metallic > 0 || !coat.isAbsent();
         facets = !hasFacets || Microfacets.isSmooth(alpha) ? null : new Microfacets(alpha);
-        table = facets == null || metallic == 0 ? null : new AlbedoTable(new VisibleNormals.OfMirrors(facets));
+        table = facets == null || metallic == 0 ? null : layers.mirrors(facets);
         scale = (1 - metallic) / (Math.PI * meanBelow());
+    }
+
+    /** A surface whose tables are its own. */
+    public PrincipledReflection(
+            double metallic, double alpha, double index, double clearcoat, double clearAlpha, double clearIndex) {
+        this(metallic, alpha, index, clearcoat, clearAlpha, clearIndex, new PrincipledLayers());
     }
 
     /** B̄ = 2∫Bμ dμ, by Simpson's rule over x = sqrt(μ). */

@@ -28,6 +28,11 @@ public sealed interface Amount permits Amount.Constant, Amount.Textured {
                 : new Textured(texture, Channel.MEAN, 1);
     }
 
+    /** Whether it is the number 0 everywhere, and no texture says so. */
+    default boolean isZero() {
+        return this instanceof Constant c && c.value() == 0;
+    }
+
     /** Its textures: none, or one. */
     List<Texture> textures();
 

@@ -4,6 +4,7 @@ import enlightenment.check.Check;
 import enlightenment.color.BandSensitivities;
 import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
+import java.util.List;
 import java.util.Objects;
 import java.util.OptionalDouble;
 
@@ -33,7 +34,7 @@ public record Glass(
         double transparency,
         int priority,
         boolean receivesShadows,
-        double roughness,
+        Amount roughness,
         Rgb absorption,
         boolean multipleScattering,
         OptionalDouble dispersion,
@@ -44,13 +45,13 @@ public record Glass(
         Reflectance.check(color);
         Check.positive("indexOfRefraction", indexOfRefraction);
         Check.range("transparency", transparency, 0, 1);
-        Check.range("roughness", roughness, 0, 1);
+        Objects.requireNonNull(roughness, "roughness");
         Objects.requireNonNull(absorption, "absorption");
         if (dispersion.isPresent()) {
             checkDispersion(indexOfRefraction, dispersion.getAsDouble());
         }
         Check.that(
-                !smoothRefraction || roughness == 0,
+                !smoothRefraction || roughness.isZero(),
                 "smoothRefraction",
                 "must stand without \"roughness\": rough glass refracts by the normals of its triangles");
     }
@@ -75,7 +76,7 @@ public record Glass(
                 transparency,
                 priority,
                 receivesShadows,
-                0,
+                Amount.of(0),
                 Rgb.BLACK,
                 true,
                 OptionalDouble.empty(),
@@ -87,8 +88,13 @@ public record Glass(
         return new Glass(color, indexOfRefraction, 1, 0, true);
     }
 
-    /** This glass with another roughness. */
+    /** This glass with another roughness, everywhere. */
     public Glass withRoughness(double value) {
+        return withRoughness(Detail.amount("roughness", value));
+    }
+
+    /** This glass with another roughness, which may depend on the place. */
+    public Glass withRoughness(Amount value) {
         return with(value, absorption, multipleScattering, dispersion, smoothRefraction);
     }
 
@@ -112,7 +118,7 @@ public record Glass(
         return with(roughness, absorption, multipleScattering, dispersion, value);
     }
 
-    private Glass with(double rough, Rgb absorbed, boolean several, OptionalDouble abbe, boolean smoothly) {
+    private Glass with(Amount rough, Rgb absorbed, boolean several, OptionalDouble abbe, boolean smoothly) {
         return new Glass(
                 color,
                 indexOfRefraction,
@@ -124,6 +130,11 @@ public record Glass(
                 several,
                 abbe,
                 smoothly);
+    }
+
+    @Override
+    public List<Texture> textures() {
+        return roughness.textures();
     }
 
     @Override

@@ -19,8 +19,7 @@ import java.util.Objects;
  * @param indexOfRefraction of the coat, relative to the surrounding medium: 1 (as without a coat) to {@value Coated#LARGEST_INDEX}
  * @param specular what the coat's reflectance at normal incidence is multiplied by, 0 (as without a coat) to 1; it is rendered as the coat
  *     of the index that has this reflectance
- * @param clearcoat the share of the surface that is under a clear coat of index {@value Coated#USUAL_INDEX}, 0..1
- * @param clearcoatRoughness of the clear coat, as {@code roughness}
+ * @param clearcoat the clear coat over it
  * @param radiance see {@link Material#radiance}
  * @param ultraviolet see {@link Material#ultraviolet}
  * @param pattern see {@link Material#pattern}
@@ -31,14 +30,35 @@ public record Principled(
         Amount roughness,
         double indexOfRefraction,
         double specular,
-        double clearcoat,
-        double clearcoatRoughness,
+        Clearcoat clearcoat,
         Rgb radiance,
         double ultraviolet,
         EmissionPattern pattern)
         implements Material {
     /** The roughness unless another one is given. */
     public static final double USUAL_ROUGHNESS = 0.5;
+
+    /**
+     * A clear coat of index {@value Coated#USUAL_INDEX}.
+     *
+     * @param share the share of the surface that is under it, 0 (no coat) to 1
+     * @param roughness of the coat, as {@link Principled#roughness}
+     */
+    public record Clearcoat(double share, Amount roughness) {
+        /** No clear coat. */
+        public static final Clearcoat NONE = new Clearcoat(0, Amount.of(0));
+
+        /** Validates the components, as {@link Material} states. */
+        public Clearcoat {
+            Check.range("clearcoat", share, 0, 1);
+            Objects.requireNonNull(roughness, "clearcoatRoughness");
+        }
+
+        /** This coat with another roughness. */
+        public Clearcoat withRoughness(Amount value) {
+            return new Clearcoat(share, value);
+        }
+    }
 
     /** Validates the components, as {@link Material} states. */
     public Principled {
@@ -47,8 +67,7 @@ public record Principled(
         Objects.requireNonNull(roughness, "roughness");
         Check.range("indexOfRefraction", indexOfRefraction, 1, Coated.LARGEST_INDEX);
         Check.range("specular", specular, 0, 1);
-        Check.range("clearcoat", clearcoat, 0, 1);
-        Check.range("clearcoatRoughness", clearcoatRoughness, 0, 1);
+        Objects.requireNonNull(clearcoat, "clearcoat");
         Radiance.check("radiance", radiance);
         Radiance.check("ultraviolet", ultraviolet);
         Detail.checkRadiance(radiance, ultraviolet, pattern);
@@ -61,8 +80,7 @@ public record Principled(
             Amount roughness,
             double indexOfRefraction,
             double specular,
-            double clearcoat,
-            double clearcoatRoughness,
+            Clearcoat clearcoat,
             Rgb radiance,
             double ultraviolet) {
         this(
@@ -72,7 +90,6 @@ public record Principled(
                 indexOfRefraction,
                 specular,
                 clearcoat,
-                clearcoatRoughness,
                 radiance,
                 ultraviolet,
                 EmissionPattern.EVEN);
@@ -86,76 +103,45 @@ public record Principled(
                 Detail.amount("roughness", roughness),
                 Coated.USUAL_INDEX,
                 1,
-                0,
-                0,
+                Clearcoat.NONE,
                 Rgb.BLACK,
                 0);
     }
 
     /** This surface with another share of metal. */
     public Principled withMetallic(Amount value) {
-        return new Principled(
-                color,
-                value,
-                roughness,
-                indexOfRefraction,
-                specular,
-                clearcoat,
-                clearcoatRoughness,
-                radiance,
-                ultraviolet,
-                pattern);
+        return with(value, roughness, clearcoat, pattern);
     }
 
     /** This surface with another roughness. */
     public Principled withRoughness(Amount value) {
-        return new Principled(
-                color,
-                metallic,
-                value,
-                indexOfRefraction,
-                specular,
-                clearcoat,
-                clearcoatRoughness,
-                radiance,
-                ultraviolet,
-                pattern);
+        return with(metallic, value, clearcoat, pattern);
     }
 
     /** This surface, whose radiance is multiplied by a texture. */
     public Principled withRadianceMap(Texture value) {
-        return new Principled(
-                color,
-                metallic,
-                roughness,
-                indexOfRefraction,
-                specular,
-                clearcoat,
-                clearcoatRoughness,
-                radiance,
-                ultraviolet,
-                pattern.withMap(value));
+        return with(metallic, roughness, clearcoat, pattern.withMap(value));
     }
 
     /** This surface under another clear coat. */
+    public Principled withClearcoat(Clearcoat value) {
+        return with(metallic, roughness, value, pattern);
+    }
+
+    /** This surface under a clear coat of one roughness everywhere. */
     public Principled withClearcoat(double share, double roughnessOfIt) {
-        return new Principled(
-                color,
-                metallic,
-                roughness,
-                indexOfRefraction,
-                specular,
-                share,
-                roughnessOfIt,
-                radiance,
-                ultraviolet,
-                pattern);
+        return withClearcoat(new Clearcoat(share, Detail.amount("clearcoatRoughness", roughnessOfIt)));
+    }
+
+    private Principled with(Amount metal, Amount rough, Clearcoat clear, EmissionPattern emission) {
+        return new Principled(color, metal, rough, indexOfRefraction, specular, clear, radiance, ultraviolet, emission);
     }
 
     @Override
     public List<Texture> textures() {
         List<Texture> all = new ArrayList<>(metallic.textures());
         all.addAll(roughness.textures());
+        all.addAll(clearcoat.roughness().textures());
         radianceMap().ifPresent(all::add);
         return List.copyOf(all);
     }

@@ -135,7 +135,7 @@ final class ShadingFit {
         if (material instanceof Material.Scattering && !object.shape().enclosesVolume()) {
             found.putIfAbsent(place, "\"scattering\" fills a solid, and this shape encloses no volume" + SOLIDS);
         } else if (material instanceof Glass glass
-                && glass.roughness() > 0
+                && !glass.roughness().isZero()
                 && !object.shape().enclosesVolume()) {
             found.putIfAbsent(
                     place, "glass with \"roughness\" needs two faces, and this shape encloses no volume" + SOLIDS);

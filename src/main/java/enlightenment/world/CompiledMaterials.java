@@ -4,6 +4,7 @@ import enlightenment.frame.SceneFrame;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Coated;
+import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
@@ -34,6 +35,11 @@ import java.util.function.Function;
 final class CompiledMaterials {
     /** By identity: a material that is used many times is one object, and comparing records by value is slow to start. */
     final Map<Material, SurfaceMaterial> bySource = new IdentityHashMap<>();
+
+    /** Which of a surface's roughnesses the levels are of. */
+    private interface LevelsDetail {
+        SurfaceDetail of(RoughnessLevels levels, List<SurfaceMaterial> parts, AmountLookup roughness);
+    }
 
     private final Scene scene;
     private final SceneFrame physical;
@@ -98,6 +104,10 @@ final class CompiledMaterials {
 
     /** A material whose roughness differs from place to place, as one for each of some roughnesses; null if it does not. */
     private SurfaceDetail ofRoughness(Amount roughness, Function<Amount, Material> with) {
+        return ofLevels(roughness, with, SurfaceDetail::ofRoughness);
+    }
+
+    private SurfaceDetail ofLevels(Amount roughness, Function<Amount, Material> with, LevelsDetail detail) {
         if (roughness instanceof Amount.Constant) {
             return null;
         }
@@ -108,15 +118,22 @@ final class CompiledMaterials {
             poll.run();
             parts.add(add(with.apply(Amount.of(level))));
         }
-        return SurfaceDetail.ofRoughness(levels, parts, amount);
+        return detail.of(levels, parts, amount);
     }
 
     /** A share of metal that differs from place to place: each point is of metal or of none, by that chance. */
     private SurfaceDetail ofPrincipled(Principled m) {
-        return m.metallic() instanceof Amount.Textured
-                ? SurfaceDetail.mix(
-                        add(m.withMetallic(Amount.of(0))), add(m.withMetallic(Amount.of(1))), lookup(m.metallic()))
-                : ofRoughness(m.roughness(), m::withRoughness);
+        if (m.metallic() instanceof Amount.Textured) {
+            return SurfaceDetail.mix(
+                    add(m.withMetallic(Amount.of(0))), add(m.withMetallic(Amount.of(1))), lookup(m.metallic()));
+        }
+        if (m.roughness() instanceof Amount.Textured) {
+            return ofRoughness(m.roughness(), m::withRoughness);
+        }
+        return ofLevels(
+                m.clearcoat().roughness(),
+                value -> m.withClearcoat(m.clearcoat().withRoughness(value)),
+                SurfaceDetail::ofClearcoatRoughness);
     }
 
     /** What is to be known of a place before what a material is there; null for most. */
@@ -135,6 +152,8 @@ final class CompiledMaterials {
             return ofRoughness(glossy.roughness(), glossy::withRoughness);
         } else if (m instanceof Coated coated) {
             return ofRoughness(coated.roughness(), coated::withRoughness);
+        } else if (m instanceof Glass glass) {
+            return ofRoughness(glass.roughness(), glass::withRoughness);
         } else if (m instanceof Principled principled) {
             return ofPrincipled(principled);
         }

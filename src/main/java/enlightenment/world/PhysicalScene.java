@@ -241,7 +241,7 @@ public final class PhysicalScene {
     private static boolean hasClearGlass(CompiledPrimitives compiled) {
         return Arrays.stream(compiled.glassSolids())
                 .mapToObj(id -> compiled.materials().inside(id))
-                .anyMatch(m -> m.isDelta && m.indexOfRefraction != 1);
+                .anyMatch(m -> m.indexOfRefraction != 1 && m.any(part -> part.isDelta));
     }
 
     /**

@@ -39,6 +39,7 @@ class BidirectionalPartnerTest {
                 "checkered metal, mirror and glass",
                 "coated",
                 "coated, mirror and glass",
+                "checkered glass and clear coat",
                 "checkered roughness",
                 "principled",
                 "fog with a mirror and glass",

@@ -42,6 +42,7 @@ class NaivePartnerTest {
                 "checkered metal, mirror and glass",
                 "coated",
                 "coated, mirror and glass",
+                "checkered glass and clear coat",
                 "checkered roughness",
                 "principled",
                 "glowing disk and triangle",

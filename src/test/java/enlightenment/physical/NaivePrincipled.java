@@ -29,8 +29,9 @@ final class NaivePrincipled extends NaiveReflector {
         double root = (p.indexOfRefraction() - 1) / (p.indexOfRefraction() + 1) * Math.sqrt(p.specular());
         double index = (1 + root) / (1 - root);
         coat = new NaiveCoat(color, new Coated(p.color(), p.roughness(), index, false, Rgb.BLACK, 0));
-        clear = new NaiveCoat(color, Coated.of(p.color(), p.clearcoatRoughness()));
-        clearShare = p.clearcoat();
+        clear = new NaiveCoat(
+                color, Coated.of(p.color(), 0).withRoughness(p.clearcoat().roughness()));
+        clearShare = p.clearcoat().share();
         metal = coat.isSmooth()
                 ? null
                 : new Facets(color, Glossy.of(p.color(), 1).withRoughness(p.roughness()));

@@ -233,7 +233,8 @@ final class NaiveTracer {
     private double[] scattered(NaiveScene.Hit hit, Vec3 d, int scattered, int events, Path path) {
         Material material = hit.surface().material();
         if (hit.surface().isGlass()) {
-            Glass g = NaiveMedium.border(material);
+            Glass border = NaiveMedium.border(material);
+            Glass g = border.withRoughness(NaiveAmount.at(border.roughness(), hit));
             return path.random.nextDouble() < g.transparency()
                     ? throughGlass(g, hit, d, scattered, events, path)
                     : scattered == scene.maxBounces
@@ -285,8 +286,10 @@ final class NaiveTracer {
         }
         if (material instanceof Principled p) {
             double[] color = color(hit);
-            Principled here =
-                    p.withRoughness(NaiveAmount.at(p.roughness(), hit)).withMetallic(NaiveAmount.at(p.metallic(), hit));
+            Principled here = p.withRoughness(NaiveAmount.at(p.roughness(), hit))
+                    .withMetallic(NaiveAmount.at(p.metallic(), hit))
+                    .withClearcoat(p.clearcoat()
+                            .withRoughness(NaiveAmount.at(p.clearcoat().roughness(), hit)));
             List<Object> key = List.of(here, color[0], color[1], color[2]);
             return metals.computeIfAbsent(key, any -> new NaivePrincipled(color, here));
         }
@@ -338,7 +341,7 @@ final class NaiveTracer {
             double[] through = radiance(hit.point(), d, scattered, events, path);
             return before == after ? through : NaiveColors.product(color(hit), through);
         }
-        if (glass.roughness() > 0) {
+        if (!glass.roughness().isZero()) {
             return throughFacets(glass, hit, d, from, to, scattered, events, path);
         }
         if (cosine <= 0) {
@@ -402,7 +405,7 @@ final class NaiveTracer {
         if (isLeftOut(path)) {
             return new double[3];
         }
-        double alpha = glass.roughness() * glass.roughness();
+        double alpha = NaiveAmount.squared(glass.roughness());
         NaiveFacets facets = new NaiveFacets(alpha);
         Vec3[] axes = axes(hit.normal());
         Vec3 out = local(axes, d.negated());

@@ -197,8 +197,7 @@ final class PartnerScenes {
                                         Amount.of(0.6),
                                         2,
                                         0.5,
-                                        0.8,
-                                        0.5,
+                                        new Principled.Clearcoat(0.8, Amount.of(0.5)),
                                         Rgb.BLACK,
                                         0))
                         .object(
@@ -277,6 +276,20 @@ final class PartnerScenes {
                                         .withRoughness(0.4)
                                         .withAbsorption(Rgb.gray(0.3))
                                         .withMultipleScattering(false)));
+        Texture frost = new Texture.Checker(List.of(Rgb.BLACK, new Rgb(0.5, 0.75, 1)), 4);
+        scenes.put(
+                "checkered glass and clear coat",
+                room().light(CEILING)
+                        .object(
+                                BALL,
+                                Glass.of(linear(0.9, 1, 0.95), 1.5)
+                                        .withRoughness(new Amount.Textured(frost, Amount.Channel.GREEN, 1)))
+                        .object(
+                                TestScenes.rectangle(0.2, 0.1, -0.3, 0.2, 1, -0.1, 0.9, 1, 0.2, 0.9, 0.1, 0),
+                                Principled.of(linear(0.9, 0.6, 0.3), 0.5, 0)
+                                        .withRoughness(Amount.of(frost))
+                                        .withClearcoat(new Principled.Clearcoat(
+                                                0.8, new Amount.Textured(frost, Amount.Channel.RED, 0.75)))));
         scenes.put(
                 "pane",
                 furnished()

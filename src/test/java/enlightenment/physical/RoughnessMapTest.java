@@ -1,17 +1,24 @@
 package enlightenment.physical;
 
 import static enlightenment.physical.PhysicalScenes.linear;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
+import enlightenment.geometry.Box;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.PngOptions;
 import enlightenment.material.Amount;
+import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
+import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
 import enlightenment.scene.BuiltInMethod;
@@ -19,7 +26,9 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -91,6 +100,91 @@ class RoughnessMapTest {
 
     private static double[] whole(List<Image> pictures) {
         return Rendered.means(pictures, 4, 4, 12, 12, 0);
+    }
+
+    /** A block, since rough glass has two faces, or a sheet of what is opaque. */
+    private static Scene stand(Material material) {
+        return material instanceof Glass
+                ? PhysicalScenes.room()
+                        .object(new Box(PhysicalScenes.at(-0.6, 0.2, -0.3), PhysicalScenes.at(0.6, 1.2, 0.3)), material)
+                        .light(PhysicalScenes.panel(0, 1.95, 0, 0.3, Rgb.gray(20), false))
+                        .build()
+                : scene(material);
+    }
+
+    private static Material glass(Amount roughness) {
+        return Glass.of(linear(0.9, 1, 0.8), 1.5).withRoughness(roughness);
+    }
+
+    private static Material varnished(Amount roughness) {
+        return Principled.of(linear(0.9, 0.6, 0.3), 0.5, 0.25).withClearcoat(new Principled.Clearcoat(0.75, roughness));
+    }
+
+    private static Image picture(Scene scene) {
+        return pictures(scene, BuiltInMethod.RAYTRACE, 1).get(0);
+    }
+
+    @Test
+    void aTextureOfOneValueIsThatNumberToTheBit() {
+        Amount half = Amount.of(0.5);
+        Amount texture = new Amount.Textured(Texture.of(new Rgb(1, 0.625, 0)), Amount.Channel.GREEN, 0.8);
+        assertArrayEquals(
+                picture(stand(glass(half))).toArray(),
+                picture(stand(glass(texture))).toArray());
+        assertArrayEquals(
+                picture(stand(varnished(half))).toArray(),
+                picture(stand(varnished(texture))).toArray());
+    }
+
+    /** One bounce, so that a pixel's paths depend on nothing but the place that it sees. */
+    private static float[] lit(Material material) {
+        Scene scene = PhysicalScenes.view(16, 16)
+                .camera(new Camera.Orthographic(PhysicalScenes.at(0, 0, -5), PhysicalScenes.at(0, 0, 0), Vec3.Y, 1))
+                .shading(PhysicalScenes.atMost(1, 0.5))
+                .object(
+                        material instanceof Glass
+                                ? new Box(PhysicalScenes.at(-0.5, -0.5, 0), PhysicalScenes.at(0.5, 0.5, 1))
+                                : TestScenes.rectangle(-0.5, -0.5, 0, -0.5, 0.5, 0, 0.5, 0.5, 0, 0.5, -0.5, 0),
+                        material)
+                .light(PhysicalScenes.sphereLight(1, 1, -3, 0.5, 20))
+                .build();
+        return picture(scene).toArray();
+    }
+
+    @Test
+    void aCheckerboardIsTheOneNumberOrTheOtherAtEachPlace() {
+        Amount checks = Amount.of(new Texture.Checker(List.of(Rgb.gray(0.25), Rgb.gray(0.75)), 2));
+        for (Function<Amount, Material> of :
+                List.<Function<Amount, Material>>of(RoughnessMapTest::glass, RoughnessMapTest::varnished)) {
+            float[] both = lit(of.apply(checks));
+            float[] smooth = lit(of.apply(Amount.of(0.25)));
+            float[] rough = lit(of.apply(Amount.of(0.75)));
+            boolean isFirstSmooth = both[0] == smooth[0];
+            for (int k = 0; k < both.length; k++) {
+                int pixel = k / 3;
+                boolean isSmooth = pixel % 16 < 8 == pixel / 16 < 8 == isFirstSmooth;
+                assertEquals(isSmooth ? smooth[k] : rough[k], both[k], "component " + k);
+            }
+            assertFalse(Arrays.equals(smooth, rough), "roughness shows");
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = BuiltInMethod.class,
+            names = {"CLUSTER", "LIGHT", "BIDIRECTIONAL", "METROPOLIS"})
+    void allMethodsMakeOnePictureOfFrostedGlassByAnImage(BuiltInMethod method) throws IOException {
+        Scene scene = stand(glass(new Amount.Textured(image("frost", 0, 1), Amount.Channel.GREEN, 0.8)));
+        assertAlike(pictures(scene, BuiltInMethod.RAYTRACE, 101), pictures(scene, method, 1));
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = BuiltInMethod.class,
+            names = {"CLUSTER", "LIGHT", "BIDIRECTIONAL", "METROPOLIS"})
+    void allMethodsMakeOnePictureOfAClearCoatByAnImage(BuiltInMethod method) throws IOException {
+        Scene scene = scene(varnished(new Amount.Textured(image("varnish", 0.4, 1), Amount.Channel.GREEN, 1)));
+        assertAlike(pictures(scene, BuiltInMethod.RAYTRACE, 101), pictures(scene, method, 1));
     }
 
     @ParameterizedTest

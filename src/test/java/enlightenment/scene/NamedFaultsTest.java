@@ -18,6 +18,7 @@ import enlightenment.material.Conductor;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
+import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
@@ -54,6 +55,12 @@ class NamedFaultsTest {
         fails(
                 "smoothRefraction: must stand without \"roughness\": rough glass refracts by the normals of its triangles",
                 () -> Glass.of(WHITE, 1.5).withRoughness(0.5).withSmoothRefraction(true));
+        fails("roughness: must lie in 0.0..1.0, not 2.0", () -> Glass.of(WHITE, 1.5)
+                .withRoughness(2));
+        fails("clearcoat: must lie in 0.0..1.0, not 2.0", () -> Principled.of(WHITE, 0, 0)
+                .withClearcoat(2, 0));
+        fails("clearcoatRoughness: must lie in 0.0..1.0, not 2.0", () -> Principled.of(WHITE, 0, 0)
+                .withClearcoat(1, 2));
         fails("radius: must be a number greater than 0, not 0.0", () -> new Light.Sphere(O, 0, DisplayRgb.WHITE));
         fails(
                 "intensity: belongs to point lights; a sphere light has \"radiance\" or \"power\"",

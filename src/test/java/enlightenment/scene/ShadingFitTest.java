@@ -16,6 +16,7 @@ import enlightenment.geometry.Disk;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
+import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
@@ -125,7 +126,9 @@ class ShadingFitTest {
         Material rough = Glass.of(WHITE, 1.5).withRoughness(0.3);
         Material fog = Material.Scattering.of(Medium.Coefficients.of(Rgb.WHITE, Rgb.BLACK));
         Cylinder tube = new Cylinder(ExactPoint.ORIGIN, ExactPoint.of(0, 1, 0), 0.5, false);
-        for (Material material : new Material[] {rough, fog}) {
+        Texture checks = new Texture.Checker(List.of(Rgb.BLACK, Rgb.gray(0.5)), 2);
+        Material frosted = Glass.of(WHITE, 1.5).withRoughness(Amount.of(checks));
+        for (Material material : new Material[] {rough, fog, frosted}) {
             InvalidValueException e = refused(
                     scene(PhysicalShading.DEFAULT).object(BALL, material).object(tube, material));
             assertEquals("objects/1/material", e.key());

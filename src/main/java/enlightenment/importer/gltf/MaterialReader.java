@@ -22,6 +22,8 @@ import java.util.OptionalDouble;
  * normal map stays one. What glows has neither.
  */
 final class MaterialReader {
+    private static final String CLEARCOAT = "KHR_materials_clearcoat";
+    private static final String CLEARCOAT_ROUGHNESS = "clearcoatRoughnessTexture";
     private static final String EMISSIVE = "emissiveTexture";
 
     private static final List<String> LEFT_OUT = List.of(
@@ -69,12 +71,17 @@ final class MaterialReader {
                 : metallicRoughness().get("baseColorTexture");
     }
 
+    private GltfElement clearcoatRoughness() throws IOException {
+        return material.extension(CLEARCOAT).get(CLEARCOAT_ROUGHNESS);
+    }
+
     /** The texture coordinates that the mesh needs: those of its first texture, with a note where others have others. */
     Optional<TextureFrame> frame() throws IOException {
         Optional<TextureFrame> first = Optional.empty();
         for (GltfElement info : List.of(
                 colorTexture(),
                 metallicRoughness().get("metallicRoughnessTexture"),
+                clearcoatRoughness(),
                 material.get("normalTexture"),
                 material.get(EMISSIVE))) {
             if (info.isPresent()) {
@@ -93,6 +100,7 @@ final class MaterialReader {
     boolean repeats() throws IOException {
         return textures.repeats(colorTexture())
                 && textures.repeats(metallicRoughness().get("metallicRoughnessTexture"))
+                && textures.repeats(clearcoatRoughness())
                 && textures.repeats(material.get("normalTexture"))
                 && textures.repeats(material.get(EMISSIVE));
     }
@@ -174,8 +182,8 @@ final class MaterialReader {
             return 0;
         }
         noteTexture(transmission, "transmissionTexture");
-        if (isTextured) {
-            note("metallicRoughnessTexture of what transmits light is left out");
+        if (isTextured && metallic > 0) {
+            note("the metal of metallicRoughnessTexture is left out of what transmits light");
         }
         return share * (1 - (isTextured ? 0 : metallic));
     }
@@ -191,10 +199,10 @@ final class MaterialReader {
         if (!emitted().equals(Rgb.BLACK)) {
             note("the light of what transmits light is left out");
         }
-        double roughness = roughnessFactor();
-        if (!closed && roughness > 0) {
+        Amount roughness = amount(Amount.Channel.GREEN, roughnessFactor());
+        if (!closed && !roughness.isZero()) {
             note("what transmits light is smooth: its mesh is not closed");
-            roughness = 0;
+            roughness = Amount.of(0);
         }
         Glass glass = new Glass(color, index(), share, 0, true)
                 .withRoughness(roughness)
@@ -250,12 +258,12 @@ final class MaterialReader {
 
     private Principled principled(Texture color) throws IOException {
         GltfElement specular = material.extension("KHR_materials_specular");
-        GltfElement coat = material.extension("KHR_materials_clearcoat");
+        GltfElement coat = material.extension(CLEARCOAT);
         noteTexture(specular, "specularTexture");
         if (specular.has("specularColorTexture") || specular.has("specularColorFactor")) {
             note("the colour of KHR_materials_specular is left out");
         }
-        for (String key : List.of("clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture")) {
+        for (String key : List.of("clearcoatTexture", "clearcoatNormalTexture")) {
             noteTexture(coat, key);
         }
         double metallic = isSpecularGlossiness() ? 0 : share(metallicRoughness(), "metallicFactor", 1);
@@ -265,16 +273,27 @@ final class MaterialReader {
                 amount(Amount.Channel.GREEN, roughnessFactor()),
                 index(),
                 share(specular, "specularFactor", 1),
-                share(coat, "clearcoatFactor", 0),
-                share(coat, "clearcoatRoughnessFactor", 0),
+                clearcoat(coat),
                 emitted(),
                 0,
                 EmissionPattern.of(radianceMap()));
     }
 
+    private Principled.Clearcoat clearcoat(GltfElement coat) throws IOException {
+        return new Principled.Clearcoat(
+                share(coat, "clearcoatFactor", 0),
+                amount(
+                        coat.get(CLEARCOAT_ROUGHNESS),
+                        Amount.Channel.GREEN,
+                        share(coat, "clearcoatRoughnessFactor", 0)));
+    }
+
     /** A channel of the metallic-roughness texture, if there is one. */
     private Amount amount(Amount.Channel channel, double factor) throws IOException {
-        GltfElement info = metallicRoughness().get("metallicRoughnessTexture");
+        return amount(metallicRoughness().get("metallicRoughnessTexture"), channel, factor);
+    }
+
+    private Amount amount(GltfElement info, Amount.Channel channel, double factor) throws IOException {
         return factor == 0
                 ? Amount.of(0)
                 : textures.channel(info, channel, factor).orElseGet(() -> Amount.of(factor));

@@ -116,8 +116,7 @@ final class PrincipledReader {
                 roughness,
                 index,
                 1,
-                clearcoat,
-                clearcoat > 0 ? RoughnessReader.ofAlpha(alpha) : 0,
+                new Principled.Clearcoat(clearcoat, Amount.of(clearcoat > 0 ? RoughnessReader.ofAlpha(alpha) : 0)),
                 Rgb.BLACK,
                 0);
     }
@@ -138,7 +137,7 @@ final class PrincipledReader {
             leaveOut(p, "clearcoat");
         }
         p.ignore("clearcoat_gloss");
-        double roughness = share(textures.number(p, "roughness", 0.5));
+        Amount roughness = amount(p, "roughness", 0.5);
         return Glass.of(root(p, color), index).withRoughness(roughness).withMultipleScattering(false);
     }
 

@@ -27,15 +27,6 @@ final class RoughnessReader {
         return StrictMath.sqrt(StrictMath.min(StrictMath.max(alpha, 0), 1));
     }
 
-    /** One roughness for a surface, by the mean of textures; 0 of a smooth model. */
-    double number(Properties p) {
-        if (!isRough(p)) {
-            return 0;
-        }
-        double alpha = textures.number(p, "alpha", USUAL_ALPHA);
-        return ofAlpha(isAnisotropic(p) ? mean(p) : alpha);
-    }
-
     /** The roughness, which may depend on the place; 0 of a smooth model. */
     Amount amount(Properties p) {
         if (!isRough(p)) {

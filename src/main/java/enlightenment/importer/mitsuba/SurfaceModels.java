@@ -56,7 +56,7 @@ final class SurfaceModels {
 
     private Material dielectric(Properties p) {
         double index = IndexOfRefraction.relative(p, "bk7");
-        double roughness = roughnesses.number(p);
+        Amount roughness = roughnesses.amount(p);
         noteIfNotWhite(p, "specular_reflectance");
         Texture through = textures.reflectance(p, "specular_transmittance", 1);
         return Glass.of(through, index).withRoughness(roughness).withMultipleScattering(false);

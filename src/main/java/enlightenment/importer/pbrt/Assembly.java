@@ -4,6 +4,7 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Shape;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ImportDraft;
+import enlightenment.material.Amount;
 import enlightenment.material.Glass;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
@@ -121,15 +122,20 @@ final class Assembly {
             return glass;
         }
         Medium.Coefficients inside = medium.get();
-        return inside.scattering().max() == 0
-                ? glass.withAbsorption(inside.absorption())
-                : new Material.Scattering(inside, glass.indexOfRefraction(), glass.roughness(), 0);
+        if (inside.scattering().max() == 0) {
+            return glass.withAbsorption(inside.absorption());
+        }
+        if (glass.roughness() instanceof Amount.Constant roughness) {
+            return new Material.Scattering(inside, glass.indexOfRefraction(), roughness.value(), 0);
+        }
+        note(shape, "the texture of the roughness around a medium that scatters is left out: the border is smooth");
+        return new Material.Scattering(inside, glass.indexOfRefraction(), 0, 0);
     }
 
     private Material pane(ShapeDefinition shape, Surface surface, Glass glass) {
         if (!surface.isThinGlass()) {
             note(shape, "glass that encloses no volume becomes a thin pane");
         }
-        return glass.roughness() > 0 ? glass.withRoughness(0) : glass;
+        return glass.withRoughness(0);
     }
 }

@@ -2,6 +2,7 @@ package enlightenment.importer.pbrt;
 
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
+import enlightenment.material.Amount;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -33,12 +34,12 @@ final class ClearMaterials {
     }
 
     void addTo(Map<String, Materials.SurfaceMaker> makers) {
-        makers.put("dielectric", (source, uv) -> glass(source, roughness.of(source.parameters(), "")));
-        makers.put("thindielectric", (source, uv) -> glass(source, 0));
+        makers.put("dielectric", (source, uv) -> glass(source, roughness.amount(source.parameters(), "", uv)));
+        makers.put("thindielectric", (source, uv) -> glass(source, Amount.of(0)));
         makers.put("subsurface", this::subsurface);
     }
 
-    private Material glass(MaterialSource source, double rough) {
+    private Material glass(MaterialSource source, Amount rough) {
         Optional<NamedSpectra.GlassType> named = source.parameters()
                 .find("eta")
                 .filter(p -> p.type().equals("spectrum") && p.words().size() == 1)

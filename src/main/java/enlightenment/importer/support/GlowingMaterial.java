@@ -64,7 +64,6 @@ public final class GlowingMaterial {
                     p.indexOfRefraction(),
                     p.specular(),
                     p.clearcoat(),
-                    p.clearcoatRoughness(),
                     radiance,
                     p.ultraviolet(),
                     pattern));

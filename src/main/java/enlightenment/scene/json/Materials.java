@@ -167,7 +167,7 @@ final class Materials {
                     .number("indexOfRefraction", g.indexOfRefraction())
                     .numberUnless(1, "transparency", g.transparency())
                     .wholeUnless(0, "priority", g.priority())
-                    .numberUnless(0, "roughness", g.roughness())
+                    .amountUnless(0, "roughness", g.roughness())
                     .bandsUnless(Rgb.BLACK, "absorption", g.absorption())
                     .flagUnless(true, "multipleScattering", g.multipleScattering());
             g.dispersion().ifPresent(abbe -> p.number("dispersion", abbe));
@@ -333,12 +333,12 @@ final class Materials {
         double index = f.number("indexOfRefraction");
         double transparency = f.number("transparency", 1);
         int priority = f.integer("priority", Integer.MIN_VALUE, Integer.MAX_VALUE, 0);
-        double roughness = f.number("roughness", 0);
+        Amount roughness = Amounts.read(f, "roughness", 0);
         Rgb absorption = f.bands("absorption", Rgb.BLACK);
         boolean several = f.flag("multipleScattering", true);
         OptionalDouble abbe = f.has("dispersion") ? OptionalDouble.of(f.number("dispersion")) : OptionalDouble.empty();
         boolean smoothly = f.flag("smoothRefraction", false);
-        if (color == null) {
+        if (color == null || roughness == null) {
             return null;
         }
         return f.make(() -> new Glass(

@@ -24,11 +24,11 @@ final class PrincipledMaterials {
         double index = f.number("indexOfRefraction", Coated.USUAL_INDEX);
         double specular = f.number("specular", 1);
         double clearcoat = f.number("clearcoat", 0);
-        double clearcoatRoughness = f.number("clearcoatRoughness", 0);
+        Amount clearcoatRoughness = Amounts.read(f, "clearcoatRoughness", 0);
         Rgb radiance = Materials.radiance(f);
         EmissionPattern pattern = Materials.pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
-        if (color == null || metallic == null || roughness == null) {
+        if (color == null || metallic == null || roughness == null || clearcoatRoughness == null) {
             return null;
         }
         return f.make(() -> new Principled(
@@ -37,8 +37,7 @@ final class PrincipledMaterials {
                 roughness,
                 index,
                 specular,
-                clearcoat,
-                clearcoatRoughness,
+                new Principled.Clearcoat(clearcoat, clearcoatRoughness),
                 radiance,
                 ultraviolet,
                 pattern));
@@ -50,8 +49,8 @@ final class PrincipledMaterials {
                 .amountUnless(Principled.USUAL_ROUGHNESS, "roughness", m.roughness())
                 .numberUnless(Coated.USUAL_INDEX, "indexOfRefraction", m.indexOfRefraction())
                 .numberUnless(1, "specular", m.specular())
-                .numberUnless(0, "clearcoat", m.clearcoat())
-                .numberUnless(0, "clearcoatRoughness", m.clearcoatRoughness())
+                .numberUnless(0, "clearcoat", m.clearcoat().share())
+                .amountUnless(0, "clearcoatRoughness", m.clearcoat().roughness())
                 .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
                 .textureIfPresent("radianceMap", m.radianceMap())
                 .wordUnless(

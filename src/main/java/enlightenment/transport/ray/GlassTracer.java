@@ -221,7 +221,7 @@ public final class GlassTracer {
             coincident.startBehind(ray, next != NONE);
             return true;
         }
-        Bsdf bsdf = coincident.material(boundary).bsdf;
+        Bsdf bsdf = coincident.bsdf(boundary);
         lost = !scattering.atBorder(ray, hit, bsdf, coincident.hit(boundary), from / to);
         if (border.transmitted) {
             counters.refractedRays++;
@@ -328,7 +328,7 @@ public final class GlassTracer {
         if (boundary == NONE || from == to) {
             return null;
         }
-        Bsdf bsdf = coincident.material(boundary).bsdf;
+        Bsdf bsdf = coincident.bsdf(boundary);
         Optics.arrive(s, ray, hit);
         s.eta = from / to;
         return bsdf.isDelta() ? null : bsdf;

@@ -1,5 +1,6 @@
 package enlightenment.world.contact;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
@@ -30,6 +31,7 @@ public final class CoincidentHits {
     private final Ray probe = new Ray();
     private final Hit own = new Hit();
     private final Hit leftHit = new Hit();
+    private final double[] scratch = new double[3];
 
     /** The coincidences that count at a hit. */
     private final IntList near = new IntList();
@@ -279,6 +281,15 @@ public final class CoincidentHits {
     /** The material of surface k. */
     public SurfaceMaterial material(int k) {
         return materials.of(ids[k], hits[k].face);
+    }
+
+    /** How surface k scatters light where the ray meets it. */
+    public Bsdf bsdf(int k) {
+        SurfaceMaterial there = material(k);
+        while (there.detail != null) {
+            there = there.detail.at(hits[k], scratch);
+        }
+        return there.bsdf;
     }
 
     /** Where the ray meets surface k; its side is the one that the ray arrives on. */

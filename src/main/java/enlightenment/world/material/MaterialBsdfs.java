@@ -5,6 +5,7 @@ import enlightenment.bsdf.Fresnel;
 import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Microfacets;
+import enlightenment.bsdf.PrincipledLayers;
 import enlightenment.bsdf.PrincipledReflection;
 import enlightenment.bsdf.RoughCoating;
 import enlightenment.bsdf.RoughDielectric;
@@ -30,6 +31,7 @@ import java.util.function.Supplier;
 /** How the materials of a scene scatter light. Those with tables are made once for all materials that differ in colour alone. */
 public final class MaterialBsdfs {
     private final Map<List<Object>, Bsdf> made = new HashMap<>();
+    private final PrincipledLayers layers = new PrincipledLayers();
 
     Bsdf of(Material material) {
         if (material instanceof Material.Matte matte) {
@@ -54,7 +56,8 @@ public final class MaterialBsdfs {
         if (material instanceof Principled p) {
             return p.metallic() instanceof Amount.Constant metallic
                             && p.roughness() instanceof Amount.Constant roughness
-                    ? principled(metallic.value(), roughness.value(), p)
+                            && p.clearcoat().roughness() instanceof Amount.Constant clear
+                    ? principled(metallic.value(), roughness.value(), clear.value(), p)
                     : Lambert.INSTANCE;
         }
         if (material instanceof Glass glass) {
@@ -63,7 +66,7 @@ public final class MaterialBsdfs {
                     : border(glass.roughness(), glass.multipleScattering());
         }
         if (material instanceof Material.Scattering scattering) {
-            return border(scattering.roughness(), true);
+            return border(Amount.of(scattering.roughness()), true);
         }
         throw new AssertionError("no physical form of the material " + material.type());
     }
@@ -107,23 +110,24 @@ public final class MaterialBsdfs {
                 nonlinear);
     }
 
-    private Bsdf principled(double metallic, double roughness, Principled p) {
+    private Bsdf principled(double metallic, double roughness, double clearRoughness, Principled p) {
         double index = index(p.indexOfRefraction(), p.specular());
-        if (p.clearcoat() == 0 && metallic == 1) {
+        if (p.clearcoat().share() == 0 && metallic == 1) {
             return metal(roughness, Optional.empty(), true);
         }
-        if (p.clearcoat() == 0 && metallic == 0) {
+        if (p.clearcoat().share() == 0 && metallic == 0) {
             return coating(roughness, index, false);
         }
         double alpha = roughness * roughness;
-        double clearAlpha = p.clearcoatRoughness() * p.clearcoatRoughness();
+        double clearAlpha = clearRoughness * clearRoughness;
+        double share = p.clearcoat().share();
         return once(
-                () -> new PrincipledReflection(metallic, alpha, index, p.clearcoat(), clearAlpha, Coated.USUAL_INDEX),
+                () -> new PrincipledReflection(metallic, alpha, index, share, clearAlpha, Coated.USUAL_INDEX, layers),
                 "principled",
                 metallic,
                 alpha,
                 index,
-                p.clearcoat(),
+                share,
                 clearAlpha);
     }
 
@@ -133,8 +137,12 @@ public final class MaterialBsdfs {
         return factor == 1 ? of : (1 + root) / (1 - root);
     }
 
-    private static Bsdf border(double roughness, boolean losesNothing) {
-        double alpha = roughness * roughness;
-        return Microfacets.isSmooth(alpha) ? SmoothDielectric.INSTANCE : new RoughDielectric(alpha, losesNothing);
+    /** Of a roughness by a texture, a rough border that stands for those of its levels where nothing asks for the place. */
+    private Bsdf border(Amount roughness, boolean losesNothing) {
+        double value = roughness instanceof Amount.Constant constant ? constant.value() : 1;
+        double alpha = value * value;
+        return Microfacets.isSmooth(alpha)
+                ? SmoothDielectric.INSTANCE
+                : once(() -> new RoughDielectric(alpha, losesNothing), "border", alpha, losesNothing);
     }
 }

@@ -6,6 +6,7 @@ import enlightenment.bsdf.Reradiation;
 import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import enlightenment.frame.SceneFrame;
+import enlightenment.material.Amount;
 import enlightenment.material.Coated;
 import enlightenment.material.EmissionPattern;
 import enlightenment.material.Glass;
@@ -57,7 +58,7 @@ public record PhysicalSurface(
         String look = text(glow, ultraviolet) + ofSides(sides);
         if (material instanceof Glass glass) {
             absorption = scaled(glass.absorption(), frame.exponent());
-            look += " " + glass.roughness() + " " + text(glass.absorption()) + " " + glass.multipleScattering();
+            look += " " + text(glass.roughness()) + " " + text(glass.absorption()) + " " + glass.multipleScattering();
             if (glass.dispersion().isPresent()) {
                 dispersion = CauchyFormula.slope(
                         glass.indexOfRefraction(), glass.dispersion().getAsDouble());
@@ -77,7 +78,7 @@ public record PhysicalSurface(
             look += " " + coated.roughness() + " " + coated.indexOfRefraction() + " " + coated.nonlinear();
         } else if (material instanceof Principled p) {
             look += " " + p.metallic() + " " + p.roughness() + " " + p.indexOfRefraction() + " " + p.specular() + " "
-                    + p.clearcoat() + " " + p.clearcoatRoughness();
+                    + p.clearcoat().share() + " " + text(p.clearcoat().roughness());
         } else if (material instanceof Material.Fluorescent dye) {
             reradiation = dyes.of(dye);
             look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
@@ -109,6 +110,10 @@ public record PhysicalSurface(
     /** A record's own text takes as long as compiling a small scene, when a program has just started. */
     private static String text(Rgb c) {
         return c.r() + "," + c.g() + "," + c.b();
+    }
+
+    private static String text(Amount amount) {
+        return amount instanceof Amount.Constant constant ? Double.toString(constant.value()) : amount.toString();
     }
 
     private static String text(Rgb c, double ultraviolet) {

@@ -16,6 +16,7 @@ public final class SurfaceDetail {
         MIX,
         MASK,
         ROUGHNESS,
+        CLEARCOAT_ROUGHNESS,
         NORMAL_MAP,
         BUMP
     }
@@ -24,6 +25,8 @@ public final class SurfaceDetail {
     private static final long MASK_NUMBER = 0x6d61736b00000001L;
 
     private static final long ROUGHNESS_NUMBER = 0x726f756700000001L;
+
+    private static final long CLEARCOAT_NUMBER = 0x636c656100000001L;
 
     private final Kind kind;
 
@@ -55,6 +58,7 @@ public final class SurfaceDetail {
                 switch (kind) {
                     case MIX -> MIX_NUMBER;
                     case ROUGHNESS -> ROUGHNESS_NUMBER;
+                    case CLEARCOAT_ROUGHNESS -> CLEARCOAT_NUMBER;
                     default -> MASK_NUMBER;
                 };
         purpose = Hash.next(number, depth());
@@ -82,6 +86,12 @@ public final class SurfaceDetail {
     public static SurfaceDetail ofRoughness(
             RoughnessLevels levels, List<SurfaceMaterial> parts, AmountLookup roughness) {
         return new SurfaceDetail(Kind.ROUGHNESS, parts.toArray(SurfaceMaterial[]::new), roughness, 0, levels);
+    }
+
+    /** One of several that differ in the roughness of their clear coat, by chance, as {@link #ofRoughness}. */
+    public static SurfaceDetail ofClearcoatRoughness(
+            RoughnessLevels levels, List<SurfaceMaterial> parts, AmountLookup roughness) {
+        return new SurfaceDetail(Kind.CLEARCOAT_ROUGHNESS, parts.toArray(SurfaceMaterial[]::new), roughness, 0, levels);
     }
 
     /** There with the probability alpha, else a hole. */
@@ -123,7 +133,7 @@ public final class SurfaceDetail {
     public SurfaceMaterial at(Hit hit, double[] scratch) {
         return switch (kind) {
             case MIX -> parts[number(hit) < value(hit, scratch) ? 1 : 0];
-            case ROUGHNESS -> parts[levels.at(value(hit, scratch), number(hit))];
+            case ROUGHNESS, CLEARCOAT_ROUGHNESS -> parts[levels.at(value(hit, scratch), number(hit))];
             default -> parts[0];
         };
     }

@@ -81,7 +81,14 @@ class GltfMaterialTest {
                 + "'KHR_materials_emissive_strength':{'emissiveStrength':8},'KHR_materials_sheen':{}}}");
         assertEquals(
                 new Principled(
-                        Texture.of(Rgb.WHITE), Amount.of(0), Amount.of(1), 1.25, 0.5, 0.75, 0.125, new Rgb(4, 2, 0), 0),
+                        Texture.of(Rgb.WHITE),
+                        Amount.of(0),
+                        Amount.of(1),
+                        1.25,
+                        0.5,
+                        new Principled.Clearcoat(0.75, Amount.of(0.125)),
+                        new Rgb(4, 2, 0),
+                        0),
                 material(imported));
         assertEquals(List.of("materials/0: KHR_materials_sheen is left out"), imported.notes());
     }
@@ -188,12 +195,61 @@ class GltfMaterialTest {
         assertEquals(List.of(), imported.notes());
     }
 
+    /** Four triangles around a volume, of a material. */
+    private static GltfFile tetrahedron(String material) {
+        GltfFile file = new GltfFile();
+        file.add("materials", material);
+        int p = file.floats("VEC3", 3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+        int t = file.floats("VEC2", 2, 0, 0, 1, 0, 0, 1, 1, 1);
+        int i = file.indices(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3);
+        file.add(
+                "meshes",
+                "{'primitives':[{'attributes':{'POSITION':" + p + ",'TEXCOORD_0':" + t + "},'indices':" + i
+                        + ",'material':0}]}");
+        file.add("nodes", "{'mesh':0}");
+        return file;
+    }
+
+    @Test
+    void roughnessOfWhatTransmitsLightIsItsTexture() throws IOException {
+        String rough = "{'pbrMetallicRoughness':{'metallicFactor':%d,'roughnessFactor':0.5,"
+                + "'metallicRoughnessTexture':{'index':0}},"
+                + "'extensions':{'KHR_materials_transmission':{'transmissionFactor':1}}}";
+        for (int metallic = 0; metallic <= 1; metallic++) {
+            GltfFile file = tetrahedron(rough.formatted(metallic));
+            file.texture(png(0xff00ff00, 0xff008000));
+            ImportedScene imported = file.read(folder);
+            Amount.Textured roughness = (Amount.Textured) ((Glass) material(imported)).roughness();
+            assertEquals(Amount.Channel.GREEN, roughness.channel());
+            assertEquals(0.5, roughness.factor());
+            List<String> metal =
+                    List.of("materials/0: the metal of metallicRoughnessTexture is left out of what transmits light");
+            assertTrue(imported.notes().containsAll(metallic == 0 ? List.of() : metal), imported.notes()::toString);
+            assertEquals(
+                    metallic, imported.notes().stream().filter(metal::contains).count());
+        }
+    }
+
+    @Test
+    void roughnessOfTheClearCoatIsTheGreenOfItsTexture() throws IOException {
+        GltfFile file = GltfFile.ofMaterial("{'extensions':{'KHR_materials_clearcoat':{'clearcoatFactor':1,"
+                + "'clearcoatRoughnessFactor':0.25,'clearcoatRoughnessTexture':{'index':0}}}}");
+        file.texture(png(0xff00ff00, 0xff008000));
+        ImportedScene imported = file.read(folder);
+        Amount.Textured roughness =
+                (Amount.Textured) ((Principled) material(imported)).clearcoat().roughness();
+        assertEquals(Amount.Channel.GREEN, roughness.channel());
+        assertEquals(0.25, roughness.factor());
+        assertEquals(Texture.Encoding.LINEAR, ((Texture.File) roughness.texture()).encoding());
+        assertEquals(List.of(), imported.notes());
+    }
+
     @Test
     void openMeshesThatTransmitLightAreSmooth() throws IOException {
         ImportedScene imported = read("{'pbrMetallicRoughness':{'metallicFactor':0,'roughnessFactor':0.5},"
                 + "'extensions':{'KHR_materials_transmission':{'transmissionFactor':0.5}}}");
         Glass glass = (Glass) material(imported);
-        assertEquals(0, glass.roughness());
+        assertTrue(glass.roughness().isZero());
         assertEquals(0.5, glass.transparency());
         assertEquals(List.of("materials/0: what transmits light is smooth: its mesh is not closed"), imported.notes());
     }

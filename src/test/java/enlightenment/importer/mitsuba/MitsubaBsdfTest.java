@@ -246,6 +246,18 @@ class MitsubaBsdfTest {
     }
 
     @Test
+    void frostedGlassKeepsItsTextureOfAlpha() throws IOException {
+        Texture.File r = picture("r.png", 0.2F);
+        String ggx = "<string name=\"distribution\" value=\"ggx\"/>";
+        Glass m = (Glass) scenes.material(bsdf("roughdielectric", ggx + raw("alpha", "r.png")));
+        Texture.File made = (Texture.File) m.roughness().textures().get(0);
+        assertEquals(StrictMath.sqrt(51 / 255.0), ImageFiles.read(made.file()).component(0, 0, 1), 1e-4);
+        Glass burley = (Glass) scenes.material(
+                bsdf("principled", "<float name=\"spec_trans\" value=\"1\"/>" + raw("roughness", "r.png")));
+        assertEquals(Amount.of(r), burley.roughness());
+    }
+
+    @Test
     void principledKeepsItsNumbers() throws IOException {
         Principled m = (Principled) scenes.material(bsdf(
                 "principled",
@@ -256,8 +268,9 @@ class MitsubaBsdfTest {
         assertEquals(Amount.of(0.25), m.metallic());
         assertEquals(Amount.of(0.3), m.roughness());
         assertEquals(1.7, m.indexOfRefraction());
-        assertEquals(0.5, m.clearcoat());
-        assertEquals(0.001, m.clearcoatRoughness() * m.clearcoatRoughness(), 1e-15);
+        assertEquals(0.5, m.clearcoat().share());
+        double clear = ((Amount.Constant) m.clearcoat().roughness()).value();
+        assertEquals(0.001, clear * clear, 1e-15);
     }
 
     @Test
@@ -285,7 +298,7 @@ class MitsubaBsdfTest {
         Rgb c = ((Texture.Solid) m.color()).color().linear();
         assertEquals(0.5, c.r(), 1e-15);
         assertEquals(0.6, c.g(), 1e-15);
-        assertEquals(0.2, m.roughness(), 1e-15);
+        assertEquals(0.2, ((Amount.Constant) m.roughness()).value(), 1e-15);
         assertEquals(1.5, m.indexOfRefraction());
     }
 

@@ -10,6 +10,7 @@ import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.material.Amount;
 import enlightenment.material.Coated;
+import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
@@ -90,6 +91,9 @@ class PbrtTextureTest {
             Amount.Textured metal = (Amount.Textured) ((Glossy) material(NUMBERS, "\"conductor\"" + p)).roughness();
             assertPixel(expected, expected, expected, metal.texture());
             Files.delete(((Texture.File) metal.texture()).file());
+            Amount.Textured glass = (Amount.Textured) ((Glass) material(NUMBERS, "\"dielectric\"" + p)).roughness();
+            assertPixel(expected, expected, expected, glass.texture());
+            Files.delete(((Texture.File) glass.texture()).file());
         }
     }
 }

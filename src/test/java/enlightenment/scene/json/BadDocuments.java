@@ -386,7 +386,16 @@ final class BadDocuments {
             edit("\"roughness\": 0.375, ", "", "/materials/copper/roughness", "missing; a glossy material needs it"),
             edit("\"roughness\": 0.375", "\"roughness\": 1.5", "/materials/copper/roughness", "0.0..1.0, not 1.5"),
             edit("\"roughness\": 0.625", "\"roughness\": -1", "/materials/ember/roughness", "0.0..1.0, not -1.0"),
-            edit("\"roughness\": 0.25", "\"roughness\": 2", "/materials/glass/roughness", "0.0..1.0, not 2.0"),
+            edit(
+                    "\"channel\": \"red\", \"factor\": 0.25",
+                    "\"channel\": \"red\", \"factor\": 2",
+                    "/materials/glass/roughness/factor",
+                    "0.0..1.0, not 2.0"),
+            edit(
+                    "\"clearcoatRoughness\": {\"texture\": \"ice\", \"channel\": \"green\", \"factor\": 0.125}",
+                    "\"clearcoatRoughness\": 2",
+                    "/materials/enamel/clearcoatRoughness",
+                    "0.0..1.0, not 2.0"),
             edit("[0.5, 0, 2]", "[0.5, 0, -2]", "/materials/glass/absorption/2", "at least 0, not -2.0"),
             edit(
                     "\"absorption\": [0.5, 0, 2]",

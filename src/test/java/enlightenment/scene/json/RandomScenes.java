@@ -421,7 +421,8 @@ final class RandomScenes {
     }
 
     private static boolean needsVolume(Material material) {
-        return material instanceof Material.Scattering || material instanceof Glass glass && glass.roughness() > 0;
+        return material instanceof Material.Scattering
+                || material instanceof Glass glass && !glass.roughness().isZero();
     }
 
     private Optional<Conductor> conductor() {
@@ -541,8 +542,8 @@ final class RandomScenes {
                         random.nextBoolean() ? Amount.of(Principled.USUAL_ROUGHNESS) : amount(),
                         random.nextBoolean() ? Coated.USUAL_INDEX : 1 + 9 * unit(),
                         random.nextBoolean() ? 1 : unit(),
-                        random.nextBoolean() ? 0 : unit(),
-                        random.nextBoolean() ? 0 : unit(),
+                        new Principled.Clearcoat(
+                                random.nextBoolean() ? 0 : unit(), random.nextBoolean() ? Amount.of(0) : amount()),
                         light,
                         near,
                         pattern(light, near));
@@ -556,7 +557,7 @@ final class RandomScenes {
                         random.nextBoolean() ? 1 : unit(),
                         random.nextBoolean() ? 0 : random.nextInt(),
                         shadows,
-                        random.nextBoolean() ? 0 : unit(),
+                        random.nextBoolean() ? Amount.of(0) : amount(),
                         radiance(),
                         random.nextBoolean(),
                         hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive()),

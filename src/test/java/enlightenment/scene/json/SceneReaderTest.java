@@ -96,7 +96,7 @@ class SceneReaderTest {
         Material matte = new Material.Matte(ice, false);
         Material chrome = new Material.Mirror(Texture.of(DisplayRgb.of(0.1, 0.2, 0.3)), true, Rgb.gray(0.5));
         Material glass = new Glass(plain(254, 254, 254), 1.5, 0.875, -2, true)
-                .withRoughness(0.25)
+                .withRoughness(new Amount.Textured(checks, Amount.Channel.RED, 0.25))
                 .withAbsorption(new Rgb(0.5, 0, 2))
                 .withMultipleScattering(false)
                 .withDispersion(36.5);
@@ -122,8 +122,7 @@ class SceneReaderTest {
                 new Amount.Textured(checks, Amount.Channel.MEAN, 0.75),
                 1.625,
                 0.5,
-                0.25,
-                0.125,
+                new Principled.Clearcoat(0.25, new Amount.Textured(ice, Amount.Channel.GREEN, 0.125)),
                 Rgb.gray(0.0625),
                 3);
         Material wax = new Material.Scattering(

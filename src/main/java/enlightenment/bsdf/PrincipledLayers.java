@@ -1,0 +1,27 @@
+package enlightenment.bsdf;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The layers of {@link PrincipledReflection} and their tables, each made once: surfaces whose two roughnesses come from textures are many
+ * combinations of few layers. For one thread.
+ */
+public final class PrincipledLayers {
+    private final Map<List<Double>, DielectricLayer> layers = new HashMap<>();
+    private final Map<Double, AlbedoTable> mirrors = new HashMap<>();
+
+    /** No layers yet. */
+    public PrincipledLayers() {}
+
+    /** The layer of these parameters of {@link DielectricLayer}. */
+    DielectricLayer layer(double share, double alpha, double index) {
+        return layers.computeIfAbsent(List.of(share, alpha, index), key -> new DielectricLayer(share, alpha, index));
+    }
+
+    /** What single reflection loses at facets that reflect all light. */
+    AlbedoTable mirrors(Microfacets facets) {
+        return mirrors.computeIfAbsent(facets.alpha, key -> new AlbedoTable(new VisibleNormals.OfMirrors(facets)));
+    }
+}

@@ -12,12 +12,23 @@ public final class PrincipledLayers {
     private final Map<List<Double>, DielectricLayer> layers = new HashMap<>();
     private final Map<Double, AlbedoTable> mirrors = new HashMap<>();
 
+    /** Null until a surface has sheen. */
+    private SheenAlbedo sheen;
+
     /** No layers yet. */
     public PrincipledLayers() {}
 
     /** The layer of these parameters of {@link DielectricLayer}. */
     DielectricLayer layer(double share, double alpha, double index) {
         return layers.computeIfAbsent(List.of(share, alpha, index), key -> new DielectricLayer(share, alpha, index));
+    }
+
+    /** The sheen of these parameters of {@link SheenLayer}. */
+    SheenLayer sheen(double share, double tint) {
+        if (share > 0 && sheen == null) {
+            sheen = new SheenAlbedo();
+        }
+        return new SheenLayer(share, tint, sheen);
     }
 
     /** What single reflection loses at facets that reflect all light. */

@@ -3,11 +3,11 @@ package enlightenment.bsdf;
 /**
  * The sum of lobes that metallic-roughness workflows describe (B. Burley, "Physically based shading at Disney", 2012; Khronos, "glTF 2.0",
  * appendix B): a metal and a matte base under a dielectric coat, mixed by a share, which have their facets in common; over both a clear
- * coat. Opaque; alike on both sides.
+ * coat. The dielectric part may have sheen on it ({@link SheenLayer}). Opaque; alike on both sides.
  *
- * <pre>f = c + min(t(μo), t(μi)) ((1 − m) g + m (F + M)) + (1 − m) ρ B(μo) B(μi)/(π B̄),   B = t T</pre>
+ * <pre>f = c + min(t(μo), t(μi)) ((1 − m) (S + q g) + m (F + M)) + (1 − m) q ρ B(μo) B(μi)/(π B̄),   B = t T</pre>
  *
- * with the metallic share m, the clear coat's lobe c and transmittance t, the dielectric coat's lobe g and transmittance T, the metal's
+ * with q the smaller one of q(μo) and q(μi), which the sheen S lets through, the metallic share m, the clear coat's lobe c and transmittance t, the dielectric coat's lobe g and transmittance T, the metal's
  * single reflection F by Schlick's Fresnel term and its lobe M of multiple reflection ({@link GlossyReflection}). The minimum is
  * reciprocal and exact in the mirror direction; what it loses, and no more, is missing of what a white surface reflects.
  *
@@ -22,10 +22,12 @@ public final class PrincipledReflection implements Bsdf {
     private static final int FACETS = 2;
     private static final int MULTIPLE = 3;
     private static final int DIFFUSE = 4;
+    private static final int SHEEN = 5;
 
     private final double metallic;
     private final DielectricLayer clear;
     private final DielectricLayer coat;
+    private final SheenLayer sheen;
 
     /** The facets that metal and coat have in common; null if smooth. */
     private final Microfacets facets;
@@ -45,6 +47,8 @@ public final class PrincipledReflection implements Bsdf {
      * @param clearcoat the share of the surface that the clear coat covers, 0..1
      * @param clearAlpha its α, 0..1
      * @param clearIndex its index of refraction, at least 1
+     * @param sheenShare the share s of sheen on what is not metal, 0..1
+     * @param sheenTint how much of the surface's colour the sheen has, 0..1
      * @param layers makes the tables, each once
      */
     public PrincipledReflection(
@@ -54,8 +58,11 @@ public final class PrincipledReflection implements Bsdf {
             double clearcoat,
             double clearAlpha,
             double clearIndex,
+            double sheenShare,
+            double sheenTint,
             PrincipledLayers layers) {
         this.metallic = metallic;
+        sheen = layers.sheen(metallic < 1 ? sheenShare : 0, sheenTint);
         clear = layers.layer(clearcoat, clearAlpha, clearIndex);
         coat = layers.layer(metallic < 1 ? 1 : 0, alpha, index);
         boolean hasFacets = metallic > 0 || !coat.isAbsent();
@@ -64,10 +71,10 @@ public final class PrincipledReflection implements Bsdf {
         scale = (1 - metallic) / (Math.PI * meanBelow());
     }
 
-    /** A surface whose tables are its own. */
+    /** A surface without sheen, whose tables are its own. */
     public PrincipledReflection(
             double metallic, double alpha, double index, double clearcoat, double clearAlpha, double clearIndex) {
-        this(metallic, alpha, index, clearcoat, clearAlpha, clearIndex, new PrincipledLayers());
+        this(metallic, alpha, index, clearcoat, clearAlpha, clearIndex, 0, 0, new PrincipledLayers());
     }
 
     /** B̄ = 2∫Bμ dμ, by Simpson's rule over x = sqrt(μ). */
@@ -108,7 +115,7 @@ public final class PrincipledReflection implements Bsdf {
 
     @Override
     public boolean reflectsIfBlack() {
-        return metallic > 0 || !coat.isAbsent() || !clear.isAbsent();
+        return metallic > 0 || !coat.isAbsent() || !clear.isAbsent() || !sheen.isAbsent();
     }
 
     @Override
@@ -121,7 +128,8 @@ public final class PrincipledReflection implements Bsdf {
         double[] p = s.lobes;
         double below = clear.through(out);
         double entering = coat.through(out);
-        double reflected = (1 - metallic) * (1 - entering);
+        double dielectric = (1 - metallic) * sheen.through(out);
+        double reflected = dielectric * (1 - entering);
         double again = 0;
         if (table != null) {
             double lost = table.loss(out);
@@ -136,9 +144,14 @@ public final class PrincipledReflection implements Bsdf {
         p[CLEAR] = clear.facets == null ? 0 : ofClear;
         p[FACETS] = facets == null ? 0 : reflected;
         p[MULTIPLE] = again;
-        p[DIFFUSE] = (1 - metallic) * (s.red + s.green + s.blue) / 3 * below * entering;
+        p[DIFFUSE] = dielectric * (s.red + s.green + s.blue) / 3 * below * entering;
+        p[SHEEN] = sheen.isAbsent() ? 0 : below * (1 - metallic - dielectric) * sheenColor(s);
         p[DELTA] = (clear.isSmooth() ? ofClear : 0) + (isMirror() ? reflected : 0);
         normalize(p);
+    }
+
+    private double sheenColor(Scattering s) {
+        return (sheen.color(s, s.red) + sheen.color(s, s.green) + sheen.color(s, s.blue)) / 3;
     }
 
     /** The mean over the bands of the metal's mean reflectance F̄, or of what multiple reflection leaves of it. */
@@ -151,7 +164,7 @@ public final class PrincipledReflection implements Bsdf {
 
     /** Makes the sum 1; a delta lobe that reflects less than the others has more, since it alone finds lamps that it reflects. */
     private static void normalize(double[] p) {
-        double others = p[CLEAR] + p[FACETS] + p[MULTIPLE] + p[DIFFUSE];
+        double others = p[CLEAR] + p[FACETS] + p[MULTIPLE] + p[DIFFUSE] + p[SHEEN];
         double delta = p[DELTA];
         if (!(delta > 0) && !(others > 0)) {
             return;
@@ -159,7 +172,7 @@ public final class PrincipledReflection implements Bsdf {
         p[DELTA] =
                 delta < others ? Math.sqrt(delta) / (Math.sqrt(delta) + Math.sqrt(others)) : delta / (delta + others);
         double factor = others > 0 ? (1 - p[DELTA]) / others : 0;
-        for (int k = CLEAR; k <= DIFFUSE; k++) {
+        for (int k = CLEAR; k <= SHEEN; k++) {
             p[k] *= factor;
         }
     }
@@ -173,10 +186,10 @@ public final class PrincipledReflection implements Bsdf {
         return 0.5 * s.facets * of.visible(out);
     }
 
-    /** The density of the two broad lobes. */
+    /** The density of the broad lobes. */
     private double broad(Scattering s, double in) {
         double lost = table == null ? 0 : s.lobes[MULTIPLE] * table.density(Math.min(in, 1));
-        return Math.fma(s.lobes[DIFFUSE], coat.density(in), lost);
+        return Math.fma(s.lobes[DIFFUSE], coat.density(in), Math.fma(s.lobes[SHEEN], SheenLayer.DENSITY, lost));
     }
 
     @Override
@@ -195,25 +208,30 @@ public final class PrincipledReflection implements Bsdf {
                 : 0.5 * s.facets * clear.facets.masking(in, out) * clear.reflectance(s.cosineFacet);
         s.pdf = Math.fma(s.lobes[FACETS], visible(s, facets, out), pdf);
         double passing = Math.min(clear.through(out), clear.through(clamped));
-        double diffuse = below(out) * below(clamped) * in * scale;
+        double uncovered = Math.min(sheen.through(out), sheen.through(clamped));
+        double diffuse = uncovered * below(out) * below(clamped) * in * scale;
         double single = facets == null ? 0 : passing * 0.5 * s.facets * facets.masking(in, out);
-        double grey =
-                Math.fma(single * (1 - metallic), coat.reflectance(facets == null ? 1 : s.cosineFacet), clearLobe);
+        double grey = Math.fma(
+                single * (1 - metallic) * uncovered, coat.reflectance(facets == null ? 1 : s.cosineFacet), clearLobe);
+        double fibres = passing * (1 - metallic) * sheen.lobe(s) * in;
+        double red = Math.fma(fibres, sheen.color(s, s.red), grey);
+        double green = Math.fma(fibres, sheen.color(s, s.green), grey);
+        double blue = Math.fma(fibres, sheen.color(s, s.blue), grey);
         if (table == null) {
-            s.value(Math.fma(s.red, diffuse, grey), Math.fma(s.green, diffuse, grey), Math.fma(s.blue, diffuse, grey));
+            s.value(Math.fma(s.red, diffuse, red), Math.fma(s.green, diffuse, green), Math.fma(s.blue, diffuse, blue));
             return;
         }
         double lost = passing * metallic * table.loss(out) * table.loss(clamped) * in / (Math.PI * table.meanLoss);
         double metal = metallic * single;
         Fresnel.SCHLICK.at(s.cosineFacet, s);
         s.value(
-                sum(grey, s.red, diffuse, s.valueR, metal, table.multiple(Fresnel.SCHLICK.meanR(s)) * lost),
-                sum(grey, s.green, diffuse, s.valueG, metal, table.multiple(Fresnel.SCHLICK.meanG(s)) * lost),
-                sum(grey, s.blue, diffuse, s.valueB, metal, table.multiple(Fresnel.SCHLICK.meanB(s)) * lost));
+                sum(red, s.red, diffuse, s.valueR, metal, table.multiple(Fresnel.SCHLICK.meanR(s)) * lost),
+                sum(green, s.green, diffuse, s.valueG, metal, table.multiple(Fresnel.SCHLICK.meanG(s)) * lost),
+                sum(blue, s.blue, diffuse, s.valueB, metal, table.multiple(Fresnel.SCHLICK.meanB(s)) * lost));
     }
 
-    private static double sum(double grey, double color, double diffuse, double fresnel, double metal, double again) {
-        return Math.fma(color, diffuse, Math.fma(fresnel, metal, grey + again));
+    private static double sum(double rest, double color, double diffuse, double fresnel, double metal, double again) {
+        return Math.fma(color, diffuse, Math.fma(fresnel, metal, rest + again));
     }
 
     @Override
@@ -246,15 +264,30 @@ public final class PrincipledReflection implements Bsdf {
                 return false;
             }
             s.reflectFrom(s.ix, s.iy, s.iz);
-        } else if (left < p[MULTIPLE]) {
+        } else if (!sampleBroad(s, u, v, left)) {
+            return false;
+        }
+        evaluate(s);
+        return s.weigh();
+    }
+
+    /**
+     * Samples a broad lobe.
+     *
+     * @param left what remains of the number that chooses the lobe, without the probabilities of the others
+     */
+    private boolean sampleBroad(Scattering s, double u, double v, double left) {
+        double[] p = s.lobes;
+        if (left < p[MULTIPLE]) {
             table.sampleDirection(s, u, v);
+        } else if (left - p[MULTIPLE] < p[SHEEN]) {
+            s.sampleHemisphere(u, v);
         } else if (p[DIFFUSE] > 0) {
             coat.sampleBelow(s, u, v);
         } else {
             return false;
         }
-        evaluate(s);
-        return s.weigh();
+        return true;
     }
 
     /** Samples the delta lobe. */
@@ -264,7 +297,7 @@ public final class PrincipledReflection implements Bsdf {
         double grey = clear.isSmooth() ? 1 - below : 0;
         double metal = 0;
         if (isMirror()) {
-            grey += below * (1 - metallic) * (1 - coat.through(out));
+            grey += below * (1 - metallic) * sheen.through(out) * (1 - coat.through(out));
             metal = below * metallic;
         }
         Fresnel.SCHLICK.at(out, s);

@@ -83,7 +83,7 @@ public final class Scattering {
     double facets;
 
     /** The probabilities of the lobes of a {@link PrincipledReflection}, as it set them last. */
-    final double[] lobes = new double[5];
+    final double[] lobes = new double[6];
 
     /** A point without a direction yet. */
     public Scattering() {}

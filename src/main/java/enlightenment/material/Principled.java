@@ -20,6 +20,7 @@ import java.util.Objects;
  * @param specular what the coat's reflectance at normal incidence is multiplied by, 0 (as without a coat) to 1; it is rendered as the coat
  *     of the index that has this reflectance
  * @param clearcoat the clear coat over it
+ * @param sheen the sheen of the dielectric part
  * @param radiance see {@link Material#radiance}
  * @param ultraviolet see {@link Material#ultraviolet}
  * @param pattern see {@link Material#pattern}
@@ -31,6 +32,7 @@ public record Principled(
         double indexOfRefraction,
         double specular,
         Clearcoat clearcoat,
+        Sheen sheen,
         Rgb radiance,
         double ultraviolet,
         EmissionPattern pattern)
@@ -60,6 +62,23 @@ public record Principled(
         }
     }
 
+    /**
+     * Light that fibres on cloth reflect along the surface, as a part of what is not metal.
+     *
+     * @param share what Burley's lobe of sheen is multiplied by, 0 (no sheen) to 1
+     * @param tint how much of the surface's colour the sheen has, 0 (white) to 1; the colour's largest component counts as 1
+     */
+    public record Sheen(double share, double tint) {
+        /** No sheen. */
+        public static final Sheen NONE = new Sheen(0, 0);
+
+        /** Validates the components, as {@link Material} states. */
+        public Sheen {
+            Check.range("sheen", share, 0, 1);
+            Check.range("sheenTint", tint, 0, 1);
+        }
+    }
+
     /** Validates the components, as {@link Material} states. */
     public Principled {
         Reflectance.check(color);
@@ -68,6 +87,7 @@ public record Principled(
         Check.range("indexOfRefraction", indexOfRefraction, 1, Coated.LARGEST_INDEX);
         Check.range("specular", specular, 0, 1);
         Objects.requireNonNull(clearcoat, "clearcoat");
+        Objects.requireNonNull(sheen, "sheen");
         Radiance.check("radiance", radiance);
         Radiance.check("ultraviolet", ultraviolet);
         Detail.checkRadiance(radiance, ultraviolet, pattern);
@@ -81,6 +101,7 @@ public record Principled(
             double indexOfRefraction,
             double specular,
             Clearcoat clearcoat,
+            Sheen sheen,
             Rgb radiance,
             double ultraviolet) {
         this(
@@ -90,6 +111,7 @@ public record Principled(
                 indexOfRefraction,
                 specular,
                 clearcoat,
+                sheen,
                 radiance,
                 ultraviolet,
                 EmissionPattern.EVEN);
@@ -104,28 +126,29 @@ public record Principled(
                 Coated.USUAL_INDEX,
                 1,
                 Clearcoat.NONE,
+                Sheen.NONE,
                 Rgb.BLACK,
                 0);
     }
 
     /** This surface with another share of metal. */
     public Principled withMetallic(Amount value) {
-        return with(value, roughness, clearcoat, pattern);
+        return with(value, roughness, clearcoat, sheen, pattern);
     }
 
     /** This surface with another roughness. */
     public Principled withRoughness(Amount value) {
-        return with(metallic, value, clearcoat, pattern);
+        return with(metallic, value, clearcoat, sheen, pattern);
     }
 
     /** This surface, whose radiance is multiplied by a texture. */
     public Principled withRadianceMap(Texture value) {
-        return with(metallic, roughness, clearcoat, pattern.withMap(value));
+        return with(metallic, roughness, clearcoat, sheen, pattern.withMap(value));
     }
 
     /** This surface under another clear coat. */
     public Principled withClearcoat(Clearcoat value) {
-        return with(metallic, roughness, value, pattern);
+        return with(metallic, roughness, value, sheen, pattern);
     }
 
     /** This surface under a clear coat of one roughness everywhere. */
@@ -133,8 +156,14 @@ public record Principled(
         return withClearcoat(new Clearcoat(share, Detail.amount("clearcoatRoughness", roughnessOfIt)));
     }
 
-    private Principled with(Amount metal, Amount rough, Clearcoat clear, EmissionPattern emission) {
-        return new Principled(color, metal, rough, indexOfRefraction, specular, clear, radiance, ultraviolet, emission);
+    /** This surface with another sheen. */
+    public Principled withSheen(double share, double tint) {
+        return with(metallic, roughness, clearcoat, new Sheen(share, tint), pattern);
+    }
+
+    private Principled with(Amount metal, Amount rough, Clearcoat clear, Sheen fibres, EmissionPattern emission) {
+        return new Principled(
+                color, metal, rough, indexOfRefraction, specular, clear, fibres, radiance, ultraviolet, emission);
     }
 
     @Override

@@ -55,7 +55,14 @@ class BsdfSamplingTest {
         all.add(new Case("smooth principled", new PrincipledReflection(0.5, 0, 1.5, 0.5, 0, 1.5), 1, 1));
         all.add(new Case("mirror under haze", new PrincipledReflection(1, 0, 1.5, 0.8, 0.36, 1.5), 0.36, 1));
         all.add(new Case("metal under haze", new PrincipledReflection(1, 0.36, 1.5, 1, 0.5, 1.5), 0.36, 1));
+        all.add(new Case("velvet", sheen(0, 1, 0, 1, 0.5), 1, 1));
+        all.add(new Case("satin", sheen(0.25, 0.36, 0.5, 0.75, 1), 0.36, 1));
+        all.add(new Case("smooth velvet", sheen(0, 0, 0, 1, 0), 1, 1));
         return all;
+    }
+
+    private static Bsdf sheen(double metallic, double alpha, double clearcoat, double share, double tint) {
+        return new PrincipledReflection(metallic, alpha, 1.5, clearcoat, 0.5, 1.5, share, tint, new PrincipledLayers());
     }
 
     /** The test with cells around the normal, and for narrow lobes with fine ones around the directions of smooth surfaces. */

@@ -147,6 +147,119 @@ class PrincipledReflectionTest {
         }
     }
 
+    private static Bsdf velvet(double metallic, double alpha, double share, double tint, double clearcoat) {
+        return new PrincipledReflection(
+                metallic, alpha, 1.5, clearcoat, 0.25, 1.5, share, tint, new PrincipledLayers());
+    }
+
+    /** Burley 2012: Fsheen = (1 − cosθd)⁵, here the half vector is between o and i. */
+    @Test
+    void sheenAloneIsBurleysLobeInWhiteOrTheColourOfTheSurface() {
+        for (double tint : new double[] {0, 0.5, 1}) {
+            Bsdf with = new PrincipledReflection(0, 1, 1, 0, 0, 1.5, 0.75, tint, new PrincipledLayers());
+            for (double to : COSINES) {
+                // Light from where both cosines are alike loses 1 − q, which the albedo says.
+                Place place =
+                        Place.seen(with, 0.3).color(0, 0.5, 0.25).from(0.3, 0).to(to, 2.5);
+                double half = 0.5 * StrictMath.sqrt(2 + 2 * cosineBetween(place.s));
+                double lobe = 0.75 * StrictMath.pow(1 - half, 5) * to;
+                place.bsdf.evaluate(place.s);
+                double base = 1 - 0.75 * Math.max(velvetAlbedo(0.3), velvetAlbedo(to));
+                assertEquals(lobe * (1 - tint), place.s.valueR, 1e-12 + 1e-9 * lobe);
+                assertEquals(lobe + base * 0.5 * to / Math.PI, place.s.valueG, 1e-4 * to);
+                assertEquals(lobe * (1 - 0.5 * tint) + base * 0.25 * to / Math.PI, place.s.valueB, 1e-4 * to);
+            }
+        }
+    }
+
+    private static double cosineBetween(Scattering s) {
+        return s.ox * s.ix + s.oy * s.iy + s.oz * s.iz;
+    }
+
+    /** Over directions that are evenly spread by their cosine. */
+    private static double velvetAlbedo(double mu) {
+        int n = 100_000;
+        double sum = 0;
+        for (int k = 0; k < n; k++) {
+            double r = StrictMath.sqrt(Halton.at(2, k));
+            double x = r * StrictMath.cos(2 * Math.PI * Halton.at(3, k));
+            double between = StrictMath.sqrt(1 - mu * mu) * x + mu * StrictMath.sqrt(1 - r * r);
+            sum += Math.PI * StrictMath.pow(1 - StrictMath.sqrt((1 + between) / 2), 5);
+        }
+        return sum / n;
+    }
+
+    @Test
+    void sheenAddsNothingAndLosesLittleOfAWhiteSurface() {
+        for (double alpha : ALPHAS) {
+            for (double share : new double[] {0.25, 1}) {
+                Bsdf bsdf = velvet(0, alpha, share, 0.5, 0);
+                for (double cosine : COSINES) {
+                    double albedo = albedo(Place.seen(bsdf, cosine));
+                    assertTrue(albedo < 1 + 4e-3 && albedo > 0.9, alpha + " from " + cosine + ": " + albedo);
+                }
+            }
+        }
+    }
+
+    @Test
+    void sheenOfAnyColourReflectsNoMoreThanItReceives() {
+        SplittableRandom random = new SplittableRandom(13);
+        for (int k = 0; k < 40; k++) {
+            Bsdf bsdf = velvet(
+                    random.nextDouble(),
+                    k % 3 == 0 ? 0 : random.nextDouble(),
+                    random.nextDouble(),
+                    random.nextDouble(),
+                    k % 2 == 0 ? 0 : random.nextDouble());
+            // A saturated blue, whose luminance is a fourteenth of its largest component.
+            Place place = Place.seen(bsdf, random.nextDouble()).color(0, 0, 1);
+            int n = 20_000;
+            double[] sum = new double[3];
+            for (int j = 0; j < n; j++) {
+                if (bsdf.sample(place.s, Halton.at(2, j), Halton.at(3, j), Halton.at(5, j))) {
+                    sum[0] += place.s.valueR / n;
+                    sum[1] += place.s.valueG / n;
+                    sum[2] += place.s.valueB / n;
+                }
+            }
+            assertTrue(sum[0] < 1 && sum[1] < 1 && sum[2] < 1 + 4e-3, k + ": " + sum[2]);
+        }
+    }
+
+    @Test
+    void sheenOfMetalIsNone() {
+        SplittableRandom random = new SplittableRandom(14);
+        Bsdf with = velvet(1, 0.36, 1, 1, 0.5);
+        Bsdf without = velvet(1, 0.36, 0, 0, 0.5);
+        for (int k = 0; k < 100; k++) {
+            double from = random.nextDouble();
+            double to = random.nextDouble();
+            assertEquals(at(without, from, to, k), at(with, from, to, k));
+        }
+    }
+
+    @Test
+    void sheenIsReciprocal() {
+        SplittableRandom random = new SplittableRandom(15);
+        Bsdf bsdf = velvet(0.25, 0.5, 0.8, 0.7, 0.5);
+        for (int k = 0; k < 200; k++) {
+            double from = random.nextDouble();
+            double to = random.nextDouble();
+            double there = at(bsdf, from, to, k);
+            assertEquals(there, at(bsdf, to, from, k), 1e-9 * there);
+        }
+    }
+
+    @Test
+    void blackVelvetIsSeenByItsSheenAlone() {
+        Bsdf bsdf = new PrincipledReflection(0, 1, 1, 0, 0, 1.5, 1, 1, new PrincipledLayers());
+        assertTrue(bsdf.reflectsIfBlack());
+        for (double cosine : COSINES) {
+            assertEquals(velvetAlbedo(cosine), albedo(Place.seen(bsdf, cosine).color(0, 0, 0)), 1e-3);
+        }
+    }
+
     @Test
     void itHasADeltaLobeWhereALayerIsSmooth() {
         assertTrue(new PrincipledReflection(0.5, 0, 1.5, 0, 0, 1.5).hasDelta());

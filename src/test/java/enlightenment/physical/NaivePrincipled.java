@@ -11,6 +11,8 @@ import java.util.SplittableRandom;
 /** Metal and a coated base side by side, under a clear coat: the sum of the reflectors that they are alone. */
 final class NaivePrincipled extends NaiveReflector {
     private static final int STEPS = 2_000;
+    private static final int NODES = 40;
+    private static final int SIDE = 100;
 
     private final double[] color;
     private final double metallic;
@@ -22,6 +24,8 @@ final class NaivePrincipled extends NaiveReflector {
     private final NaiveReflector metal;
 
     private final double mean;
+    private final Principled.Sheen sheen;
+    private final double[] fibres = new double[NODES + 1];
 
     NaivePrincipled(double[] color, Principled p) {
         this.color = color;
@@ -32,6 +36,10 @@ final class NaivePrincipled extends NaiveReflector {
         clear = new NaiveCoat(
                 color, Coated.of(p.color(), 0).withRoughness(p.clearcoat().roughness()));
         clearShare = p.clearcoat().share();
+        sheen = p.sheen();
+        for (int k = 0; k <= NODES; k++) {
+            fibres[k] = sheen.share() * albedo((double) k / NODES);
+        }
         metal = coat.isSmooth()
                 ? null
                 : new Facets(color, Glossy.of(p.color(), 1).withRoughness(p.roughness()));
@@ -41,6 +49,36 @@ final class NaivePrincipled extends NaiveReflector {
             sum += 2 * mu * passing(mu) * coat.through(mu) / STEPS;
         }
         mean = sum;
+    }
+
+    /** Of sheen of share 1 in white, from a cosine: over directions evenly spread by their cosine. */
+    private static double albedo(double mu) {
+        Vec3 out = new Vec3(Math.sqrt(1 - mu * mu), 0, mu);
+        double sum = 0;
+        for (int i = 0; i < SIDE; i++) {
+            double r = Math.sqrt((i + 0.5) / SIDE);
+            for (int j = 0; j < SIDE; j++) {
+                double turn = 2 * Math.PI * (j + 0.5) / SIDE;
+                Vec3 in = new Vec3(r * Math.cos(turn), r * Math.sin(turn), Math.sqrt(1 - r * r));
+                sum += Math.PI * fibre(out, in) / (SIDE * SIDE);
+            }
+        }
+        return sum;
+    }
+
+    private static double fibre(Vec3 out, Vec3 in) {
+        return Math.pow(1 - in.dot(out.plus(in).normalized()), 5);
+    }
+
+    /** What the sheen lets pass. */
+    private double uncovered(double mu) {
+        int k = Math.min(NODES - 1, (int) (mu * NODES));
+        return 1 - (fibres[k] + (mu * NODES - k) * (fibres[k + 1] - fibres[k]));
+    }
+
+    private double tinted(int band) {
+        double most = Math.max(color[0], Math.max(color[1], color[2]));
+        return most == 0 ? 1 : 1 - sheen.tint() + sheen.tint() * color[band] / most;
     }
 
     /** What the clear coat lets pass. */
@@ -57,7 +95,8 @@ final class NaivePrincipled extends NaiveReflector {
     double[] mirrored(double cosine) {
         double[] share = new double[3];
         for (int band = 0; band < 3; band++) {
-            double below = (1 - metallic) * coat.fresnel(cosine) + metallic * NaiveFresnel.schlick(cosine, color[band]);
+            double below = (1 - metallic) * uncovered(cosine) * coat.fresnel(cosine)
+                    + metallic * NaiveFresnel.schlick(cosine, color[band]);
             share[band] = (clear.isSmooth() ? clearShare * clear.fresnel(cosine) : 0)
                     + (metal == null ? passing(cosine) * below : 0);
         }
@@ -69,11 +108,13 @@ final class NaivePrincipled extends NaiveReflector {
         double sum = clear.isSmooth() ? 0 : clearShare * clear.lobe(out, in);
         double a = passing(out.z());
         double b = passing(in.z());
+        double q = Math.min(uncovered(out.z()), uncovered(in.z()));
+        sum += Math.min(a, b) * (1 - metallic) * sheen.share() * tinted(band) * fibre(out, in);
         if (metal != null) {
-            double below = (1 - metallic) * coat.lobe(out, in) + metallic * metal.value(band, out, in);
+            double below = (1 - metallic) * q * coat.lobe(out, in) + metallic * metal.value(band, out, in);
             sum += Math.min(a, b) * below;
         }
-        double base = a * b * coat.through(out.z()) * coat.through(in.z()) / (Math.PI * mean);
+        double base = q * a * b * coat.through(out.z()) * coat.through(in.z()) / (Math.PI * mean);
         return sum + (1 - metallic) * color[band] * base;
     }
 

@@ -198,6 +198,7 @@ final class PartnerScenes {
                                         2,
                                         0.5,
                                         new Principled.Clearcoat(0.8, Amount.of(0.5)),
+                                        new Principled.Sheen(1, 0.5),
                                         Rgb.BLACK,
                                         0))
                         .object(

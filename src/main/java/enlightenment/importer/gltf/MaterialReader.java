@@ -27,7 +27,6 @@ final class MaterialReader {
     private static final String EMISSIVE = "emissiveTexture";
 
     private static final List<String> LEFT_OUT = List.of(
-            "KHR_materials_sheen",
             "KHR_materials_iridescence",
             "KHR_materials_anisotropy",
             "KHR_materials_diffuse_transmission",
@@ -274,6 +273,7 @@ final class MaterialReader {
                 index(),
                 share(specular, "specularFactor", 1),
                 clearcoat(coat),
+                sheen(),
                 emitted(),
                 0,
                 EmissionPattern.of(radianceMap()));
@@ -286,6 +286,19 @@ final class MaterialReader {
                         coat.get(CLEARCOAT_ROUGHNESS),
                         Amount.Channel.GREEN,
                         share(coat, "clearcoatRoughnessFactor", 0)));
+    }
+
+    /** Another lobe, and white: that of the file has a roughness and a colour of its own. */
+    private Principled.Sheen sheen() throws IOException {
+        GltfElement sheen = material.extension("KHR_materials_sheen");
+        double share = 0;
+        for (double component : sheen.numbers("sheenColorFactor", 0, 0, 0)) {
+            share = Math.max(share, limited("sheenColorFactor", component));
+        }
+        if (share > 0) {
+            note("KHR_materials_sheen becomes white sheen of another lobe, by the largest component of its factor");
+        }
+        return share == 0 ? Principled.Sheen.NONE : new Principled.Sheen(share, 0);
     }
 
     /** A channel of the metallic-roughness texture, if there is one. */

@@ -17,8 +17,7 @@ import java.util.Optional;
 
 /** Reads Mitsuba's principled model: as our own, as plain metal, or as glass where most of its light is transmitted. */
 final class PrincipledReader {
-    private static final List<String> LEFT_OUT =
-            List.of("anisotropic", "sheen", "sheen_tint", "flatness", "spec_tint", "diff_trans");
+    private static final List<String> LEFT_OUT = List.of("anisotropic", "flatness", "spec_tint", "diff_trans");
 
     private final SceneIndex scene;
     private final TextureReader textures;
@@ -55,7 +54,7 @@ final class PrincipledReader {
     private Material metal(Properties p, Texture color) {
         leaveOut(p, "anisotropic");
         LEFT_OUT.forEach(p::ignore);
-        p.ignore("eta", "specular");
+        p.ignore("eta", "specular", "sheen", "sheen_tint");
         if (share(textures.number(p, "clearcoat", 0)) > 0) {
             return opaque(p, color, Amount.of(1), Coated.USUAL_INDEX);
         }
@@ -102,10 +101,14 @@ final class PrincipledReader {
         if (clearcoat > 0) {
             differences.add("a clear coat that takes light from what is below");
         }
+        Principled.Sheen sheen = sheen(p);
+        if (sheen.share() > 0) {
+            differences.add("sheen that takes light from what is below");
+        }
         if (!differences.isEmpty()) {
             scene.note(p.element(), p.element().described() + " has " + String.join(", and ", differences));
         }
-        if (metallic.equals(Amount.of(0)) && index == 1 && clearcoat == 0) {
+        if (metallic.equals(Amount.of(0)) && index == 1 && clearcoat == 0 && sheen.share() == 0) {
             return Material.Matte.of(color);
         }
         // The clear coat's alpha is 0.1 without gloss and 0.001 with all of it.
@@ -117,12 +120,20 @@ final class PrincipledReader {
                 index,
                 1,
                 new Principled.Clearcoat(clearcoat, Amount.of(clearcoat > 0 ? RoughnessReader.ofAlpha(alpha) : 0)),
+                sheen,
                 Rgb.BLACK,
                 0);
     }
 
     private static boolean isBlack(Texture color) {
         return color instanceof Texture.Solid s && s.color().linear().max() == 0;
+    }
+
+    /** What the sheen reflects is missing below it, and the largest component of its colour is 1: unlike Mitsuba's, it adds no light. */
+    private Principled.Sheen sheen(Properties p) {
+        double share = share(textures.number(p, "sheen", 0));
+        double tint = share(textures.number(p, "sheen_tint", 0));
+        return share == 0 ? Principled.Sheen.NONE : new Principled.Sheen(share, tint);
     }
 
     /** Each crossing of the surface filters by the root of the base colour. */
@@ -136,7 +147,8 @@ final class PrincipledReader {
         if (p.has("clearcoat")) {
             leaveOut(p, "clearcoat");
         }
-        p.ignore("clearcoat_gloss");
+        p.ignore("clearcoat_gloss", "sheen_tint");
+        leaveOut(p, "sheen");
         Amount roughness = amount(p, "roughness", 0.5);
         return Glass.of(root(p, color), index).withRoughness(roughness).withMultipleScattering(false);
     }

@@ -64,6 +64,7 @@ public final class GlowingMaterial {
                     p.indexOfRefraction(),
                     p.specular(),
                     p.clearcoat(),
+                    p.sheen(),
                     radiance,
                     p.ultraviolet(),
                     pattern));

@@ -11,8 +11,8 @@ import enlightenment.material.Texture;
 /** Materials of metallic-roughness workflows. */
 final class PrincipledMaterials {
     static final String KEYS =
-            "color | metallic roughness indexOfRefraction specular clearcoat clearcoatRoughness radiance radianceMap"
-                    + " radianceSide ultraviolet";
+            "color | metallic roughness indexOfRefraction specular clearcoat clearcoatRoughness sheen sheenTint radiance"
+                    + " radianceMap radianceSide ultraviolet";
 
     private PrincipledMaterials() {}
 
@@ -25,6 +25,8 @@ final class PrincipledMaterials {
         double specular = f.number("specular", 1);
         double clearcoat = f.number("clearcoat", 0);
         Amount clearcoatRoughness = Amounts.read(f, "clearcoatRoughness", 0);
+        double sheen = f.number("sheen", 0);
+        double sheenTint = f.number("sheenTint", 0);
         Rgb radiance = Materials.radiance(f);
         EmissionPattern pattern = Materials.pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
@@ -38,6 +40,7 @@ final class PrincipledMaterials {
                 index,
                 specular,
                 new Principled.Clearcoat(clearcoat, clearcoatRoughness),
+                new Principled.Sheen(sheen, sheenTint),
                 radiance,
                 ultraviolet,
                 pattern));
@@ -51,6 +54,8 @@ final class PrincipledMaterials {
                 .numberUnless(1, "specular", m.specular())
                 .numberUnless(0, "clearcoat", m.clearcoat().share())
                 .amountUnless(0, "clearcoatRoughness", m.clearcoat().roughness())
+                .numberUnless(0, "sheen", m.sheen().share())
+                .numberUnless(0, "sheenTint", m.sheen().tint())
                 .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
                 .textureIfPresent("radianceMap", m.radianceMap())
                 .wordUnless(

@@ -112,23 +112,34 @@ public final class MaterialBsdfs {
 
     private Bsdf principled(double metallic, double roughness, double clearRoughness, Principled p) {
         double index = index(p.indexOfRefraction(), p.specular());
+        Principled.Sheen sheen = p.sheen();
         if (p.clearcoat().share() == 0 && metallic == 1) {
             return metal(roughness, Optional.empty(), true);
         }
-        if (p.clearcoat().share() == 0 && metallic == 0) {
+        if (p.clearcoat().share() == 0 && metallic == 0 && sheen.share() == 0) {
             return coating(roughness, index, false);
         }
         double alpha = roughness * roughness;
         double clearAlpha = clearRoughness * clearRoughness;
         double share = p.clearcoat().share();
         return once(
-                () -> new PrincipledReflection(metallic, alpha, index, share, clearAlpha, Coated.USUAL_INDEX, layers),
+                () -> new PrincipledReflection(
+                        metallic,
+                        alpha,
+                        index,
+                        share,
+                        clearAlpha,
+                        Coated.USUAL_INDEX,
+                        sheen.share(),
+                        sheen.tint(),
+                        layers),
                 "principled",
                 metallic,
                 alpha,
                 index,
                 share,
-                clearAlpha);
+                clearAlpha,
+                sheen);
     }
 
     /** The index of refraction at least 1 whose reflectance ((n − 1)/(n + 1))² at normal incidence is that of another, times a factor. */

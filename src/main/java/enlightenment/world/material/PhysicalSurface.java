@@ -79,6 +79,9 @@ public record PhysicalSurface(
         } else if (material instanceof Principled p) {
             look += " " + p.metallic() + " " + p.roughness() + " " + p.indexOfRefraction() + " " + p.specular() + " "
                     + p.clearcoat().share() + " " + text(p.clearcoat().roughness());
+            look += p.sheen().share() == 0
+                    ? ""
+                    : " sheen " + p.sheen().share() + " " + p.sheen().tint();
         } else if (material instanceof Material.Fluorescent dye) {
             reradiation = dyes.of(dye);
             look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();

@@ -75,10 +75,11 @@ class GltfMaterialTest {
 
     @Test
     void extensionsOfDielectricsAreComponents() throws IOException {
-        ImportedScene imported = read("{'pbrMetallicRoughness':{'metallicFactor':0},'emissiveFactor':[0.5,0.25,0],"
-                + "'extensions':{'KHR_materials_ior':{'ior':1.25},'KHR_materials_specular':{'specularFactor':0.5},"
-                + "'KHR_materials_clearcoat':{'clearcoatFactor':0.75,'clearcoatRoughnessFactor':0.125},"
-                + "'KHR_materials_emissive_strength':{'emissiveStrength':8},'KHR_materials_sheen':{}}}");
+        ImportedScene imported = read(
+                "{'pbrMetallicRoughness':{'metallicFactor':0},'emissiveFactor':[0.5,0.25,0],"
+                        + "'extensions':{'KHR_materials_ior':{'ior':1.25},'KHR_materials_specular':{'specularFactor':0.5},"
+                        + "'KHR_materials_clearcoat':{'clearcoatFactor':0.75,'clearcoatRoughnessFactor':0.125},"
+                        + "'KHR_materials_emissive_strength':{'emissiveStrength':8},'KHR_materials_sheen':{'sheenColorFactor':[0.25,0.5,0]}}}");
         assertEquals(
                 new Principled(
                         Texture.of(Rgb.WHITE),
@@ -87,10 +88,14 @@ class GltfMaterialTest {
                         1.25,
                         0.5,
                         new Principled.Clearcoat(0.75, Amount.of(0.125)),
+                        new Principled.Sheen(0.5, 0),
                         new Rgb(4, 2, 0),
                         0),
                 material(imported));
-        assertEquals(List.of("materials/0: KHR_materials_sheen is left out"), imported.notes());
+        assertEquals(
+                List.of("materials/0: KHR_materials_sheen becomes white sheen of another lobe, by the largest component"
+                        + " of its factor"),
+                imported.notes());
     }
 
     /** The traps "sRGB or linear textures" and "roughness is linear, channel G, metallic B". */

@@ -396,6 +396,8 @@ final class BadDocuments {
                     "\"clearcoatRoughness\": 2",
                     "/materials/enamel/clearcoatRoughness",
                     "0.0..1.0, not 2.0"),
+            edit("\"sheen\": 0.4375", "\"sheen\": 2", "/materials/enamel/sheen", "0.0..1.0, not 2.0"),
+            edit("\"sheenTint\": 0.3125", "\"sheenTint\": -1", "/materials/enamel/sheenTint", "0.0..1.0, not -1.0"),
             edit("[0.5, 0, 2]", "[0.5, 0, -2]", "/materials/glass/absorption/2", "at least 0, not -2.0"),
             edit(
                     "\"absorption\": [0.5, 0, 2]",

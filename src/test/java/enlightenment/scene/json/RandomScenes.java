@@ -544,6 +544,7 @@ final class RandomScenes {
                         random.nextBoolean() ? 1 : unit(),
                         new Principled.Clearcoat(
                                 random.nextBoolean() ? 0 : unit(), random.nextBoolean() ? Amount.of(0) : amount()),
+                        new Principled.Sheen(random.nextBoolean() ? 0 : unit(), random.nextBoolean() ? 0 : unit()),
                         light,
                         near,
                         pattern(light, near));

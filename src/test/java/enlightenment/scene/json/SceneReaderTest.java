@@ -123,6 +123,7 @@ class SceneReaderTest {
                 1.625,
                 0.5,
                 new Principled.Clearcoat(0.25, new Amount.Textured(ice, Amount.Channel.GREEN, 0.125)),
+                new Principled.Sheen(0.4375, 0.3125),
                 Rgb.gray(0.0625),
                 3);
         Material wax = new Material.Scattering(

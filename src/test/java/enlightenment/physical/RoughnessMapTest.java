@@ -175,7 +175,7 @@ class RoughnessMapTest {
             names = {"CLUSTER", "LIGHT", "BIDIRECTIONAL", "METROPOLIS"})
     void allMethodsMakeOnePictureOfFrostedGlassByAnImage(BuiltInMethod method) throws IOException {
         Amount frost = new Amount.Textured(image("frost", 0, 0.5), Amount.Channel.GREEN, 0.8);
-        // Tables of lost light for each level take a second of each picture.
+        // Each level would make tables of lost light, again for each picture.
         Scene scene =
                 stand(Glass.of(linear(0.9, 1, 0.8), 1.5).withRoughness(frost).withMultipleScattering(false));
         assertAlike(pictures(scene, BuiltInMethod.RAYTRACE, 101), pictures(scene, method, 1));

@@ -274,6 +274,16 @@ class MitsubaBsdfTest {
     }
 
     @Test
+    void principledKeepsItsSheen() throws IOException {
+        String sheen = "<float name=\"sheen\" value=\"0.75\"/><float name=\"sheen_tint\" value=\"0.25\"/>";
+        Principled m = (Principled) scenes.material(bsdf("principled", sheen));
+        assertEquals(new Principled.Sheen(0.75, 0.25), m.sheen());
+        Principled none =
+                (Principled) scenes.material(bsdf("principled", "<float name=\"sheen_tint\" value=\"0.25\"/>"));
+        assertEquals(Principled.Sheen.NONE, none.sheen());
+    }
+
+    @Test
     void specularIsTheReflectanceAtNormalIncidenceInUnitsOfEightPercent() throws IOException {
         Principled m = (Principled) scenes.material(bsdf("principled", "<float name=\"specular\" value=\"0.7\"/>"));
         double root = (m.indexOfRefraction() - 1) / (m.indexOfRefraction() + 1);

@@ -10,7 +10,10 @@ abstract class VisibleNormals {
     /** Whether tables interpolate what is kept relative to {@link #keptBySmooth}. */
     final boolean isRelative;
 
-    private final int rings;
+    /** By ring: a point of Gauss's rule, and its weight. */
+    private final double[] points;
+
+    private final double[] weights;
     private final double[] cosines;
 
     /** Over rings and sectors of a half disk, over which visible normals are spread evenly. */
@@ -18,7 +21,12 @@ abstract class VisibleNormals {
         this.isRelative = isRelative;
         this.facets = facets;
         this.even = even;
-        this.rings = rings;
+        points = new double[rings];
+        weights = new double[rings];
+        for (int i = 0; i < rings; i++) {
+            points[i] = GaussLegendre.node(rings, i);
+            weights[i] = GaussLegendre.weight(rings, i);
+        }
         cosines = new double[sectors];
         for (int j = 0; j < sectors; j++) {
             cosines[j] = StrictMath.cos(Math.PI * (j + 0.5) / sectors);
@@ -52,17 +60,17 @@ abstract class VisibleNormals {
         double scale = 1 / Math.sqrt(Math.fma(x, x, out * out));
         double k = Math.fma(out, scale, 1);
         double total = 0;
-        for (int i = 0; i < rings; i++) {
-            double w = (i + 0.5) / rings;
+        for (int i = 0; i < points.length; i++) {
+            double w = points[i];
             double edge = w * w * w * w;
             double q = Math.sqrt(k * Math.max(2 - (1 - edge) * k, 0) * (1 - edge));
             double ring = 0;
             for (double c : cosines) {
                 ring += lost(out, sine, x * scale + q * c, q * q * (1 - c) * (1 + c), k * edge);
             }
-            total += 4 * w * w * w * ring;
+            total += weights[i] * 4 * w * w * w * ring;
         }
-        return Math.min(total / (rings * cosines.length), 1);
+        return Math.min(total / cosines.length, 1);
     }
 
     /** At the normal of slopes αx and αy over z, with y squared. */
@@ -76,7 +84,7 @@ abstract class VisibleNormals {
     /** Facets that are perfect mirrors. */
     static final class OfMirrors extends VisibleNormals {
         OfMirrors(Microfacets facets) {
-            super(facets, 0, false, 128, 64);
+            super(facets, 0, false, 64, 32);
         }
 
         @Override
@@ -92,7 +100,7 @@ abstract class VisibleNormals {
 
         /** @param eta the index on the side of arrival over that of the coat */
         OfCoat(Microfacets facets, double eta) {
-            super(facets, 0.5, true, 128, 32);
+            super(facets, 0.5, true, 32, 32);
             this.eta = eta;
         }
 
@@ -120,7 +128,7 @@ abstract class VisibleNormals {
         /** @param eta the index on the side of arrival over that of the other side */
         OfBorder(Microfacets facets, double eta) {
             // Next to the angle of total reflection it changes as well.
-            super(facets, 0.5, false, 128, 32);
+            super(facets, 0.5, false, 48, 32);
             this.eta = eta;
         }
 

@@ -84,19 +84,24 @@ public final class PictureProfile implements IntensityProfile {
     /** The mean brightness of the texels of each cell, and of a ring around them, which interpolation brings in, times its solid angle. */
     private double[] weights() {
         double[] weights = new double[(columns + 1) * rows];
-        double[] rgb = new double[3];
+        // The lines that a row of cells and its ring need; each is looked up once.
+        double[][] lines = new double[block + 2][picture.width()];
+        int known = 0;
         for (int row = 0; row < rows; row++) {
+            int top = row * block;
+            int bottom = Math.min(top + block, picture.height());
+            int last = Math.min(bottom + 1, picture.height());
+            for (; known < last; known++) {
+                lookUpLine(known, lines[known % lines.length]);
+            }
             for (int c = 0; c < columns; c++) {
                 int left = c * block;
-                int top = row * block;
                 int end = Math.min(left + block, picture.width());
-                int bottom = Math.min(top + block, picture.height());
                 double sum = 0;
-                for (int y = Math.max(top - 1, 0); y < Math.min(bottom + 1, picture.height()); y++) {
+                for (int y = Math.max(top - 1, 0); y < last; y++) {
                     for (int x = Math.max(left - 1, 0); x < Math.min(end + 1, picture.width()); x++) {
                         boolean isInside = y >= top && y < bottom && x >= left && x < end;
-                        picture.lookUp((x + 0.5) / picture.width(), (y + 0.5) / picture.height(), rgb);
-                        sum += (isInside ? 1 : 0.125) * luminance(rgb);
+                        sum += (isInside ? 1 : 0.125) * lines[y % lines.length][x];
                     }
                 }
                 double u = 0.5 * (left + end) / picture.width();
@@ -105,6 +110,14 @@ public final class PictureProfile implements IntensityProfile {
             }
         }
         return weights;
+    }
+
+    private void lookUpLine(int y, double[] brightness) {
+        double[] rgb = new double[3];
+        for (int x = 0; x < brightness.length; x++) {
+            picture.lookUp((x + 0.5) / brightness.length, (y + 0.5) / picture.height(), rgb);
+            brightness[x] = luminance(rgb);
+        }
     }
 
     private static double luminance(double[] rgb) {

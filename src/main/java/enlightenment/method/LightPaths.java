@@ -13,10 +13,10 @@ import java.util.function.BooleanSupplier;
  * path sees one of them ({@link Moments}).
  */
 public final class LightPaths implements SplatIntegrator {
-    /** Paths that tell how bright their light is in the picture; so many of each moment at least. */
-    private static final int TRIAL_PATHS = 1 << 12;
+    /** Paths that tell how bright their light is in the picture, up to a factor that sums have room for; so many of each moment at least. */
+    private static final int TRIAL_PATHS = 1 << 9;
 
-    private static final int TRIAL_PATHS_OF_MOMENT = 1 << 8;
+    private static final int TRIAL_PATHS_OF_MOMENT = 1 << 6;
 
     /** One for each moment; null where there is nothing to follow. */
     private final LightPathTracer[] tracers;

@@ -98,17 +98,6 @@ public record ImportOptions(
         Objects.requireNonNull(animation, "animation");
     }
 
-    /** Choices with the first animation; as the canonical constructor. */
-    public ImportOptions(
-            Optional<Path> extracted,
-            Optional<Up> up,
-            Optional<String> camera,
-            Optional<Orbit> orbit,
-            Optional<Backdrop> backdrop,
-            double framesPerSecond) {
-        this(extracted, up, camera, orbit, backdrop, framesPerSecond, Optional.empty());
-    }
-
     /** These choices with a folder for pictures. */
     public ImportOptions withExtracted(Path folder) {
         return new ImportOptions(Optional.of(folder), up, camera, orbit, backdrop, framesPerSecond, animation);

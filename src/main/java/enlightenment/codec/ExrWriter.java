@@ -16,7 +16,8 @@ import java.util.stream.IntStream;
 /**
  * Writes OpenEXR files ("OpenEXR File Layout", Academy Software Foundation): one part of scan lines, ZIP by {@link ZlibEncoder}, so that
  * the bytes depend on the numbers alone. Takes rows in their order from the top; what it keeps of them is packed, because the table of
- * the chunks' places comes before the chunks.
+ * the chunks' places comes before the chunks. For a picture whose packed rows do not fit in memory it takes all rows twice: first it only
+ * {@linkplain #measure measures} the chunks, then it writes each as soon as it is packed.
  */
 public final class ExrWriter {
     /** The number of rows that are packed together. */
@@ -32,7 +33,16 @@ public final class ExrWriter {
     private final int[] order;
 
     private final byte[] header;
+
+    /** Those that are kept until the end. */
     private final List<byte[]> chunks = new ArrayList<>();
+
+    /** The lengths of all chunks so far. */
+    private final int[] lengths;
+
+    private int packedChunks;
+    private boolean isMeasuring;
+    private boolean isMeasured;
     private final ByteBuffer plain;
     private final byte[] predicted;
     private int rows;
@@ -69,6 +79,19 @@ public final class ExrWriter {
         int size = Math.multiplyExact(Math.multiplyExact(pixelBytes, window.width()), chunkRows);
         plain = ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
         predicted = new byte[size];
+        lengths = new int[(window.height() + CHUNK_ROWS - 1) / CHUNK_ROWS];
+    }
+
+    /**
+     * Says before the first row that all rows come twice, in the same order; what is written is the same.
+     *
+     * @throws IllegalStateException if there are rows
+     */
+    public void measure() {
+        if (rows > 0) {
+            throw new IllegalStateException("there are " + rows + " rows");
+        }
+        isMeasuring = true;
     }
 
     /**
@@ -97,6 +120,13 @@ public final class ExrWriter {
         if (rows % CHUNK_ROWS == 0 || rows == window.height()) {
             pack();
         }
+        if (isMeasuring && rows == window.height()) {
+            isMeasuring = false;
+            isMeasured = true;
+            rows = 0;
+            packedChunks = 0;
+            writeHead();
+        }
     }
 
     /** Packs the rows that are there as one chunk: as they are if that is no longer. */
@@ -110,14 +140,19 @@ public final class ExrWriter {
         boolean isShorter = packed.size() < size;
         int length = isShorter ? packed.size() : size;
         ByteBuffer chunk = ByteBuffer.allocate(CHUNK_HEAD + length).order(ByteOrder.LITTLE_ENDIAN);
-        chunk.putInt(window.y() + chunks.size() * CHUNK_ROWS).putInt(length);
+        chunk.putInt(window.y() + packedChunks * CHUNK_ROWS).putInt(length);
         chunk.put(isShorter ? packed.toByteArray() : plain.array(), 0, length);
-        chunks.add(chunk.array());
+        lengths[packedChunks++] = chunk.capacity();
+        if (isMeasured) {
+            out.write(chunk.array());
+        } else if (!isMeasuring) {
+            chunks.add(chunk.array());
+        }
         plain.clear();
     }
 
     /**
-     * Writes the file.
+     * Writes the file, or what is left of it.
      *
      * @throws IllegalStateException unless all rows are there
      */
@@ -125,16 +160,23 @@ public final class ExrWriter {
         if (rows < window.height()) {
             throw new IllegalStateException("only " + rows + " of " + window.height() + " rows are there");
         }
-        out.write(header);
-        ByteBuffer table = ByteBuffer.allocate(8 * chunks.size()).order(ByteOrder.LITTLE_ENDIAN);
-        long at = header.length + (long) table.capacity();
-        for (byte[] chunk : chunks) {
-            table.putLong(at);
-            at += chunk.length;
+        if (!isMeasured) {
+            writeHead();
         }
-        out.write(table.array());
         for (byte[] chunk : chunks) {
             out.write(chunk);
         }
+    }
+
+    /** Writes what comes before the chunks. */
+    private void writeHead() throws IOException {
+        out.write(header);
+        ByteBuffer table = ByteBuffer.allocate(8 * lengths.length).order(ByteOrder.LITTLE_ENDIAN);
+        long at = header.length + (long) table.capacity();
+        for (int length : lengths) {
+            table.putLong(at);
+            at += length;
+        }
+        out.write(table.array());
     }
 }

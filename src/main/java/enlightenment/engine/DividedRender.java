@@ -198,6 +198,11 @@ public final class DividedRender implements UnitSource {
         return course.assembly(canLose);
     }
 
+    /** A picture of which nothing is there yet, whose units are not taken out again, with finished pixels in this place. */
+    public FilmAssembly assembly(FilmPlace place) {
+        return course.assembly(false, place);
+    }
+
     /** Does units, for one thread. */
     public UnitMaker maker() {
         return maker(() -> false);

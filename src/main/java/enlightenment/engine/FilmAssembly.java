@@ -42,18 +42,25 @@ public final class FilmAssembly implements UnitAssembly {
 
     /** A picture of which nothing is there yet. */
     public FilmAssembly(RenderOutline outline) {
-        this(outline, new Phases(), 1, true);
+        this(outline, new Phases(), 1, true, FilmPlace.MEMORY);
     }
 
-    /** @param canLose whether units may have to be taken out again */
-    FilmAssembly(RenderOutline outline, Phases phases, int round, boolean canLose) {
+    /**
+     * A picture of which nothing is there yet.
+     *
+     * @param canLose whether units may have to be taken out again
+     * @param place where the finished pixels are
+     */
+    FilmAssembly(RenderOutline outline, Phases phases, int round, boolean canLose, FilmPlace place) {
         this.round = round;
         this.outline = outline;
         this.phases = phases;
         units = WorkUnits.forMachines(outline.settings(), outline.plan());
-        PictureMemory.check(outline.settings(), units.imagesBeside());
+        if (place.folder().isEmpty()) {
+            PictureMemory.check(outline.settings(), units.imagesBeside());
+        }
         form = ResultForm.of(units, outline);
-        film = PictureFilm.of(units, outline, canLose);
+        film = PictureFilm.of(units, outline, canLose, place);
         counters = new RayCounters[units.count()];
         surveyRays = new long[units.count()];
         lost = new long[units.count()];

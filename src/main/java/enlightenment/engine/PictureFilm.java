@@ -26,17 +26,29 @@ public abstract class PictureFilm {
         encoding = outline.display().encoding();
     }
 
-    /** A picture of which nothing is there yet. */
-    public static PictureFilm of(WorkUnits units, RenderOutline outline) {
-        return of(units, outline, false);
+    /**
+     * A picture of which nothing is there yet, whose units are not taken out again.
+     *
+     * @param place where the finished pixels are
+     */
+    public static PictureFilm of(WorkUnits units, RenderOutline outline, FilmPlace place) {
+        return of(units, outline, false, place);
     }
 
-    /** @param isKept whether units can be taken out again */
-    static PictureFilm of(WorkUnits units, RenderOutline outline, boolean isKept) {
+    /**
+     * A picture of which nothing is there yet.
+     *
+     * @param isKept whether units can be taken out again
+     * @throws IllegalArgumentException if finished pixels are not in memory, and there are paths that may end anywhere
+     */
+    static PictureFilm of(WorkUnits units, RenderOutline outline, boolean isKept, FilmPlace place) {
+        if (place.folder().isPresent() && units.batches() > 0) {
+            throw new IllegalArgumentException("paths that may end anywhere need the picture in memory");
+        }
         if (!units.haveTiles()) {
             return new SplatPicture(units, outline);
         }
-        TilePicture tiles = new TilePicture(units, outline, isKept);
+        TilePicture tiles = new TilePicture(units, outline, isKept, place);
         return units.batches() == 0 ? tiles : new MixedPicture(units, tiles, new SplatPicture(units, outline), outline);
     }
 
@@ -145,6 +157,9 @@ public abstract class PictureFilm {
     public long lostSamples() {
         return 0;
     }
+
+    /** Gives up what is not in memory; only images that were taken before can be used then. */
+    public void release() {}
 
     /** The picture so far; what is missing is black. */
     public abstract Image image();

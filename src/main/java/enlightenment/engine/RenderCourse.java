@@ -39,7 +39,12 @@ public final class RenderCourse {
      * @param canLose whether units may have to be taken out again, which takes more memory
      */
     public FilmAssembly assembly(boolean canLose) {
-        return new FilmAssembly(outline, phases, round, canLose);
+        return assembly(canLose, FilmPlace.MEMORY);
+    }
+
+    /** As {@link #assembly(boolean)}, with finished pixels in this place. */
+    FilmAssembly assembly(boolean canLose, FilmPlace place) {
+        return new FilmAssembly(outline, phases, round, canLose, place);
     }
 
     /** Which render of the picture this is: 1, or more where those before were not as exact as asked. */

@@ -7,6 +7,7 @@ import enlightenment.report.RenderReport;
 import enlightenment.work.Phases;
 import enlightenment.work.RayCounts;
 import enlightenment.world.parts.RayCounters;
+import java.util.List;
 import java.util.Optional;
 
 /** Makes the report of what was rendered, wherever that was. */
@@ -41,11 +42,16 @@ public final class Reports {
                 RayCounts.byPrimitive(outline.kinds(), counted.tests),
                 RayCounts.byPrimitive(outline.kinds(), counted.hits),
                 counted.textureLookups,
-                phases.list().stream()
-                        .map(t -> new RenderReport.Phase(t.name(), t.wallSeconds(), t.cpuSeconds()))
-                        .toList(),
+                phases(phases),
                 film.finishedPixels(),
                 peakMemory);
+    }
+
+    /** How long the phases took. */
+    public static List<RenderReport.Phase> phases(Phases phases) {
+        return phases.list().stream()
+                .map(t -> new RenderReport.Phase(t.name(), t.wallSeconds(), t.cpuSeconds()))
+                .toList();
     }
 
     private static RenderReport.Sampling sampling(

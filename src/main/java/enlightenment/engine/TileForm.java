@@ -2,7 +2,6 @@ package enlightenment.engine;
 
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
-import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
 import enlightenment.film.TileGrowth;
 import enlightenment.scene.RenderSettings;
@@ -215,29 +214,20 @@ final class TileForm extends ResultForm {
 
     @Override
     void put(PictureFilm picture, int unit, byte[] bytes) {
-        Film film = ((TilePicture) picture).film();
         RenderSettings.Crop place = units.place(unit);
-        ByteBuffer in = ByteBuffer.wrap(bytes).position(start());
-        double[] means = new double[3];
-        double[] quarters = new double[MEANS_OF_QUARTERS];
-        for (int y = place.y(); y < place.y() + place.height(); y++) {
-            for (int x = place.x(); x < place.x() + place.width(); x++) {
-                for (int c = 0; c < 3; c++) {
-                    means[c] = in.getDouble();
-                }
-                float halves = in.getFloat();
-                float second = in.getFloat();
-                int samples = in.getInt();
-                if (isLinear) {
-                    for (int i = 0; i < MEANS_OF_QUARTERS; i++) {
-                        quarters[i] = in.getFloat();
-                    }
-                    film.put(x, y, means, halves, second, quarters, samples);
-                } else {
-                    film.put(x, y, means, 0, halves, second, samples);
-                }
+        ByteBuffer in = ByteBuffer.wrap(bytes);
+        ((TilePicture) picture).tileFilm().put(place.x(), place.y(), place.width(), place.height(), (x, y, pixel) -> {
+            in.position(start() + perPixel * ((y - place.y()) * place.width() + x - place.x()));
+            for (int c = 0; c < 3; c++) {
+                pixel.means[c] = in.getDouble();
             }
-        }
+            pixel.halves = in.getFloat();
+            pixel.quarters = in.getFloat();
+            pixel.samples = in.getInt();
+            for (int i = 0; isLinear && i < MEANS_OF_QUARTERS; i++) {
+                pixel.ofQuarters[i] = in.getFloat();
+            }
+        });
         picture.mark(unit);
     }
 

@@ -2,7 +2,9 @@ package enlightenment.engine;
 
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.Film;
+import enlightenment.film.FilmInFile;
 import enlightenment.film.FilmTile;
+import enlightenment.film.TileFilm;
 import enlightenment.film.TilePasses;
 import enlightenment.image.Image;
 import enlightenment.scene.RenderSettings;
@@ -12,9 +14,7 @@ import java.util.Map;
 
 /** A picture of which each pixel belongs to one tile. */
 public final class TilePicture extends PictureFilm {
-    private static final double[] BLACK = new double[3];
-
-    private final Film film;
+    private final TileFilm film;
 
     /** Tiles of which passes are there, where there are several. */
     private final Map<Integer, TilePasses> passes = new HashMap<>();
@@ -25,16 +25,43 @@ public final class TilePicture extends PictureFilm {
     private long pixelPasses;
     private long finished;
 
-    /** @param isKept whether passes can be taken out again: that takes six times the memory */
-    TilePicture(WorkUnits units, RenderOutline outline, boolean isKept) {
+    /**
+     * A picture of which nothing is there yet.
+     *
+     * @param isKept whether passes can be taken out again: that takes six times the memory
+     * @param place where the finished pixels are
+     */
+    TilePicture(WorkUnits units, RenderOutline outline, boolean isKept, FilmPlace place) {
         super(units, outline);
         this.isKept = isKept;
-        film = new Film(region.x(), region.y(), region.width(), region.height(), outline.display());
+        film = place.folder().isPresent()
+                ? new FilmInFile(
+                        region.x(),
+                        region.y(),
+                        region.width(),
+                        region.height(),
+                        outline.display(),
+                        place.folder().get())
+                : new Film(region.x(), region.y(), region.width(), region.height(), outline.display());
     }
 
     /** The finished pixels. */
-    public Film film() {
+    TileFilm tileFilm() {
         return film;
+    }
+
+    /**
+     * The finished pixels.
+     *
+     * @throws ClassCastException if they are not in memory
+     */
+    public Film film() {
+        return (Film) film;
+    }
+
+    @Override
+    public void release() {
+        film.release();
     }
 
     @Override
@@ -90,11 +117,7 @@ public final class TilePicture extends PictureFilm {
 
     /** Leaves nothing of the finished pixels of a tile. */
     void blacken(RenderSettings.Crop place) {
-        for (int y = place.y(); y < place.y() + place.height(); y++) {
-            for (int x = place.x(); x < place.x() + place.width(); x++) {
-                film.put(x, y, BLACK, 0, 0, 0, 0);
-            }
-        }
+        film.clear(place.x(), place.y(), place.width(), place.height());
     }
 
     @Override

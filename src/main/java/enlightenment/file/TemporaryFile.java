@@ -70,9 +70,8 @@ public final class TemporaryFile implements Closeable {
      */
     public static TemporaryFile in(Path folder, FileAttribute<?>... attributes) throws IOException {
         while (true) {
-            Path file = folder.resolve(newName());
-            String name = file.getFileName().toString();
-            IN_USE.add(name);
+            String name = reserveName();
+            Path file = folder.resolve(name);
             FileChannel channel = null;
             boolean ours = false;
             try {
@@ -93,9 +92,13 @@ public final class TemporaryFile implements Closeable {
         }
     }
 
-    private static String newName() {
-        return ".enlightenment-" + HostTag.HASH + "-" + ProcessHandle.current().pid() + "-"
+    /** A new name of a file that {@link #clean} leaves alone as long as this process lives. */
+    static String reserveName() {
+        String name = ".enlightenment-" + HostTag.HASH + "-"
+                + ProcessHandle.current().pid() + "-"
                 + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".tmp";
+        IN_USE.add(name);
+        return name;
     }
 
     /** False if somebody takes the file for a dead one just now. Where there are no locks, nobody removes anything. */

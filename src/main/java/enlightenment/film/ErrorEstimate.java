@@ -33,7 +33,9 @@ public final class ErrorEstimate {
     /** The most that a screen shows. */
     private static final double WHITE = 1;
 
+    /** Null where they do not fit in memory. */
     private final float[] variances;
+
     private final double meanSquare;
 
     /** Factors of the mean square. */
@@ -80,30 +82,50 @@ public final class ErrorEstimate {
         return Optional.ofNullable(linear);
     }
 
+    /** Sums over the pixels of a picture, and the variance of each where they fit in memory. */
+    private static final class Sums implements PixelFigures.Visitor {
+        final SampleLevel[] levels;
+        final Samples kind;
+
+        /** Null if they do not fit. */
+        final float[] variances;
+
+        double squares;
+        long pixels;
+        long samples;
+        private int next;
+
+        Sums(SampleLevel[] levels, Samples kind, PixelFigures figures) {
+            this.levels = levels;
+            this.kind = kind;
+            variances = figures.pixelsInMemory() > 0 ? new float[figures.pixelsInMemory()] : null;
+            figures.forEach(this);
+        }
+
+        @Override
+        public void pixel(float first, float second, int count, boolean rare) {
+            double v = count == 0 ? 0 : SampleLevel.of(levels, count, kind).share() * first;
+            if (variances != null) {
+                variances[next++] = (float) v;
+            }
+            if (count > 0) {
+                // Once for the picture itself, and once for the estimate, or twice where pixels share what they tell.
+                squares += (count > 2 ? 2 : 3) * v * v;
+                samples += count;
+                pixels++;
+            }
+        }
+    }
+
     /**
-     * @param first per pixel {@link FilmTile#halves}
-     * @param second per pixel {@link FilmTile#quarters}
-     * @param counts per pixel the number of samples, 0 for an unfinished pixel
+     * The error of a picture of display-referred pixels.
+     *
      * @param kind what the samples are: no linear light
      * @param contrast the difference between the largest and the smallest component of all pixels, as shown
      */
-    static ErrorEstimate of(float[] first, float[] second, int[] counts, Samples kind, double contrast) {
-        SampleLevel[] levels = SampleLevel.of(first, second, counts, kind);
-        float[] variances = new float[first.length];
-        double squares = 0;
-        long pixels = 0;
-        long samples = 0;
-        for (int i = 0; i < first.length; i++) {
-            if (counts[i] == 0) {
-                continue;
-            }
-            double v = SampleLevel.of(levels, counts[i], kind).share() * first[i];
-            variances[i] = (float) v;
-            // Once for the picture itself, and once for the estimate, or twice where pixels share what they tell.
-            squares += (counts[i] > 2 ? 2 : 3) * v * v;
-            samples += counts[i];
-            pixels++;
-        }
+    static ErrorEstimate of(PixelFigures figures, Samples kind, double contrast) {
+        SampleLevel[] levels = SampleLevel.of(figures, kind);
+        Sums all = new Sums(levels, kind, figures);
         double sum = 0;
         double low = 0;
         double high = 0;
@@ -112,47 +134,33 @@ public final class ErrorEstimate {
             low += level.least() * level.first();
             high += level.most() * level.first();
         }
-        double n = Math.max(pixels, 1);
-        double unseen = kind == Samples.DIFFERENCES ? 0 : unseen(pixels, samples, contrast);
+        double n = Math.max(all.pixels, 1);
+        double unseen = kind == Samples.DIFFERENCES ? 0 : unseen(all.pixels, all.samples, contrast);
         if (!(sum > 0)) {
-            return new ErrorEstimate(variances, 0, 1, 1, unseen, pixels);
+            return new ErrorEstimate(all.variances, 0, 1, 1, unseen, all.pixels);
         }
-        double chance = StrictMath.exp(TWO_SIDED_95 * deviation(squares / (2 * sum * sum)));
-        return new ErrorEstimate(variances, sum / n, low / sum / chance, high / sum * chance, unseen, pixels);
+        double chance = StrictMath.exp(TWO_SIDED_95 * deviation(all.squares / (2 * sum * sum)));
+        return new ErrorEstimate(all.variances, sum / n, low / sum / chance, high / sum * chance, unseen, all.pixels);
     }
 
-    /**
-     * The same of linear light ({@link LightInterval}).
-     *
-     * @param rare per pixel {@link QuarterMeans#isRare}
-     */
-    static ErrorEstimate ofLight(float[] first, float[] second, int[] counts, boolean[] rare) {
-        SampleLevel[] levels = SampleLevel.of(first, second, counts, Samples.LIGHT);
-        float[] variances = new float[first.length];
-        long pixels = 0;
-        long samples = 0;
-        for (int i = 0; i < first.length; i++) {
-            if (counts[i] > 0) {
-                variances[i] = (float)
-                        (SampleLevel.of(levels, counts[i], Samples.LIGHT).share() * first[i]);
-                samples += counts[i];
-                pixels++;
-            }
-        }
+    /** As {@link #of(PixelFigures, Samples, double)}, of linear light ({@link LightInterval}). */
+    static ErrorEstimate ofLight(PixelFigures figures) {
+        SampleLevel[] levels = SampleLevel.of(figures, Samples.LIGHT);
+        Sums all = new Sums(levels, Samples.LIGHT, figures);
         double sum = 0;
         for (SampleLevel level : levels) {
             sum += level.share() * level.first();
         }
-        double n = Math.max(pixels, 1);
+        double n = Math.max(all.pixels, 1);
         // What lights a picture is brighter than what it shows: even of a black one a pixel may be white.
-        double unseen = unseen(pixels, samples, WHITE);
-        LightInterval interval = LightInterval.of(levels, first, second, counts, rare);
+        double unseen = unseen(all.pixels, all.samples, WHITE);
+        LightInterval interval = LightInterval.of(levels, figures);
         if (!(sum > 0)) {
-            return new ErrorEstimate(variances, 0, 1, 1, unseen + interval.high() / n, pixels);
+            return new ErrorEstimate(all.variances, 0, 1, 1, unseen + interval.high() / n, all.pixels);
         }
         double least = Math.min(interval.low() / sum, 1);
         double most = Math.max(interval.high() / sum, 1);
-        return new ErrorEstimate(variances, sum / n, least, most, unseen, pixels);
+        return new ErrorEstimate(all.variances, sum / n, least, most, unseen, all.pixels);
     }
 
     /** The mean square of what no sample may have met. */
@@ -228,9 +236,10 @@ public final class ErrorEstimate {
                 }
             }
         }
+        PixelFigures figures = PixelFigures.of(first, second, counts, rare);
         return light
-                ? ofLight(first, second, counts, rare)
-                : of(first, second, counts, kind(differences), contrast.get());
+                ? ofLight(figures)
+                : of(figures, kind(differences), contrast.get());
     }
 
     /** What samples are that are no linear light. */
@@ -271,8 +280,15 @@ public final class ErrorEstimate {
         return Math.sqrt(linear == null ? square : Math.min(square, WHITE));
     }
 
-    /** The estimated variance of each pixel, row by row; of a single pixel it is a rough guess. */
+    /**
+     * The estimated variance of each pixel, row by row; of a single pixel it is a rough guess.
+     *
+     * @throws IllegalStateException if the film is in a file
+     */
     public float[] variances() {
+        if (variances == null) {
+            throw new IllegalStateException("the pixels do not fit in memory");
+        }
         return variances.clone();
     }
 

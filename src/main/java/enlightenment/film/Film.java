@@ -4,11 +4,8 @@ import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 
-/**
- * The picture in the making: the mean of each finished pixel, and what its samples tell about the error of that. Tiles
- * cover disjoint pixels, so the order in which threads put them does not matter.
- */
-public final class Film {
+/** A film whose pixels are in memory. */
+public final class Film implements TileFilm {
     /** Of a pixel's light, to tell the slope of the curve there. */
     private static final double STEP = 1.0 / 64;
 
@@ -68,7 +65,7 @@ public final class Film {
         return curve.encoding() == Encoding.LINEAR;
     }
 
-    /** Puts a finished tile. */
+    @Override
     public void put(FilmTile tile) {
         double[] means = new double[QuarterMeans.PER_PIXEL];
         for (int row = tile.y; row < tile.y + tile.height; row++) {
@@ -104,6 +101,20 @@ public final class Film {
         }
     }
 
+    @Override
+    public void put(int left, int top, int columns, int rows, Source source) {
+        FilmPixel pixel = new FilmPixel();
+        for (int row = top; row < top + rows; row++) {
+            for (int column = left; column < left + columns; column++) {
+                source.read(column, row, pixel);
+                put(column, row, pixel.means, 0, pixel.halves, pixel.quarters, pixel.samples);
+                if (isLinear()) {
+                    keep(pixel(column, row), pixel.ofQuarters);
+                }
+            }
+        }
+    }
+
     /**
      * Puts a finished pixel, given by its place in the whole picture; 0 samples make it unfinished.
      *
@@ -118,33 +129,23 @@ public final class Film {
         counts[pixel] = samples;
     }
 
-    /**
-     * Puts a finished pixel of linear light, as {@link #put(int, int, double[], int, float, float, int)}.
-     *
-     * @param ofQuarters as {@link FilmTile#quarterMeans} writes them
-     */
-    public void put(int column, int row, double[] means, float half, float quarter, double[] ofQuarters, int samples) {
-        put(column, row, means, 0, half, quarter, samples);
-        keep(pixel(column, row), ofQuarters);
-    }
-
     private synchronized void add(long rays, boolean known, long lostSamples) {
         surveyRays += rays;
         differences |= known;
         lost += lostSamples;
     }
 
-    /** Says how many samples were no finite numbers, by what there is now. */
+    @Override
     public synchronized void samplesAreLost(long number) {
         lost = number;
     }
 
-    /** How many samples were no finite numbers ({@link FilmTile#lostSamples}). */
+    @Override
     public synchronized long lostSamples() {
         return lost;
     }
 
-    /** Says whether the samples of pixels are differences from something known ({@link FilmTile#known}), by what there is now. */
+    @Override
     public synchronized void samplesAreDifferences(boolean are) {
         differences = are;
     }
@@ -158,12 +159,7 @@ public final class Film {
         return rgb[3 * pixel(column, row) + c];
     }
 
-    /**
-     * A copy of the means of the quarters of each pixel's samples of linear light: red, green and blue of the first quarter, then of the
-     * others, row by row; 12 numbers per pixel. A quarter without samples repeats the one before it.
-     *
-     * @throws IllegalStateException if pixels are display-referred
-     */
+    @Override
     public float[] quarterMeans() {
         if (quarterMeans == null) {
             throw new IllegalStateException("display-referred pixels have no quarters");
@@ -171,12 +167,12 @@ public final class Film {
         return quarterMeans.clone();
     }
 
-    /** The number of samples of the pixel in column and row of the whole picture; 0 if it is not finished. */
+    @Override
     public int count(int column, int row) {
         return counts[pixel(column, row)];
     }
 
-    /** How far the samples say that the pixels are from the truth, in what a screen shows. */
+    @Override
     public ErrorEstimate error() {
         if (isLinear()) {
             return lightError();
@@ -187,35 +183,57 @@ public final class Film {
                 contrast.add(rgb[k]);
             }
         }
-        return ErrorEstimate.of(halves, quarters, counts, ErrorEstimate.kind(differences), contrast.get());
+        return ErrorEstimate.of(
+                PixelFigures.of(halves, quarters, counts, null), ErrorEstimate.kind(differences), contrast.get());
     }
 
     private ErrorEstimate lightError() {
         float[] first = new float[counts.length];
         float[] second = new float[counts.length];
-        double[] means = new double[QuarterMeans.PER_PIXEL];
         boolean[] rare = new boolean[counts.length];
-        double[] local = new double[3];
-        LinearFigures figures = new LinearFigures(curve, x, y, width, height, bandMeans());
-        for (int i = 0; i < counts.length; i++) {
-            if (counts[i] > 0) {
-                for (int k = 0; k < means.length; k++) {
-                    means[k] = quarterMeans[means.length * i + k];
-                }
-                light(i, local);
-                figures.add(x + i % width, y + i / width, local, means, counts[i]);
-                // A single sample's quarters are all the same, but for what was splatted.
-                first[i] = (float) (figures.first() + (counts[i] == 1 ? halves[i] : 0));
-                second[i] = switch (counts[i]) {
-                    case 1 -> first[i];
-                    case 2 -> quarters[i] + first[i] - halves[i];
-                    default -> (float) figures.second();
-                };
-                rare[i] = QuarterMeans.isRare(curve, means, counts[i]);
-            }
-        }
+        LightPass pass = new LightPass(curve, x, y, width, height);
+        int[] next = new int[1];
+        LinearFigures figures = pass.run(view(), pass.bandMeans(view()), (a, b, count, isRare) -> {
+            int i = next[0]++;
+            first[i] = a;
+            second[i] = b;
+            rare[i] = isRare;
+        });
         boolean isGrowing = fewSplats != null && fewSplats.putTo(first, second, counts);
-        return ErrorEstimate.ofLight(first, second, counts, rare).with(figures.error(isGrowing));
+        return ErrorEstimate.ofLight(PixelFigures.of(first, second, counts, rare))
+                .with(figures.error(isGrowing));
+    }
+
+    private FilmView view() {
+        return new FilmView() {
+            @Override
+            public int count(int column, int row) {
+                return counts[pixel(column, row)];
+            }
+
+            @Override
+            public double component(int column, int row, int c) {
+                return rgb[3 * pixel(column, row) + c];
+            }
+
+            @Override
+            public float halves(int column, int row) {
+                return halves[pixel(column, row)];
+            }
+
+            @Override
+            public float quarters(int column, int row) {
+                return quarters[pixel(column, row)];
+            }
+
+            @Override
+            public void quarterMeans(int column, int row, double[] out) {
+                int from = QuarterMeans.PER_PIXEL * pixel(column, row);
+                for (int i = 0; i < QuarterMeans.PER_PIXEL; i++) {
+                    out[i] = quarterMeans[from + i];
+                }
+            }
+        };
     }
 
     /**
@@ -316,44 +334,7 @@ public final class Film {
         return before > 0 ? Math.min(after / before, 1) : 1;
     }
 
-    /** The light of a pixel by its index: the least of its own and of the mean of its 3 × 3 pixels, of each band. */
-    private void light(int pixel, double[] out) {
-        int column = pixel % width;
-        int row = pixel / width;
-        for (int c = 0; c < 3; c++) {
-            double sum = 0;
-            int n = 0;
-            for (int r = Math.max(row - 1, 0); r <= Math.min(row + 1, height - 1); r++) {
-                for (int q = Math.max(column - 1, 0); q <= Math.min(column + 1, width - 1); q++) {
-                    if (counts[r * width + q] > 0) {
-                        sum += rgb[3 * (r * width + q) + c];
-                        n++;
-                    }
-                }
-            }
-            out[c] = Math.min(rgb[3 * pixel + c], sum / n);
-        }
-    }
-
-    /** The mean of each band over the finished pixels. */
-    private double[] bandMeans() {
-        double[] sums = new double[3];
-        long pixels = 0;
-        for (int i = 0; i < counts.length; i++) {
-            if (counts[i] > 0) {
-                pixels++;
-                for (int c = 0; c < 3; c++) {
-                    sums[c] += rgb[3 * i + c];
-                }
-            }
-        }
-        for (int c = 0; c < 3; c++) {
-            sums[c] /= Math.max(pixels, 1);
-        }
-        return sums;
-    }
-
-    /** Camera rays of all finished pixels: their samples, and those that only showed where samples are needed. */
+    @Override
     public long cameraSamples() {
         long sum = surveyRays;
         for (int count : counts) {
@@ -362,7 +343,7 @@ public final class Film {
         return sum;
     }
 
-    /** The picture as it stands. */
+    @Override
     public Image toImage() {
         float[] pixels = new float[rgb.length];
         for (int i = 0; i < rgb.length; i++) {

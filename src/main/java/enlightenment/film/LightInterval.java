@@ -54,38 +54,46 @@ final class LightInterval {
         rareShares = new double[levels.length];
     }
 
-    /** That of a picture; parameters as of {@link ErrorEstimate#ofLight}. */
-    static LightInterval of(SampleLevel[] levels, float[] first, float[] second, int[] counts, boolean[] rare) {
-        LightInterval interval = new LightInterval(levels);
-        double[] sums = new double[levels.length];
-        double sum = 0;
-        double squares = 0;
-        double ofError = 0;
-        double ofEstimate = 0;
-        for (int i = 0; i < first.length; i++) {
-            if (counts[i] == 0) {
-                continue;
+    /** Sums over the pixels of a picture. */
+    private final class Sums implements PixelFigures.Visitor {
+        final double[] sums = new double[levels.length];
+        double sum;
+        double squares;
+        double ofError;
+        double ofEstimate;
+
+        @Override
+        public void pixel(float first, float second, int count, boolean rare) {
+            if (count == 0) {
+                return;
             }
-            int k = SampleLevel.index(counts[i], Samples.LIGHT);
+            int k = SampleLevel.index(count, Samples.LIGHT);
             int contrasts = levels[k].hasQuarters() ? CONTRASTS : 1;
-            double v = levels[k].share() * together(levels[k], first[i], second[i], within(levels[k].ratio()));
+            double v = levels[k].share() * together(levels[k], first, second, within(levels[k].ratio()));
             sums[k] += v;
-            interval.rareShares[k] += rare[i] ? v : 0;
+            rareShares[k] += rare ? v : 0;
             sum += v;
             squares += v * v;
             // The expectation of v² is (1 + 2/contrasts) σ⁴.
             ofError += v * v * contrasts / (contrasts + 2);
             ofEstimate += v * v / (contrasts + 2);
         }
-        for (int k = 0; k < sums.length; k++) {
-            interval.rareShares[k] = sums[k] > 0 ? interval.rareShares[k] / sums[k] : 0;
+    }
+
+    /** That of a picture with these {@linkplain SampleLevel#of levels}. */
+    static LightInterval of(SampleLevel[] levels, PixelFigures figures) {
+        LightInterval interval = new LightInterval(levels);
+        Sums all = interval.new Sums();
+        figures.forEach(all);
+        for (int k = 0; k < levels.length; k++) {
+            interval.rareShares[k] = all.sums[k] > 0 ? interval.rareShares[k] / all.sums[k] : 0;
         }
-        if (sum > 0) {
+        if (all.sum > 0) {
             // Chance makes the squares too great, by (contrasts + 2)/contrasts where there are many, and that stays
             // so: where pixels differ, chance that makes the noisiest one's estimate small makes their number look
             // great at the same time.
-            interval.carriers = sum * sum / squares;
-            interval.tellers = interval.carriers * ofError / ofEstimate;
+            interval.carriers = all.sum * all.sum / all.squares;
+            interval.tellers = interval.carriers * all.ofError / all.ofEstimate;
         }
         interval.ratioDeviation = Math.sqrt(trigamma(interval.carriers / 2) + trigamma(interval.carriers));
         return interval;

@@ -38,21 +38,21 @@ final class SampleLevel {
         this.name = name;
     }
 
-    /** The levels of a picture, each judged. Parameters as of {@link ErrorEstimate}. */
-    static SampleLevel[] of(float[] first, float[] second, int[] counts, Samples kind) {
+    /** The levels of a picture, each judged. */
+    static SampleLevel[] of(PixelFigures figures, Samples kind) {
         SampleLevel[] levels = new SampleLevel[LEVELS];
         Arrays.setAll(levels, k -> new SampleLevel(k == OTHERS ? -1 : k));
         SampleLevel pooled = new SampleLevel(-1);
         int least = VarianceDecay.leastPooled(kind);
-        for (int i = 0; i < first.length; i++) {
-            if (counts[i] > 0) {
-                int k = index(counts[i], kind);
-                levels[k].add(first[i], second[i]);
+        figures.forEach((first, second, count, rare) -> {
+            if (count > 0) {
+                int k = index(count, kind);
+                levels[k].add(first, second);
                 if (k >= least && k != OTHERS) {
-                    pooled.add(first[i], second[i]);
+                    pooled.add(first, second);
                 }
             }
-        }
+        });
         for (int k = 0; k < LEVELS; k++) {
             boolean own = k < OF_QUARTERS || k == OTHERS || levels[k].pixels >= ENOUGH && levels[k].first > 0;
             levels[k].judge(own ? levels[k] : pooled, kind);

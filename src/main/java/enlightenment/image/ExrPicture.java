@@ -41,6 +41,15 @@ final class ExrPicture {
 
     private void write(OutputStream out, ExrOptions options) throws IOException {
         ExrWriter writer = new ExrWriter(out, window(options), channels, options.text());
+        if (image.isRead()) {
+            writer.measure();
+            addRows(writer);
+        }
+        addRows(writer);
+        writer.finish();
+    }
+
+    private void addRows(ExrWriter writer) throws IOException {
         float[][] row = new float[sources.size()][image.width()];
         for (int y = 0; y < image.height(); y++) {
             for (int c = 0; c < row.length; c++) {
@@ -51,7 +60,6 @@ final class ExrPicture {
             }
             writer.add(row);
         }
-        writer.finish();
     }
 
     private ExrWindow window(ExrOptions options) {

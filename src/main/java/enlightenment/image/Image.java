@@ -16,8 +16,20 @@ public final class Image {
 
     private final int width;
     private final int height;
+
+    /** All components; null where rows are read when they are needed. */
     private final float[] rgb;
+
+    /** Null where all components are in memory. */
+    private final PixelRows rows;
+
+    /** The row that was read last; those of several threads may take turns. */
+    private Row last;
+
     private final DisplayCurve curve;
+
+    /** A row that was read. */
+    private record Row(int y, float[] components) {}
 
     /**
      * A display-referred picture.
@@ -63,7 +75,31 @@ public final class Image {
         this.width = width;
         this.height = height;
         this.rgb = rgb;
+        rows = null;
         this.curve = Objects.requireNonNull(curve, "curve");
+    }
+
+    private Image(int width, int height, DisplayCurve curve, PixelRows rows) {
+        this.width = width;
+        this.height = height;
+        rgb = null;
+        this.rows = rows;
+        this.curve = curve;
+    }
+
+    /**
+     * A picture that need not fit in memory. Reading it row by row is quick, {@link #toArray} and {@link #toArgb} need memory for all of it.
+     *
+     * @param width in pixels
+     * @param height in pixels
+     * @param rows its components
+     * @param curve what they are, and how they become what a screen takes
+     */
+    public static Image of(int width, int height, PixelRows rows, DisplayCurve curve) {
+        if (width < 1 || height < 1 || width > Integer.MAX_VALUE / 3) {
+            throw new IllegalArgumentException("no picture has " + width + " x " + height + " pixels");
+        }
+        return new Image(width, height, Objects.requireNonNull(curve, "curve"), Objects.requireNonNull(rows, "rows"));
     }
 
     /** What the components are. */
@@ -85,7 +121,7 @@ public final class Image {
         if (other.encoding() != encoding()) {
             throw new IllegalArgumentException("the picture is " + encoding() + ", the curve for " + other.encoding());
         }
-        return new Image(width, height, rgb, other);
+        return rows == null ? new Image(width, height, rgb, other) : of(width, height, rows, other);
     }
 
     /** The number of columns, at least 1. */
@@ -100,7 +136,22 @@ public final class Image {
 
     /** Component 0 (red), 1 (green) or 2 (blue) of the pixel in column x from the left and row y from the top. */
     public float component(int x, int y, int c) {
-        return rgb[3 * (y * width + x) + c];
+        return rows == null ? rgb[3 * (y * width + x) + c] : row(y)[3 * x + c];
+    }
+
+    /** Whether rows are read when they are needed, since they may not fit in memory. */
+    boolean isRead() {
+        return rows != null;
+    }
+
+    private float[] row(int y) {
+        Row row = last;
+        if (row == null || row.y != y) {
+            row = new Row(y, new float[3 * width]);
+            rows.read(y, row.components);
+            last = row;
+        }
+        return row.components;
     }
 
     /**
@@ -137,6 +188,15 @@ public final class Image {
         if (encoding() == Encoding.DISPLAY) {
             return this;
         }
+        if (rows != null) {
+            PixelRows shown = (y, components) -> {
+                rows.read(y, components);
+                for (int i = 0; i < components.length; i++) {
+                    components[i] = displayed(components[i]);
+                }
+            };
+            return of(width, height, shown, DisplayCurve.NONE);
+        }
         float[] display = new float[rgb.length];
         for (int i = 0; i < rgb.length; i++) {
             display[i] = displayed(rgb[i]);
@@ -144,9 +204,28 @@ public final class Image {
         return new Image(width, height, display);
     }
 
-    /** A copy of all components: 3·width·height, in the order of the constructor. */
+    /**
+     * A copy of all components: 3·width·height, in the order of the constructor.
+     *
+     * @throws IllegalStateException if no array can hold them
+     */
     public float[] toArray() {
-        return rgb.clone();
+        if (rows == null) {
+            return rgb.clone();
+        }
+        float[] all = new float[3 * pixels()];
+        for (int y = 0; y < height; y++) {
+            System.arraycopy(row(y), 0, all, 3 * width * y, 3 * width);
+        }
+        return all;
+    }
+
+    /** The number of pixels, of which an array can hold all components. */
+    private int pixels() {
+        if (3L * width * height > Integer.MAX_VALUE - 8) {
+            throw new IllegalStateException("no array can hold " + width + " x " + height + " pixels");
+        }
+        return width * height;
     }
 
     /**
@@ -154,13 +233,15 @@ public final class Image {
      * as {@code java.awt.image.BufferedImage.setRGB} and most windowing toolkits take them. Every component is what it is in
      * an 8-bit PNG file: {@linkplain #displayed as a screen takes it}, limited to 0..1, then rounded to the nearest of 0..255, halves
      * upwards; NaN becomes 0.
+     *
+     * @throws IllegalStateException if no array can hold them
      */
     public int[] toArgb() {
-        int[] argb = new int[rgb.length / 3];
+        int[] argb = new int[pixels()];
         for (int i = 0; i < argb.length; i++) {
-            int red = PngWriter.quantize(displayedFor(255, rgb[3 * i]), 255);
-            int green = PngWriter.quantize(displayedFor(255, rgb[3 * i + 1]), 255);
-            int blue = PngWriter.quantize(displayedFor(255, rgb[3 * i + 2]), 255);
+            int red = PngWriter.quantize(displayedFor(255, i % width, i / width, 0), 255);
+            int green = PngWriter.quantize(displayedFor(255, i % width, i / width, 1), 255);
+            int blue = PngWriter.quantize(displayedFor(255, i % width, i / width, 2), 255);
             argb[i] = 0xff000000 | red << 16 | green << 8 | blue;
         }
         return argb;

@@ -129,6 +129,16 @@ public final class Integrators {
         return method == BuiltInMethod.CLUSTER ? new EffortLevels(scene, settings, cancelled) : Levels.SAMPLES;
     }
 
+    /** Whether a method adds paths that may end anywhere to the tiles of any scene. */
+    public static boolean alwaysHasLightPaths(Method method) {
+        return method == BuiltInMethod.LIGHT || method == BuiltInMethod.BIDIRECTIONAL;
+    }
+
+    /** Whether paths that may end anywhere are added to the tiles of a method. */
+    public static boolean hasLightPaths(Method method, CompiledScene scene, RenderSettings settings) {
+        return lightPathsPerSample(method, scene, settings) > 0;
+    }
+
     /**
      * How many paths that may end anywhere are splatted over the tiles of a method, per camera sample of the whole picture; 0 for none,
      * as of a method that has no tiles.

@@ -2,6 +2,7 @@ package enlightenment.render;
 
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.FilmPlace;
 import enlightenment.engine.PictureFilm;
 import enlightenment.image.Image;
 import enlightenment.plan.RenderPlan;
@@ -27,21 +28,27 @@ final class KeptRender implements PictureRender {
     /** What is shown where nothing is finished yet, or null. */
     private final Preview preview;
 
-    /** @param preview what is shown where nothing is finished yet, or null */
+    /**
+     * A render of which nothing is done yet.
+     *
+     * @param preview what is shown where nothing is finished yet, or null
+     * @param place where the finished pixels are
+     */
     KeptRender(
             RenderRequest request,
             CompiledScene scene,
             RenderPlan plan,
             Archives archives,
             int round,
-            Preview preview) {
+            Preview preview,
+            FilmPlace place) {
         this.request = request;
         this.archives = archives;
         this.round = round;
         this.preview = preview;
         cancelled = request.cancelled();
         render = DividedRender.of(request.scene().name(), scene, request.settings(), plan);
-        assembly = render.assembly(false);
+        assembly = render.assembly(place);
     }
 
     @Override

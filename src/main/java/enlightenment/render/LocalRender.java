@@ -1,6 +1,7 @@
 package enlightenment.render;
 
 import enlightenment.classic.cluster.ClusterStatistics;
+import enlightenment.engine.FilmPlace;
 import enlightenment.engine.PictureFilm;
 import enlightenment.engine.RenderOutline;
 import enlightenment.engine.Reports;
@@ -47,7 +48,12 @@ final class LocalRender implements PictureRender {
 
     private long peakMemory;
 
-    /** @param preview what is shown where nothing is finished yet, or null */
+    /**
+     * A render of which nothing is done yet.
+     *
+     * @param preview what is shown where nothing is finished yet, or null
+     * @param place where the finished pixels are
+     */
     LocalRender(
             String sceneName,
             CompiledScene scene,
@@ -55,14 +61,15 @@ final class LocalRender implements PictureRender {
             RenderPlan plan,
             RenderProgress progress,
             BooleanSupplier cancelled,
-            Preview preview) {
+            Preview preview,
+            FilmPlace place) {
         this.scene = scene;
         this.preview = preview;
         this.progress = progress;
         this.cancelled = cancelled;
         outline = RenderOutline.of(sceneName, scene, settings, plan);
         units = WorkUnits.forThreads(settings, plan);
-        film = PictureFilm.of(units, outline);
+        film = PictureFilm.of(units, outline, place);
     }
 
     /** Says before the start that ray clusters are to be gathered. */

@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 
@@ -27,6 +28,7 @@ import java.util.function.BooleanSupplier;
  * @param archives where the results of units of work are kept, and taken from; of this scene and these settings, as far as the budget is
  *     not concerned. They are not closed
  * @param denoised whether to make a second picture without grain, {@link RenderResult#denoised}; physical shading only
+ * @param scratch where a picture is kept that is too large for the memory; empty if it is refused
  */
 public record RenderRequest(
         Scene scene,
@@ -38,7 +40,8 @@ public record RenderRequest(
         boolean clusters,
         boolean chains,
         List<ResultArchive> archives,
-        boolean denoised) {
+        boolean denoised,
+        Optional<ScratchFolder> scratch) {
 
     /**
      * Copies the set and the list; nothing may be null.
@@ -54,6 +57,7 @@ public record RenderRequest(
         copy.addAll(auxiliary);
         auxiliary = Collections.unmodifiableSet(copy);
         archives = List.copyOf(archives);
+        Objects.requireNonNull(scratch, "scratch");
         if (!archives.isEmpty() && (clusters || chains)) {
             throw new IllegalArgumentException("results that are kept do not tell of ray clusters and chains");
         }
@@ -67,31 +71,31 @@ public record RenderRequest(
     /** Just the picture. */
     public static RenderRequest of(Scene scene, RenderSettings settings) {
         return new RenderRequest(
-                scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false, false, List.of(), false);
+                scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false, false, List.of(), false, Optional.empty());
     }
 
     /** The same request with other settings. */
     public RenderRequest withSettings(RenderSettings value) {
         return new RenderRequest(
-                scene, value, progress, cancelled, auxiliary, progressive, clusters, chains, archives, denoised);
+                scene, value, progress, cancelled, auxiliary, progressive, clusters, chains, archives, denoised, scratch);
     }
 
     /** The same request with another listener. */
     public RenderRequest withProgress(RenderProgress value) {
         return new RenderRequest(
-                scene, settings, value, cancelled, auxiliary, progressive, clusters, chains, archives, denoised);
+                scene, settings, value, cancelled, auxiliary, progressive, clusters, chains, archives, denoised, scratch);
     }
 
     /** The same request, ended by something else; it must be quick to answer. */
     public RenderRequest withCancelled(BooleanSupplier value) {
         return new RenderRequest(
-                scene, settings, progress, value, auxiliary, progressive, clusters, chains, archives, denoised);
+                scene, settings, progress, value, auxiliary, progressive, clusters, chains, archives, denoised, scratch);
     }
 
     /** The same request for other things beside the colours. */
     public RenderRequest withAuxiliary(Set<Auxiliary> value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, value, progressive, clusters, chains, archives, denoised);
+                scene, settings, progress, cancelled, value, progressive, clusters, chains, archives, denoised, scratch);
     }
 
     /** The same request for other things beside the colours. */
@@ -104,31 +108,47 @@ public record RenderRequest(
     /** The same request with or without the ray clusters. */
     public RenderRequest withClusters(boolean value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, progressive, value, chains, archives, denoised);
+                scene, settings, progress, cancelled, auxiliary, progressive, value, chains, archives, denoised, scratch);
     }
 
     /** The same request with or without the Markov chains. */
     public RenderRequest withChains(boolean value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, progressive, clusters, value, archives, denoised);
+                scene, settings, progress, cancelled, auxiliary, progressive, clusters, value, archives, denoised, scratch);
     }
 
     /** The same request with or without coarse passes first. */
     public RenderRequest withProgressive(boolean value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, value, clusters, chains, archives, denoised);
+                scene, settings, progress, cancelled, auxiliary, value, clusters, chains, archives, denoised, scratch);
     }
 
     /** The same request with other archives. */
     public RenderRequest withArchives(List<ResultArchive> value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, value, denoised);
+                scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, value, denoised, scratch);
     }
 
     /** This request with or without a second picture, from which grain is removed. */
     public RenderRequest withDenoised(boolean value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, archives, value);
+                scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, archives, value, scratch);
+    }
+
+    /** This request for a picture that may be kept in a file of this folder while it is rendered. */
+    public RenderRequest withScratch(ScratchFolder value) {
+        return new RenderRequest(
+                scene,
+                settings,
+                progress,
+                cancelled,
+                auxiliary,
+                progressive,
+                clusters,
+                chains,
+                archives,
+                denoised,
+                Optional.of(value));
     }
 
     /** What has to be found of each pixel beside its colour: what is asked for, and what grain is removed by. */

@@ -66,4 +66,9 @@ public record RenderResult(
         return new RenderResult(
                 image, report.withRounding(rounding), complete, shownPixels, auxiliary, clusters, chains, denoised);
     }
+
+    /** This result with a second picture, and the report that counts it. */
+    RenderResult withDenoised(Optional<Image> picture, RenderReport counted) {
+        return new RenderResult(image, counted, complete, shownPixels, auxiliary, clusters, chains, picture);
+    }
 }

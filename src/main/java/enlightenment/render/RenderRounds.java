@@ -1,5 +1,7 @@
 package enlightenment.render;
 
+import enlightenment.engine.FilmPlace;
+import enlightenment.engine.Reports;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;
 import enlightenment.plan.Planner;
@@ -30,12 +32,22 @@ final class RenderRounds {
     /** Where the results of units are kept, or null. */
     private final Archives archives;
 
+    private final FilmPlace place;
+
+    /**
+     * One render of the picture.
+     *
+     * @param guides what is known of each pixel beside its colour, whether or not it was asked for
+     */
+    private record Round(PictureRender render, RenderResult result, Map<Auxiliary, Image> guides) {}
+
     /**
      * @param preview what is shown where nothing is finished yet, or null
      * @param pass what is told of pixels beside their colours, as far as it needs rays of its own
      * @param parts what is told of the beginnings of paths
      * @param time since the render began
      * @param archives where the results of units are kept, or null
+     * @param place where finished pixels are
      */
     RenderRounds(
             RenderRequest request,
@@ -46,7 +58,8 @@ final class RenderRounds {
             PathPartPass parts,
             Phases phases,
             Stopwatch time,
-            Archives archives) {
+            Archives archives,
+            FilmPlace place) {
         this.request = request;
         settings = request.settings();
         this.scene = scene;
@@ -57,11 +70,12 @@ final class RenderRounds {
         this.phases = phases;
         this.time = time;
         this.archives = archives;
+        this.place = place;
     }
 
     /** What there is of a picture that was stopped before it was planned. */
     RenderResult nothing() {
-        return render(planner.none(), 1);
+        return render(planner.none(), 1).result();
     }
 
     /** The last picture that became whole; if not even the first did, what there is of it. */
@@ -71,7 +85,8 @@ final class RenderRounds {
         RenderPlan plan = first;
         for (int round = 1; ; round++) {
             double before = time.seconds();
-            RenderResult result = render(plan, round);
+            Round done = render(plan, round);
+            RenderResult result = done.result();
             if (!result.complete()) {
                 return best == null ? result : stopped(best);
             }
@@ -83,7 +98,7 @@ final class RenderRounds {
                     : archives.planFor(settings, round + 1).orElse(null);
             if (next.isEmpty() && kept == null) {
                 rounds.reasonForStopping().ifPresent(request.progress()::note);
-                return best;
+                return request.denoised() ? denoised(done) : best;
             }
             if (request.cancelled().getAsBoolean()) {
                 return stopped(best);
@@ -102,12 +117,23 @@ final class RenderRounds {
 
     private RenderResult stopped(RenderResult best) {
         request.progress().note(Rounds.stopped(best.report()));
+        if (request.denoised()) {
+            request.progress().note("grain is removed of the last picture only: there is no picture without");
+        }
         return best;
+    }
+
+    /** The result with a picture without grain, unless that is cancelled. */
+    private RenderResult denoised(Round last) {
+        RenderResult result = last.result();
+        Optional<Image> denoised = phases.run(
+                "denoise", () -> Denoising.of(result.image(), last.render().film(), last.guides(), request));
+        return result.withDenoised(denoised, result.report().withPhases(Reports.phases(phases)));
     }
 
     private LocalRender local(RenderPlan plan) {
         LocalRender render = new LocalRender(
-                request.scene().name(), scene, settings, plan, request.progress(), request.cancelled(), preview);
+                request.scene().name(), scene, settings, plan, request.progress(), request.cancelled(), preview, place);
         if (request.clusters()) {
             render.gatherClusters();
         }
@@ -117,9 +143,9 @@ final class RenderRounds {
         return render;
     }
 
-    private RenderResult render(RenderPlan plan, int round) {
+    private Round render(RenderPlan plan, int round) {
         PictureRender render =
-                archives == null ? local(plan) : new KeptRender(request, scene, plan, archives, round, preview);
+                archives == null ? local(plan) : new KeptRender(request, scene, plan, archives, round, preview, place);
         if (parts.isNeeded()) {
             // Before the picture: what is left of that if the render is stopped has its parts.
             phases.run("auxiliary", () -> parts.run(plan, request.cancelled()));
@@ -133,21 +159,20 @@ final class RenderRounds {
             }
         }
         parts.addTo(image, auxiliary);
-        boolean isComplete = render.film().isComplete();
-        Optional<Image> denoised = request.denoised() && isComplete
-                ? phases.run("denoise", () -> Denoising.of(image, render.film(), auxiliary, request))
-                : Optional.empty();
+        Map<Auxiliary, Image> guides = Map.copyOf(auxiliary);
         auxiliary.keySet().retainAll(request.auxiliary());
         double rounding = Rounding.of(image, settings.budget().depth());
         RenderReport report = render.report(phases, rounding, round);
-        return new RenderResult(
+        render.film().release();
+        RenderResult result = new RenderResult(
                 image,
                 report,
-                isComplete,
+                render.film().isComplete(),
                 render.shownPixels(),
                 auxiliary,
                 render.clusters(),
                 render.chains(),
-                denoised);
+                Optional.empty());
+        return new Round(render, result, guides);
     }
 }

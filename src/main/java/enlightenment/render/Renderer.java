@@ -1,5 +1,6 @@
 package enlightenment.render;
 
+import enlightenment.engine.FilmPlace;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.plan.Integrators;
@@ -121,11 +122,13 @@ public final class Renderer {
                 + (request.denoised() ? Denoising.IMAGES : 0)
                 // The picture that was not exact enough is kept until there is a better one.
                 + (settings.budget().error().isPresent() ? 1 : 0);
-        PictureMemory.check(settings, images);
+        FilmChoice film = new FilmChoice(request, images);
+        film.check();
         BooleanSupplier cancelled = Cancellation.of(request.cancelled());
         Phases phases = new Phases();
         CompiledScene scene =
                 phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings, files, cancelled));
+        film.check(scene);
         if (request.denoised()) {
             Denoising.check(scene);
         }
@@ -146,9 +149,10 @@ public final class Renderer {
             plan = phases.run("plan", () -> kept.map(planner::known)
                     .orElseGet(() -> planner.plan(time, (previewed ? Preview.SHARE : 0) + parts.share())));
         } catch (CancellationException e) {
-            return new RenderRounds(stoppable, scene, planner, null, pass, parts, phases, time, null).nothing();
+            return new RenderRounds(stoppable, scene, planner, null, pass, parts, phases, time, null, FilmPlace.MEMORY)
+                    .nothing();
         }
-        PictureMemory.check(settings, images + (plan.lightPaths() > 0 ? PictureMemory.IMAGES_OF_ADDED_SPLATS : 0));
+        FilmPlace place = film.place(plan);
         planner.notes().forEach(request.progress()::note);
         if (kept.isPresent() && settings.budget().seconds().isPresent()) {
             request.progress()
@@ -160,7 +164,8 @@ public final class Renderer {
         if (preview != null) {
             phases.run("preview", () -> preview.run(plan, request.progress(), cancelled));
         }
-        return new RenderRounds(stoppable, scene, planner, preview, pass, parts, phases, time, archives).run(plan);
+        return new RenderRounds(stoppable, scene, planner, preview, pass, parts, phases, time, archives, place)
+                .run(plan);
     }
 
     /** What a render of this scene would model and need, in plain words, without rendering it. */

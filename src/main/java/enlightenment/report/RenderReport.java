@@ -184,11 +184,15 @@ public record RenderReport(
 
     /** The same report for a file with another root mean square of what rounding changes. */
     public RenderReport withRounding(double rounding) {
-        return with(sampling.with(rounding));
+        return with(sampling.with(rounding), phases);
     }
 
-    /** The same report with other figures of sampling. */
-    private RenderReport with(Sampling figures) {
+    /** This report of a render of which these are the phases. */
+    public RenderReport withPhases(List<Phase> all) {
+        return with(sampling, all);
+    }
+
+    private RenderReport with(Sampling figures, List<Phase> all) {
         return new RenderReport(
                 sceneName,
                 settings,
@@ -200,7 +204,7 @@ public record RenderReport(
                 testsByPrimitive,
                 hitsByPrimitive,
                 textureLookups,
-                phases,
+                all,
                 pixels,
                 peakMemoryBytes);
     }

@@ -20,6 +20,9 @@ public final class PictureMemory {
      */
     public static final int IMAGES_OF_ADDED_SPLATS = (4 * 3 * 8 + 3 * (8 + 4)) / (3 * 4);
 
+    /** Arrays have no more. */
+    private static final long MOST_NUMBERS = Integer.MAX_VALUE - 8;
+
     private PictureMemory() {}
 
     /** Bytes for the film and the finished picture. */
@@ -34,15 +37,30 @@ public final class PictureMemory {
      * @throws enlightenment.math.InvalidValueException if there is less memory
      */
     public static void check(RenderSettings settings, int moreImages) {
+        check(settings, moreImages, "");
+    }
+
+    /**
+     * As {@link #check(RenderSettings, int)}.
+     *
+     * @param reason why the picture must be in memory, as the end of the message
+     */
+    public static void check(RenderSettings settings, int moreImages, String reason) {
         RenderSettings.Crop region = settings.region();
         long needed = bytes(settings) + moreImages * BYTES_PER_IMAGE_PIXEL * pixels(settings);
         long available = Runtime.getRuntime().maxMemory();
-        boolean fits = needed <= available && 3 * pixels(settings) <= Integer.MAX_VALUE - 8;
+        double share = Math.min((double) available / needed, (MOST_NUMBERS / 3.0) / pixels(settings));
         Check.that(
-                fits,
+                needed <= available && 3 * pixels(settings) <= MOST_NUMBERS,
                 "size",
                 "a picture of " + region.width() + "x" + region.height() + " pixels needs " + needed
-                        + " bytes of memory; at most " + available + " are there (java -Xmx sets the limit)");
+                        + " bytes of memory; at most " + available + " are there (java -Xmx sets the limit), for about "
+                        + scaled(region.width(), share) + "x" + scaled(region.height(), share) + " pixels" + reason);
+    }
+
+    /** A side of a picture with this share of the pixels. */
+    private static int scaled(int side, double share) {
+        return Math.max((int) (side * Math.sqrt(share)), 1);
     }
 
     private static long pixels(RenderSettings settings) {

@@ -2,6 +2,7 @@ package enlightenment.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import enlightenment.engine.FilmPlace;
 import enlightenment.engine.TilePicture;
 import enlightenment.film.Film;
 import enlightenment.image.Image;
@@ -38,7 +39,8 @@ record RawPicture(int width, double[] rgb, byte[] png) {
                 new Planner(compiled, settings, () -> false).plan(Stopwatch.started(), 0),
                 RenderProgress.NONE,
                 () -> false,
-                null);
+                null,
+                FilmPlace.MEMORY);
         render.run();
         Film film = ((TilePicture) render.film()).film();
         double[] rgb = new double[3 * settings.width() * settings.height()];

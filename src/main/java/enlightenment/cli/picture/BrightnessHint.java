@@ -1,8 +1,10 @@
 package enlightenment.cli.picture;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.color.TransferCurve;
 import enlightenment.image.Image;
+import enlightenment.image.PixelRows;
 import enlightenment.picture.Exposure;
 import enlightenment.render.RenderResult;
 import java.util.Locale;
@@ -100,10 +102,12 @@ public final class BrightnessHint {
 
     /** The light that a screen makes of a display-referred picture, between black and white. */
     private static Image light(Image shown) {
-        float[] light = shown.toArray();
-        for (int i = 0; i < light.length; i++) {
-            light[i] = (float) TransferCurve.decode(Math.min(Math.max(light[i], 0), 1));
-        }
-        return new Image(shown.width(), shown.height(), light, Encoding.LINEAR);
+        PixelRows light = (y, components) -> {
+            for (int i = 0; i < components.length; i++) {
+                double value = shown.component(i / 3, y, i % 3);
+                components[i] = (float) TransferCurve.decode(Math.min(Math.max(value, 0), 1));
+            }
+        };
+        return Image.of(shown.width(), shown.height(), light, DisplayCurve.SRGB);
     }
 }

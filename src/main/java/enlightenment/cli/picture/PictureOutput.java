@@ -1,5 +1,6 @@
 package enlightenment.cli.picture;
 
+import enlightenment.cli.option.CommandFiles;
 import enlightenment.cli.option.FileNames;
 import enlightenment.cli.option.WordOption;
 import enlightenment.cli.terminal.CliException;
@@ -13,6 +14,7 @@ import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderResult;
+import enlightenment.render.ScratchFolder;
 import enlightenment.scene.RenderSettings;
 import enlightenment.text.WordList;
 import java.io.IOException;
@@ -20,6 +22,7 @@ import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import picocli.CommandLine.Option;
 
 /** The options that say where a picture goes and in which format. */
@@ -167,6 +170,14 @@ public final class PictureOutput {
         return settings.budget().error().isEmpty()
                 ? settings
                 : settings.withBudget(settings.budget().withDepth(writtenDepth));
+    }
+
+    /** Where a picture is kept that is too large for the memory: beside its file, if that can be written row by row. */
+    public Optional<ScratchFolder> scratch() {
+        Path folder = file.toAbsolutePath().getParent();
+        return isStandardOutput() || folder == null || CommandFiles.isDevice(file) || format() == ImageFormat.JPEG
+                ? Optional.empty()
+                : Optional.of(ScratchFolder.of(folder));
     }
 
     /** Writes the picture, which is all that is written of the render. */

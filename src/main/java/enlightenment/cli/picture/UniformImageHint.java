@@ -41,10 +41,11 @@ public final class UniformImageHint {
     }
 
     private static boolean isUniform(Image image) {
+        float[] first = {image.component(0, 0, 0), image.component(0, 0, 1), image.component(0, 0, 2)};
         for (int y = 0; y < image.height(); y++) {
             for (int x = 0; x < image.width(); x++) {
                 for (int c = 0; c < 3; c++) {
-                    if (image.component(x, y, c) != image.component(0, 0, c)) {
+                    if (image.component(x, y, c) != first[c]) {
                         return false;
                     }
                 }

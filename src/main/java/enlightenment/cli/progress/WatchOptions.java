@@ -26,6 +26,11 @@ public final class WatchOptions {
 
     public WatchOptions() {}
 
+    /** Whether somebody may look at the picture while it is rendered. */
+    public boolean isGiven() {
+        return port != null || window;
+    }
+
     /**
      * Does what can be watched.
      *
@@ -38,7 +43,7 @@ public final class WatchOptions {
     public int watch(
             String title, RenderSettings settings, ViewOption view, boolean keeps, Terminal terminal, Watch.Work work)
             throws IOException {
-        if (port == null && !window) {
+        if (!isGiven()) {
             work.run(Watch.NONE);
             return ExitCode.DONE;
         }

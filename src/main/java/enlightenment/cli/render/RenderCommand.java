@@ -45,6 +45,7 @@ import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.ResultArchive;
+import enlightenment.render.ScratchFolder;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -309,8 +310,9 @@ public final class RenderCommand extends Subcommand {
                 .withChains(chains != null)
                 .withArchives(archives)
                 .withProgressive(writer != null);
+        Optional<ScratchFolder> scratch = watching.isGiven() ? Optional.empty() : output.scratch();
         try {
-            return Renderer.render(request);
+            return Renderer.render(scratch.map(request::withScratch).orElse(request));
         } catch (CancellationException e) {
             throw output.nothingRendered();
         } catch (InvalidValueException e) {

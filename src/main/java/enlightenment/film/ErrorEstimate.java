@@ -237,9 +237,7 @@ public final class ErrorEstimate {
             }
         }
         PixelFigures figures = PixelFigures.of(first, second, counts, rare);
-        return light
-                ? ofLight(figures)
-                : of(figures, kind(differences), contrast.get());
+        return light ? ofLight(figures) : of(figures, kind(differences), contrast.get());
     }
 
     /** What samples are that are no linear light. */

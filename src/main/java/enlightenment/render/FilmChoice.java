@@ -130,7 +130,7 @@ final class FilmChoice {
         Check.that(
                 needed <= usable,
                 "size",
-                picture + needed + " bytes on the disk, for a file in " + folder + " while it is rendered; only " + usable
-                        + " are free");
+                picture + needed + " bytes on the disk, for a file in " + folder + " while it is rendered; only "
+                        + usable + " are free");
     }
 }

@@ -71,31 +71,81 @@ public record RenderRequest(
     /** Just the picture. */
     public static RenderRequest of(Scene scene, RenderSettings settings) {
         return new RenderRequest(
-                scene, settings, RenderProgress.NONE, () -> false, Set.of(), false, false, false, List.of(), false, Optional.empty());
+                scene,
+                settings,
+                RenderProgress.NONE,
+                () -> false,
+                Set.of(),
+                false,
+                false,
+                false,
+                List.of(),
+                false,
+                Optional.empty());
     }
 
     /** The same request with other settings. */
     public RenderRequest withSettings(RenderSettings value) {
         return new RenderRequest(
-                scene, value, progress, cancelled, auxiliary, progressive, clusters, chains, archives, denoised, scratch);
+                scene,
+                value,
+                progress,
+                cancelled,
+                auxiliary,
+                progressive,
+                clusters,
+                chains,
+                archives,
+                denoised,
+                scratch);
     }
 
     /** The same request with another listener. */
     public RenderRequest withProgress(RenderProgress value) {
         return new RenderRequest(
-                scene, settings, value, cancelled, auxiliary, progressive, clusters, chains, archives, denoised, scratch);
+                scene,
+                settings,
+                value,
+                cancelled,
+                auxiliary,
+                progressive,
+                clusters,
+                chains,
+                archives,
+                denoised,
+                scratch);
     }
 
     /** The same request, ended by something else; it must be quick to answer. */
     public RenderRequest withCancelled(BooleanSupplier value) {
         return new RenderRequest(
-                scene, settings, progress, value, auxiliary, progressive, clusters, chains, archives, denoised, scratch);
+                scene,
+                settings,
+                progress,
+                value,
+                auxiliary,
+                progressive,
+                clusters,
+                chains,
+                archives,
+                denoised,
+                scratch);
     }
 
     /** The same request for other things beside the colours. */
     public RenderRequest withAuxiliary(Set<Auxiliary> value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, value, progressive, clusters, chains, archives, denoised, scratch);
+                scene,
+                settings,
+                progress,
+                cancelled,
+                value,
+                progressive,
+                clusters,
+                chains,
+                archives,
+                denoised,
+                scratch);
     }
 
     /** The same request for other things beside the colours. */
@@ -108,13 +158,33 @@ public record RenderRequest(
     /** The same request with or without the ray clusters. */
     public RenderRequest withClusters(boolean value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, progressive, value, chains, archives, denoised, scratch);
+                scene,
+                settings,
+                progress,
+                cancelled,
+                auxiliary,
+                progressive,
+                value,
+                chains,
+                archives,
+                denoised,
+                scratch);
     }
 
     /** The same request with or without the Markov chains. */
     public RenderRequest withChains(boolean value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, progressive, clusters, value, archives, denoised, scratch);
+                scene,
+                settings,
+                progress,
+                cancelled,
+                auxiliary,
+                progressive,
+                clusters,
+                value,
+                archives,
+                denoised,
+                scratch);
     }
 
     /** The same request with or without coarse passes first. */
@@ -126,13 +196,33 @@ public record RenderRequest(
     /** The same request with other archives. */
     public RenderRequest withArchives(List<ResultArchive> value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, value, denoised, scratch);
+                scene,
+                settings,
+                progress,
+                cancelled,
+                auxiliary,
+                progressive,
+                clusters,
+                chains,
+                value,
+                denoised,
+                scratch);
     }
 
     /** This request with or without a second picture, from which grain is removed. */
     public RenderRequest withDenoised(boolean value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, progressive, clusters, chains, archives, value, scratch);
+                scene,
+                settings,
+                progress,
+                cancelled,
+                auxiliary,
+                progressive,
+                clusters,
+                chains,
+                archives,
+                value,
+                scratch);
     }
 
     /** This request for a picture that may be kept in a file of this folder while it is rendered. */

@@ -38,7 +38,8 @@ final class ManySeeds {
     }
 
     static Picture render(CompiledScene compiled, RenderSettings settings, RenderPlan plan) {
-        LocalRender render = new LocalRender("", compiled, settings, plan, RenderProgress.NONE, () -> false, null, FilmPlace.MEMORY);
+        LocalRender render =
+                new LocalRender("", compiled, settings, plan, RenderProgress.NONE, () -> false, null, FilmPlace.MEMORY);
         render.run();
         Film film = ((TilePicture) render.film()).film();
         RenderSettings.Crop region = settings.region();
@@ -57,7 +58,8 @@ final class ManySeeds {
     static RenderReport.Sampling sampling(Scene scene, RenderSettings settings) {
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         RenderPlan plan = new Planner(compiled, settings, () -> false).plan(Stopwatch.started(), 0);
-        LocalRender render = new LocalRender("", compiled, settings, plan, RenderProgress.NONE, () -> false, null, FilmPlace.MEMORY);
+        LocalRender render =
+                new LocalRender("", compiled, settings, plan, RenderProgress.NONE, () -> false, null, FilmPlace.MEMORY);
         render.run();
         return render.report(new Phases(), 0, 1).sampling();
     }

@@ -122,28 +122,7 @@ class PictureInFileTest {
     @ParameterizedTest
     @MethodSource("kinds")
     void theBytesAreThoseOfThePictureInMemory(Kind kind) throws IOException {
-        RenderResult actual = Renderer.render(inFile(kind));
-        // Only so is it known that a file was used.
-        assertThrows(IllegalStateException.class, () -> variances(kind));
-        assertSame(Renderer.render(RenderRequest.of(kind.scene, kind.settings)), actual);
-    }
-
-    /** Asks for numbers that a film in memory has. */
-    private void variances(Kind kind) {
-        enlightenment.world.CompiledScene compiled =
-                enlightenment.world.SceneCompiler.compile(kind.scene, kind.settings);
-        LocalRender render = new LocalRender(
-                "",
-                compiled,
-                kind.settings,
-                new enlightenment.plan.Planner(compiled, kind.settings, () -> false)
-                        .plan(enlightenment.work.Stopwatch.started(), 0),
-                RenderProgress.NONE,
-                () -> false,
-                null,
-                enlightenment.engine.FilmPlace.in(folder));
-        render.run();
-        render.film().error().variances();
+        assertSame(Renderer.render(RenderRequest.of(kind.scene, kind.settings)), Renderer.render(inFile(kind)));
     }
 
     @ParameterizedTest
@@ -197,8 +176,8 @@ class PictureInFileTest {
     @Test
     void whatNeedsThePictureInMemorySaysSo() {
         RenderSettings huge = of(ROOM, BuiltInMethod.LIGHT, 1).withSize(60_000, 60_000);
-        InvalidValueException e = assertThrows(
-                InvalidValueException.class, () -> Renderer.render(inFile(new Kind("", ROOM, huge))));
+        InvalidValueException e =
+                assertThrows(InvalidValueException.class, () -> Renderer.render(inFile(new Kind("", ROOM, huge))));
         assertEquals("size", e.key());
         assertTrue(e.problem().contains("the method light needs all of it in memory"), e.problem());
         assertTrue(e.problem().matches(".*for about \\d+x\\d+ pixels.*"), e.problem());

@@ -24,7 +24,7 @@ final class FilmChoice {
     /** The most that a written picture takes per pixel. */
     private static final long WRITTEN_BYTES = 3 * 4;
 
-    /** Of the memory that there is, one part of so many is for rows of pixels that are in a file. */
+    /** Rows of pixels that are in a file may take one half of the memory. */
     private static final int SHARE_OF_ROWS = 2;
 
     private final RenderRequest request;
@@ -108,7 +108,7 @@ final class FilmChoice {
         if (request.progressive()) {
             return Optional.of("a preview");
         }
-        return request.auxiliary().isEmpty() ? Optional.empty() : Optional.of("what is told of pixels beside colours");
+        return request.auxiliary().isEmpty() ? Optional.empty() : Optional.of("a picture beside the colours");
     }
 
     private String reason(Optional<String> what) {

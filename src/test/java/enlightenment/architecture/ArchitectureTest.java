@@ -147,6 +147,8 @@ class ArchitectureTest {
                     "photometry",
                     "job",
                     "checkpoint",
+                    "film",
+                    "render",
                     "net",
                     "measure",
                     "cli")

@@ -2,9 +2,12 @@ package enlightenment.engine;
 
 import enlightenment.film.SampleLog;
 import enlightenment.plan.Learned;
+import enlightenment.plan.MethodDecision;
+import enlightenment.plan.MethodPilot;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.work.Cancellation;
@@ -88,14 +91,24 @@ public final class DividedRender implements UnitSource {
     }
 
     private static DividedRender prepare(
-            Scene scene, RenderSettings settings, SharedImages images, BooleanSupplier cancelled, boolean isLast) {
+            Scene scene, RenderSettings asked, SharedImages images, BooleanSupplier cancelled, boolean isLast) {
         Stopwatch time = Stopwatch.started();
-        PictureMemory.check(settings, 0);
+        PictureMemory.check(asked, 0);
         Phases phases = new Phases();
         BooleanSupplier stopped = Cancellation.of(cancelled);
         CompiledScene compiled =
-                phases.run("compile", () -> SceneCompiler.compile(scene, settings, images.images, stopped));
-        Planner planner = new Planner(compiled, settings, stopped);
+                phases.run("compile", () -> SceneCompiler.compile(scene, asked, images.images, stopped));
+        Planner planner;
+        RenderSettings settings;
+        if (asked.method() == Method.AUTO) {
+            MethodDecision decision = phases.run("pilot", () -> MethodPilot.decide(scene, compiled, asked, stopped));
+            settings = asked.withMethod(decision.method());
+            planner = new Planner(compiled, settings, stopped);
+            planner.note(decision.reason());
+        } else {
+            settings = asked;
+            planner = new Planner(compiled, settings, stopped);
+        }
         RenderPlan plan = phases.run("plan", () -> isLast ? planner.planOnce(time) : planner.plan(time, 0));
         Rounds rounds = new Rounds(settings.budget());
         RenderOutline outline = RenderOutline.of(scene.name(), compiled, settings, plan);

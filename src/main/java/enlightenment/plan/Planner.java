@@ -151,6 +151,11 @@ public final class Planner {
         return () -> cancelled.getAsBoolean() || time.seconds() > longest;
     }
 
+    /** Adds to {@link #notes} what was decided before. */
+    public void note(String text) {
+        notes.add(text);
+    }
+
     /** What cannot be kept of the budget, or only at a price, in plain words; known when it is planned. */
     public List<String> notes() {
         return List.copyOf(notes);

@@ -29,6 +29,7 @@ import java.util.function.BooleanSupplier;
  *     not concerned. They are not closed
  * @param denoised whether to make a second picture without grain, {@link RenderResult#denoised}; physical shading only
  * @param scratch where a picture is kept that is too large for the memory; empty if it is refused
+ * @param choice the method that was chosen for scene and settings; empty to choose it where the settings leave that open
  */
 public record RenderRequest(
         Scene scene,
@@ -41,7 +42,8 @@ public record RenderRequest(
         boolean chains,
         List<ResultArchive> archives,
         boolean denoised,
-        Optional<ScratchFolder> scratch) {
+        Optional<ScratchFolder> scratch,
+        Optional<MethodChoice> choice) {
 
     /**
      * Copies the set and the list; nothing may be null.
@@ -81,14 +83,24 @@ public record RenderRequest(
                 false,
                 List.of(),
                 false,
+                Optional.empty(),
                 Optional.empty());
     }
 
-    /** The same request with other settings. */
+    /** The same request with other settings, for which nothing is chosen. */
     public RenderRequest withSettings(RenderSettings value) {
+        return with(value, Optional.empty());
+    }
+
+    /** The same request with the settings of a choice that {@link Renderer#choose} made for its scene. */
+    public RenderRequest withChoice(MethodChoice value) {
+        return with(value.settings(), Optional.of(value));
+    }
+
+    private RenderRequest with(RenderSettings how, Optional<MethodChoice> chosen) {
         return new RenderRequest(
                 scene,
-                value,
+                how,
                 progress,
                 cancelled,
                 auxiliary,
@@ -97,7 +109,8 @@ public record RenderRequest(
                 chains,
                 archives,
                 denoised,
-                scratch);
+                scratch,
+                chosen);
     }
 
     /** The same request with another listener. */
@@ -113,7 +126,8 @@ public record RenderRequest(
                 chains,
                 archives,
                 denoised,
-                scratch);
+                scratch,
+                choice);
     }
 
     /** The same request, ended by something else; it must be quick to answer. */
@@ -129,7 +143,8 @@ public record RenderRequest(
                 chains,
                 archives,
                 denoised,
-                scratch);
+                scratch,
+                choice);
     }
 
     /** The same request for other things beside the colours. */
@@ -145,7 +160,8 @@ public record RenderRequest(
                 chains,
                 archives,
                 denoised,
-                scratch);
+                scratch,
+                choice);
     }
 
     /** The same request for other things beside the colours. */
@@ -168,7 +184,8 @@ public record RenderRequest(
                 chains,
                 archives,
                 denoised,
-                scratch);
+                scratch,
+                choice);
     }
 
     /** The same request with or without the Markov chains. */
@@ -184,13 +201,15 @@ public record RenderRequest(
                 value,
                 archives,
                 denoised,
-                scratch);
+                scratch,
+                choice);
     }
 
     /** The same request with or without coarse passes first. */
     public RenderRequest withProgressive(boolean value) {
         return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, value, clusters, chains, archives, denoised, scratch);
+                scene, settings, progress, cancelled, auxiliary, value, clusters, chains, archives, denoised, scratch,
+                choice);
     }
 
     /** The same request with other archives. */
@@ -206,7 +225,8 @@ public record RenderRequest(
                 chains,
                 value,
                 denoised,
-                scratch);
+                scratch,
+                choice);
     }
 
     /** This request with or without a second picture, from which grain is removed. */
@@ -222,7 +242,8 @@ public record RenderRequest(
                 chains,
                 archives,
                 value,
-                scratch);
+                scratch,
+                choice);
     }
 
     /** This request for a picture that may be kept in a file of this folder while it is rendered. */
@@ -238,7 +259,8 @@ public record RenderRequest(
                 chains,
                 archives,
                 denoised,
-                Optional.of(value));
+                Optional.of(value),
+                choice);
     }
 
     /** What has to be found of each pixel beside its colour: what is asked for, and what grain is removed by. */

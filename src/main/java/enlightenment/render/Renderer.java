@@ -4,6 +4,8 @@ import enlightenment.engine.FilmPlace;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.plan.Integrators;
+import enlightenment.plan.MethodDecision;
+import enlightenment.plan.MethodPilot;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
 import enlightenment.plan.Rounds;
@@ -114,7 +116,16 @@ public final class Renderer {
 
     /** The same with image files that renders before may have needed too. */
     static RenderResult render(RenderRequest request, SceneImages files) {
-        Stopwatch time = Stopwatch.started();
+        BooleanSupplier cancelled = Cancellation.of(request.cancelled());
+        MethodChoice choice =
+                request.choice().orElseGet(() -> choose(request.scene(), request.settings(), files, cancelled));
+        choice.reason().ifPresent(request.progress()::note);
+        return render(request.withChoice(choice), choice, files, cancelled);
+    }
+
+    private static RenderResult render(
+            RenderRequest request, MethodChoice choice, SceneImages files, BooleanSupplier cancelled) {
+        Stopwatch time = choice.time();
         RenderSettings settings = request.settings();
         int images = (request.progressive() ? 1 : 0)
                 + (settings.method().kind() == Method.Kind.SPLATS ? PictureMemory.IMAGES_OF_SPLATS : 0)
@@ -124,10 +135,10 @@ public final class Renderer {
                 + (settings.budget().error().isPresent() ? 1 : 0);
         FilmChoice film = new FilmChoice(request, images);
         film.check();
-        BooleanSupplier cancelled = Cancellation.of(request.cancelled());
-        Phases phases = new Phases();
-        CompiledScene scene =
-                phases.run("compile", () -> SceneCompiler.compile(request.scene(), settings, files, cancelled));
+        Phases phases = choice.phases();
+        CompiledScene scene = choice.compiled()
+                .orElseGet(() -> phases.run(
+                        "compile", () -> SceneCompiler.compile(request.scene(), settings, files, cancelled)));
         film.check(scene);
         if (request.denoised()) {
             Denoising.check(scene);
@@ -168,9 +179,38 @@ public final class Renderer {
                 .run(plan);
     }
 
+    /**
+     * Chooses the method of a render, if its settings leave that to the program ({@link Method#AUTO}): a function of scene, size, seed and
+     * budget, the same for every crop and on every machine. Takes about a hundredth of the render. The seconds of a budget are counted from
+     * here on.
+     *
+     * @param cancelled asked from several threads at once
+     * @throws SceneException if the scene cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used
+     * @throws CancellationException if it was cancelled, or the calling thread interrupted, before the method was chosen
+     */
+    public static MethodChoice choose(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        return choose(scene, settings, new SceneImages(), Cancellation.of(cancelled));
+    }
+
+    private static MethodChoice choose(
+            Scene scene, RenderSettings settings, SceneImages files, BooleanSupplier cancelled) {
+        Stopwatch time = Stopwatch.started();
+        Phases phases = new Phases();
+        if (settings.method() != Method.AUTO) {
+            return new MethodChoice(settings, Optional.empty(), null, phases, time);
+        }
+        CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, files, cancelled));
+        MethodDecision decision = phases.run("pilot", () -> MethodPilot.decide(scene, compiled, settings, cancelled));
+        return new MethodChoice(
+                settings.withMethod(decision.method()), Optional.of(decision.reason()), compiled, phases, time);
+    }
+
     /** What a render of this scene would model and need, in plain words, without rendering it. */
-    public static Inspection inspect(Scene scene, RenderSettings settings) {
-        CompiledScene compiled = SceneCompiler.compile(scene, settings);
+    public static Inspection inspect(Scene scene, RenderSettings asked) {
+        MethodChoice choice = choose(scene, asked, () -> false);
+        RenderSettings settings = choice.settings();
+        CompiledScene compiled = choice.compiled().orElseGet(() -> SceneCompiler.compile(scene, settings));
         int primitives = compiled.primitives.length;
         List<String> hints = new ArrayList<>(SceneHints.of(scene, compiled));
         Integrators.blindSpot(settings.method(), compiled).ifPresent(hints::add);

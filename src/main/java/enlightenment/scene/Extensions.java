@@ -34,7 +34,7 @@ final class Extensions {
 
     private static Search search() {
         try {
-            List<Method> all = new ArrayList<>(BuiltInMethod.ALL);
+            List<Method> all = new ArrayList<>(Method.selectable(BuiltInMethod.ALL));
             List<Method> sorted = new ArrayList<>();
             ServiceLoader.load(MethodExtension.class).forEach(sorted::add);
             sorted.sort(Comparator.comparing(Method::word));

@@ -20,7 +20,7 @@ import java.util.Set;
 // No default methods: an interface that has some is initialised before the classes that implement it, and these
 // constants
 // would be null to whoever meets the enum first.
-public sealed interface Method permits BuiltInMethod, MethodExtension {
+public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExtension {
     /** Evenly spaced camera rays, the same number of light samples at every hit. */
     Method RAYTRACE = BuiltInMethod.RAYTRACE;
 
@@ -29,6 +29,9 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
 
     /** Markov chains in blocks of the picture, by the algorithm of Metropolis and Hastings. */
     Method METROPOLIS = BuiltInMethod.METROPOLIS;
+
+    /** The program chooses: one of {@link BuiltInMethod} takes its place before anything is rendered. Not among {@link #all}. */
+    Method AUTO = AutomaticMethod.AUTO;
 
     /** What a unit of a method's work is. */
     enum Kind {
@@ -63,10 +66,22 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
     /** Whether it learns ray clusters that can be told of. */
     boolean hasClusters();
 
-    /** All methods: our own in order, then those from outside by their words. */
+    /** All methods that render: our own in order, then those from outside by their words. */
     static List<Method> all() {
         List<Method> all = new ArrayList<>(BuiltInMethod.ALL);
         all.addAll(Extensions.found());
+        return List.copyOf(all);
+    }
+
+    /** What a method can be set to: {@link #all}, and behind them {@link #AUTO}. */
+    static List<Method> selectable() {
+        return selectable(all());
+    }
+
+    /** These methods and {@link #AUTO}. */
+    static List<Method> selectable(List<? extends Method> methods) {
+        List<Method> all = new ArrayList<>(methods);
+        all.add(AUTO);
         return List.copyOf(all);
     }
 
@@ -84,9 +99,9 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
         return List.copyOf(words);
     }
 
-    /** The method with this name; empty if there is none. */
+    /** The method with this name, {@link #AUTO} included; empty if there is none. */
     static Optional<Method> of(String word) {
-        Optional<Method> own = find(BuiltInMethod.ALL, word);
+        Optional<Method> own = find(selectable(BuiltInMethod.ALL), word);
         return own.isPresent() ? own : find(Extensions.found(), word);
     }
 
@@ -107,7 +122,8 @@ public sealed interface Method permits BuiltInMethod, MethodExtension {
     static Method named(String word) {
         Optional<Method> method = of(word);
         if (method.isEmpty()) {
-            throw new InvalidValueException("method", "must be one of " + words() + ", not \"" + word + "\"");
+            throw new InvalidValueException(
+                    "method", "must be one of " + words(selectable()) + ", not \"" + word + "\"");
         }
         return method.get();
     }

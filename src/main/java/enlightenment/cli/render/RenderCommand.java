@@ -40,6 +40,7 @@ import enlightenment.cli.terminal.Terminal;
 import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 import enlightenment.net.RenderParts;
+import enlightenment.render.MethodChoice;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
@@ -173,7 +174,6 @@ public final class RenderCommand extends Subcommand {
         RenderSettings settings = PictureOutput.withRounding(
                 options.settings(scene, input), part == null ? output.writtenDepth() : output.depthOfWhole());
         view.check(scene);
-        samples.check(settings);
         aov.check(scene);
         options.warnOfStretch(scene, settings, terminal);
         CommandFiles files = new CommandFiles().reads(argument.file(), scene).writes("-o", output.file());
@@ -186,6 +186,16 @@ public final class RenderCommand extends Subcommand {
         store.register(files);
         files.check();
         denoised.check(scene, settings);
+        try {
+            return make(scene, options.choose(scene, settings, input, terminal));
+        } catch (CancellationException e) {
+            throw output.nothingRendered();
+        }
+    }
+
+    private int make(Scene scene, MethodChoice choice) throws IOException {
+        RenderSettings settings = choice.settings();
+        samples.check(settings);
         if (clusters != null) {
             ClusterFile.check(clusters, settings);
         }
@@ -196,8 +206,9 @@ public final class RenderCommand extends Subcommand {
             output.check(settings);
             String title = scene.name().isEmpty() ? input.name() : scene.name();
             boolean keeps = !output.isStandardOutput();
-            return watching.watch(title, settings, view, keeps, terminal, w -> renderPicture(scene, settings, w));
+            return watching.watch(title, settings, view, keeps, terminal, w -> renderPicture(scene, choice, w));
         }
+        choice.reason().ifPresent(terminal::say);
         renderPart(scene, settings);
         return ExitCode.DONE;
     }
@@ -256,13 +267,14 @@ public final class RenderCommand extends Subcommand {
         }
     }
 
-    private void renderPicture(Scene scene, RenderSettings settings, Watch watch) throws IOException {
+    private void renderPicture(Scene scene, MethodChoice choice, Watch watch) throws IOException {
+        RenderSettings settings = choice.settings();
         RenderResult result;
         try (ArchiveList archives = new ArchiveList(terminal)) {
             keep.open(scene, settings, terminal).ifPresent(archives::add);
             store.open(scene, settings, frame.number(), samples.wanted(), terminal)
                     .ifPresent(archives::add);
-            result = render(scene, settings, watch, archives.all());
+            result = render(scene, choice, watch, archives.all());
         } catch (SceneException e) {
             throw SceneFailures.inFile(input, e);
         }
@@ -297,11 +309,13 @@ public final class RenderCommand extends Subcommand {
         RequestedError.require(result);
     }
 
-    private RenderResult render(Scene scene, RenderSettings settings, Watch watch, List<ResultArchive> archives) {
+    private RenderResult render(Scene scene, MethodChoice choice, Watch watch, List<ResultArchive> archives) {
+        RenderSettings settings = choice.settings();
         RenderProgress display = progress.display(terminal.err());
         RenderProgress told = new BudgetNotes(display, settings.budget(), terminal);
         PreviewWriter writer = preview == null ? null : previewWriter(scene, settings, told);
         RenderRequest request = RenderRequest.of(scene, settings)
+                .withChoice(choice)
                 .withProgress(watch.over(writer == null ? told : writer))
                 .withCancelled(terminal.stop())
                 .withAuxiliary(aov.kinds())

@@ -18,6 +18,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.mesh.TriangleMesh;
+import enlightenment.render.MethodChoice;
 import enlightenment.render.Renderer;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.MethodSetting;
@@ -73,10 +74,12 @@ public final class InspectCommand extends Subcommand {
     protected int execute() {
         input = argument.open(foreign, terminal);
         Scene scene = frame.read(input);
-        RenderSettings settings = options.settings(scene, input);
+        MethodChoice choice = options.choose(scene, options.settings(scene, input), input, terminal);
+        RenderSettings settings = choice.settings();
         Renderer.Inspection inspection = inspect(scene, settings);
         contents(scene);
         list("method", method(settings, scene));
+        choice.reason().ifPresent(reason -> line("chosen", reason));
         list("can render it", methods(inspection));
         line("settings", SettingsLine.of(settings, frame.number()) + " threads=" + settings.threads());
         list("modelled", inspection.modelled());

@@ -31,6 +31,7 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.net.AuditReport;
 import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
+import enlightenment.render.MethodChoice;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
@@ -116,8 +117,18 @@ public final class ServerCommand extends Subcommand {
         files.writes("-o", output.file());
         report.register(files);
         files.check();
-        finish(serve(scene, settings, serverOptions), scene, settings);
+        MethodChoice choice = choose(scene, settings);
+        choice.reason().ifPresent(terminal::say);
+        finish(serve(scene, choice.settings(), serverOptions), scene, choice.settings());
         return ExitCode.DONE;
+    }
+
+    private MethodChoice choose(Scene scene, RenderSettings settings) {
+        try {
+            return options.choose(scene, settings, input, terminal);
+        } catch (CancellationException e) {
+            throw output.nothingRendered();
+        }
     }
 
     private RenderResult serve(Scene scene, RenderSettings settings, ServerOptions serverOptions) throws IOException {

@@ -1,5 +1,6 @@
 package enlightenment.cli.setting;
 
+import enlightenment.cli.input.SceneFailures;
 import enlightenment.cli.input.SceneInput;
 import enlightenment.cli.option.DecimalNumber;
 import enlightenment.cli.option.MethodOptions;
@@ -7,10 +8,13 @@ import enlightenment.cli.option.WordOption;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.math.InvalidValueException;
+import enlightenment.render.MethodChoice;
+import enlightenment.render.Renderer;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
 import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Mixin;
@@ -77,6 +81,22 @@ public final class RenderOptions {
         return method == null ? s : s.withMethod(method);
     }
 
+    /**
+     * Chooses the method, if options and scene leave that to the program.
+     *
+     * @param input where the scene comes from
+     * @throws java.util.concurrent.CancellationException if it is stopped before
+     */
+    public MethodChoice choose(Scene scene, RenderSettings asked, SceneInput input, Terminal terminal) {
+        try {
+            return Renderer.choose(scene, asked, terminal.stop());
+        } catch (InvalidValueException e) {
+            throw blame(e, input);
+        } catch (SceneException e) {
+            throw SceneFailures.inFile(input, e);
+        }
+    }
+
     private Budget budget() {
         Budget budget = Budget.NONE;
         budget = samples == null ? budget : budget.withSamples(samples);
@@ -101,7 +121,7 @@ public final class RenderOptions {
 
         @Override
         protected List<Method> all() {
-            return Method.all();
+            return Method.selectable();
         }
 
         /** Without listing all: whoever takes one of ours does not pay for a search for others. */

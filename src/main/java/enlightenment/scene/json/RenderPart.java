@@ -31,7 +31,8 @@ final class RenderPart {
             return null;
         }
         RenderDefaults d = RenderDefaults.DEFAULT;
-        String method = f.word("method", Method.words(methods), d.method().word());
+        String method = f.word(
+                "method", Method.words(Method.selectable(methods)), d.method().word());
         int antialias = f.integer("antialias", 1, RenderDefaults.MAX_ANTIALIAS, d.antialias());
         ChosenSettings chosen = ChosenSettings.NONE;
         for (MethodSetting setting : Method.settings(methods)) {
@@ -52,7 +53,7 @@ final class RenderPart {
                 }
             }
             if (o.get("method") instanceof JsonValue.Str s
-                    && !Method.words(BuiltInMethod.ALL).contains(s.text)) {
+                    && !Method.words(Method.selectable(BuiltInMethod.ALL)).contains(s.text)) {
                 return Method.all();
             }
         }

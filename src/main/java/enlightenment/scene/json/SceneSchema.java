@@ -27,7 +27,8 @@ public final class SceneSchema {
 
     /** The schema's text with these methods. */
     static String text(List<Method> methods) {
-        String words = methods.stream().map(m -> quoted(m.word())).collect(Collectors.joining(", "));
+        String words =
+                Method.selectable(methods).stream().map(m -> quoted(m.word())).collect(Collectors.joining(", "));
         String settings =
                 Method.settings(methods).stream().map(SceneSchema::property).collect(Collectors.joining(",\n"));
         return resource()

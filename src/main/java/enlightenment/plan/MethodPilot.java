@@ -1,0 +1,234 @@
+package enlightenment.plan;
+
+import enlightenment.method.SplatIntegrator;
+import enlightenment.sampling.Hash;
+import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.work.Workers;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.function.IntConsumer;
+
+/**
+ * Chooses the method of a render: each that can render the scene makes small pictures of all of it, and the one with the least product
+ * of error and cost is taken. Costs are counted, never timed, and random numbers are not the picture's: what is chosen is a function of
+ * scene, size, seed and budget, and the same for every crop.
+ */
+public final class MethodPilot {
+    /** Keeps the pilot's random numbers apart from the picture's. */
+    private static final long PURPOSE = 0x70696c6f74L;
+
+    /** Pictures of each method, with different seeds: their differences tell the error. */
+    private static final int PICTURES = 2;
+
+    /** Of each picture per pixel: the fewest that all methods can do with. */
+    private static final int SAMPLES = 8;
+
+    /** Camera samples for each method, as a share of those of the render. */
+    private static final double SHARE = 1.0 / 256;
+
+    private static final int FEWEST_SAMPLES = 1 << 12;
+    private static final int MOST_SAMPLES = 1 << 15;
+
+    /** Samples per pixel of a render whose budget does not say. */
+    private static final double USUAL_SAMPLES = 64;
+
+    /** In fewer blocks little would be seen of the picture. */
+    private static final int FEWEST_PIXELS_OF_BLOCKS = 6 * 64;
+
+    /** Blocks that the survey of {@code cluster} looks at, and paths of each of their pixels: about. */
+    private static final double SURVEYED_PIXELS = 24 * 256;
+
+    private static final double SURVEY_PATHS = 12;
+
+    /** Smaller factors are told as none, and larger ones not exactly. */
+    private static final double WORTH_TELLING = 1.05;
+
+    private static final double MOST_TOLD = 100;
+
+    private static final String ONLY = "no other method renders all of this scene";
+
+    private final CompiledScene scene;
+
+    /** Those of the render, of the whole picture. */
+    private final RenderSettings settings;
+
+    /** The same for the small pictures. */
+    private final RenderSettings small;
+
+    /** Samples per pixel that are expected of the render. */
+    private final double expected;
+
+    private final BooleanSupplier cancelled;
+    private final List<BuiltInMethod> methods;
+
+    private MethodPilot(Scene description, CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        this.scene = scene;
+        this.cancelled = cancelled;
+        expected = samples(settings);
+        methods = candidates(description, scene, expected);
+        double wanted = SHARE * expected * settings.width() * settings.height();
+        double pixels = Math.min(Math.max(wanted, FEWEST_SAMPLES), MOST_SAMPLES) / (PICTURES * SAMPLES);
+        double unit = Math.sqrt(pixels / ((double) settings.width() * settings.height()));
+        this.settings = settings.toBuilder().wholePicture().budget(Budget.NONE).build();
+        small = this.settings.withSize(side(settings.width() * unit), side(settings.height() * unit));
+    }
+
+    private static int side(double pixels) {
+        return (int) Math.max(Math.rint(pixels), 1);
+    }
+
+    private static double samples(RenderSettings settings) {
+        Budget budget = settings.budget();
+        if (budget.samples().isPresent()) {
+            return budget.samples().getAsDouble();
+        }
+        return budget.isNone() ? (double) settings.antialias() * settings.antialias() : USUAL_SAMPLES;
+    }
+
+    /** Those that can render the scene, see all of it, and have enough samples. */
+    private static List<BuiltInMethod> candidates(Scene description, CompiledScene scene, double samples) {
+        List<BuiltInMethod> able = new ArrayList<>();
+        for (BuiltInMethod method :
+                BuiltInMethod.rendering(description.shading().model())) {
+            boolean isAble = Method.supports(method, description)
+                    && Integrators.blindSpot(method, scene).isEmpty()
+                    && Integrators.fewestSamples(method, description.shading().model()) <= samples;
+            // Chains pay only for light so rare that no small picture shows it.
+            if (isAble && method != BuiltInMethod.METROPOLIS) {
+                able.add(method);
+            }
+        }
+        return able;
+    }
+
+    /**
+     * Chooses a method.
+     *
+     * @param description of the scene
+     * @param scene compiled for the size of the settings
+     * @param settings of the render; their method is not asked
+     * @throws CancellationException if it is cancelled
+     */
+    public static MethodDecision decide(
+            Scene description, CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        if (scene.physical == null) {
+            return classic(description);
+        }
+        MethodPilot pilot = new MethodPilot(description, scene, settings, cancelled);
+        if (pilot.methods.size() == 1) {
+            return MethodDecision.of(pilot.methods.get(0), ONLY);
+        }
+        return pilot.decide();
+    }
+
+    private static MethodDecision classic(Scene description) {
+        return Method.supports(BuiltInMethod.CLUSTER, description)
+                ? MethodDecision.of(BuiltInMethod.CLUSTER, "its survey finds where classic shading needs samples")
+                : MethodDecision.of(BuiltInMethod.RAYTRACE, ONLY);
+    }
+
+    private MethodDecision decide() {
+        List<BuiltInMethod> whole = new ArrayList<>(methods);
+        whole.remove(BuiltInMethod.CLUSTER);
+        Map<BuiltInMethod, List<PilotPicture>> pictures = pictures(whole);
+        PilotScores all =
+                new PilotScores(small.width(), small.height(), SAMPLES, pictures, BuiltInMethod.BIDIRECTIONAL);
+        List<PilotScore> scores = new ArrayList<>();
+        for (BuiltInMethod method : whole) {
+            scores.add(all.of(method));
+        }
+        if (methods.contains(BuiltInMethod.CLUSTER)) {
+            scores.add(ofCluster(all));
+        }
+        if (cancelled.getAsBoolean()) {
+            throw new CancellationException("stopped before a method was chosen");
+        }
+        return choose(scores);
+    }
+
+    /** By method, small pictures of the whole scene. */
+    private Map<BuiltInMethod, List<PilotPicture>> pictures(List<BuiltInMethod> of) {
+        PilotPicture[] made = new PilotPicture[of.size() * PICTURES];
+        List<RenderPlan> plans = of.stream().map(this::plan).toList();
+        double[] contributions = plans.stream().mapToDouble(this::contribution).toArray();
+        Workers.run(settings.threads(), made.length, cancelled, () -> (IntConsumer) i -> {
+            RenderPlan plan = plans.get(i / PICTURES);
+            RenderSettings mine =
+                    small.withMethod(plan.method()).withSeed(Hash.of(settings.seed(), PURPOSE, i % PICTURES));
+            made[i] = PilotPicture.whole(plan, scene, mine, contributions[i / PICTURES], cancelled);
+        });
+        if (cancelled.getAsBoolean()) {
+            throw new CancellationException("stopped before a method was chosen");
+        }
+        Map<BuiltInMethod, List<PilotPicture>> byMethod = new EnumMap<>(BuiltInMethod.class);
+        for (int m = 0; m < of.size(); m++) {
+            byMethod.put(of.get(m), Arrays.asList(made).subList(m * PICTURES, (m + 1) * PICTURES));
+        }
+        return byMethod;
+    }
+
+    /** Follows from the score of the method whose paths it shares. */
+    private PilotScore ofCluster(PilotScores all) {
+        PilotScore ray = all.of(BuiltInMethod.RAYTRACE);
+        double share = all.shareOfTiles(BuiltInMethod.RAYTRACE);
+        double pixels = Math.max((double) small.width() * small.height(), FEWEST_PIXELS_OF_BLOCKS);
+        PilotBlocks.Factors factors =
+                new PilotBlocks(scene, settings, SAMPLES, pixels).factors(PURPOSE, PICTURES, cancelled);
+        double factor = 1 - share + share * factors.variance();
+        double surveyed = Math.min(SURVEYED_PIXELS / ((double) settings.width() * settings.height()), 1);
+        return new PilotScore(
+                BuiltInMethod.CLUSTER,
+                ray.variance() * factor,
+                ray.uncertain() * factor,
+                ray.missed(),
+                ray.cost() * (factors.cost() + surveyed * SURVEY_PATHS / expected));
+    }
+
+    private RenderPlan plan(BuiltInMethod method) {
+        return new SamplePlans(scene, small.withMethod(method), cancelled).of(SAMPLES, "pilot");
+    }
+
+    private double contribution(RenderPlan plan) {
+        if (plan.lightPaths() == 0) {
+            return 0;
+        }
+        RayCounters unread = new RayCounters(scene.kindNames.size());
+        SplatIntegrator paths = Integrators.splats(plan, scene, small, unread);
+        return paths.expectedContribution();
+    }
+
+    private static MethodDecision choose(List<PilotScore> scores) {
+        List<PilotScore> sorted = new ArrayList<>(scores);
+        // Where nothing varies the cheapest is best.
+        sorted.sort(Comparator.comparingDouble(PilotScore::work).thenComparingDouble(PilotScore::cost));
+        PilotScore best = sorted.get(0);
+        PilotScore next = sorted.get(1);
+        double factor = next.work() / best.work();
+        String than = factor >= WORTH_TELLING
+                ? String.format(Locale.ROOT, "%s times less squared error for its cost than ", told(factor))
+                : "no more squared error for its cost than ";
+        return MethodDecision.of(
+                best.method(),
+                "in small pilot pictures it had " + than + next.method().word());
+    }
+
+    /** Two digits; a pilot tells no more. */
+    private static String told(double factor) {
+        return factor < MOST_TOLD
+                ? String.format(Locale.ROOT, factor < 10 ? "%.1f" : "%.0f", factor)
+                : "over a hundred";
+    }
+}

@@ -1,0 +1,91 @@
+package enlightenment.plan;
+
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.function.Function;
+
+/** Means and variances over pictures of the same pixels with different seeds. All arrays have three bands of each pixel. */
+final class PilotSpread {
+    /** The share of the picture's mean below which pixels count as equally dark. */
+    private static final double DARK = 0.05;
+
+    private PilotSpread() {}
+
+    /** The mean of several pictures. */
+    static double[] mean(Collection<PilotPicture> pictures) {
+        double[] mean = new double[3 * pixels(pictures)];
+        for (PilotPicture picture : pictures) {
+            double[] light = picture.light();
+            Arrays.setAll(mean, i -> mean[i] + light[i] / pictures.size());
+        }
+        return mean;
+    }
+
+    private static int pixels(Collection<PilotPicture> pictures) {
+        return pictures.iterator().next().tiles().length / 3;
+    }
+
+    /**
+     * The variance of one of these pictures in each pixel and band, from the differences between them.
+     *
+     * @param part which light of a picture; empty for none
+     */
+    static double[] variance(List<PilotPicture> pictures, Function<PilotPicture, double[]> part) {
+        double[] variance = new double[3 * pixels(pictures)];
+        double[] mean = new double[variance.length];
+        for (PilotPicture picture : pictures) {
+            double[] light = part.apply(picture);
+            for (int i = 0; i < light.length; i++) {
+                mean[i] += light[i] / pictures.size();
+            }
+        }
+        for (PilotPicture picture : pictures) {
+            double[] light = part.apply(picture);
+            for (int i = 0; i < light.length; i++) {
+                double d = light[i] - mean[i];
+                variance[i] += d * d / (pictures.size() - 1);
+            }
+        }
+        return variance;
+    }
+
+    /** What squares of errors are divided by in each pixel and band: m² + (0.05 M)², with the pixel's mean m and the picture's M. */
+    static double[] scale(double[] mean) {
+        double[] whole = new double[3];
+        for (int i = 0; i < mean.length; i++) {
+            whole[i % 3] += 3 * mean[i] / mean.length;
+        }
+        double[] scale = new double[mean.length];
+        Arrays.setAll(scale, i -> mean[i] * mean[i] + DARK * DARK * whole[i % 3] * whole[i % 3]);
+        return scale;
+    }
+
+    /** The mean of relative variances over pixels and bands; black pixels count as exact. */
+    static double relative(double[] variance, double[] scale) {
+        double sum = 0;
+        for (int i = 0; i < variance.length; i++) {
+            sum += ratio(variance[i], scale[i]);
+        }
+        return sum / variance.length;
+    }
+
+    /** The standard error of {@link #relative}, as the differences between pixels tell it. */
+    static double uncertainty(double[] variance, double[] scale) {
+        double mean = relative(variance, scale);
+        int pixels = variance.length / 3;
+        double sum = 0;
+        for (int p = 0; p < pixels; p++) {
+            double one = 0;
+            for (int i = 3 * p; i < 3 * p + 3; i++) {
+                one += ratio(variance[i], scale[i]) / 3;
+            }
+            sum += (one - mean) * (one - mean);
+        }
+        return Math.sqrt(sum) / pixels;
+    }
+
+    static double ratio(double variance, double scale) {
+        return scale > 0 ? variance / scale : 0;
+    }
+}

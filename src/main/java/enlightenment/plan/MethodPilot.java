@@ -33,8 +33,11 @@ public final class MethodPilot {
     /** Pictures of each method, with different seeds: their differences tell the error. */
     private static final int PICTURES = 2;
 
-    /** Of each picture per pixel: the fewest that all methods can do with. */
-    private static final int SAMPLES = 8;
+    /** Camera samples per pixel of a small picture: enough that they are well distributed. */
+    private static final int SAMPLES = 4;
+
+    /** The same in blocks of the render: as many as {@code cluster} shares at least. */
+    private static final int SAMPLES_IN_BLOCKS = 8;
 
     /** Camera samples for each method, as a share of those of the render. */
     private static final double SHARE = 1.0 / 256;
@@ -184,9 +187,9 @@ public final class MethodPilot {
     private PilotScore ofCluster(PilotScores all) {
         PilotScore ray = all.of(BuiltInMethod.RAYTRACE);
         double share = all.shareOfTiles(BuiltInMethod.RAYTRACE);
-        double pixels = Math.max((double) small.width() * small.height(), FEWEST_PIXELS_OF_BLOCKS);
+        double pixels = Math.max(small.width() * small.height() / 2.0, FEWEST_PIXELS_OF_BLOCKS);
         PilotBlocks.Factors factors =
-                new PilotBlocks(scene, settings, SAMPLES, pixels).factors(PURPOSE, PICTURES, cancelled);
+                new PilotBlocks(scene, settings, SAMPLES_IN_BLOCKS, pixels).factors(PURPOSE, PICTURES, cancelled);
         double factor = 1 - share + share * factors.variance();
         double surveyed = Math.min(SURVEYED_PIXELS / ((double) settings.width() * settings.height()), 1);
         return new PilotScore(

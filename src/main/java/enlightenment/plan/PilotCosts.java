@@ -11,7 +11,7 @@ import java.util.Arrays;
  */
 final class PilotCosts {
     /** A shadow ray, and a test of a primitive. */
-    private static final double SHADOW_RAY = 60;
+    private static final double SHADOW_RAY = 200;
 
     private static final double TEST = 6;
 
@@ -19,9 +19,19 @@ final class PilotCosts {
 
     /** Nanoseconds of what was traced by a method. */
     static double of(BuiltInMethod method, RayCounters counts) {
-        return ofHit(method) * Arrays.stream(counts.hits).sum()
+        return ofSample(method) * counts.cameraRays
+                + ofHit(method) * Arrays.stream(counts.hits).sum()
                 + SHADOW_RAY * counts.shadowRays
                 + TEST * Arrays.stream(counts.tests).sum();
+    }
+
+    /** A camera sample, with the light paths that belong to it. */
+    private static double ofSample(BuiltInMethod method) {
+        return switch (method) {
+            case RAYTRACE, CLUSTER, METROPOLIS -> 500;
+            case LIGHT -> 300;
+            case BIDIRECTIONAL -> 1500;
+        };
     }
 
     /** A surface that a path meets, with what is sampled there. */

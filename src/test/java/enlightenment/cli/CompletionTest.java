@@ -48,7 +48,7 @@ class CompletionTest {
                 "trade   | --methods  | METHODS"
             })
     void wordsAreCompleted(String command, String option, String known) {
-        String words = known.equals("METHODS") ? String.join(" ", Method.words()) : known;
+        String words = known.equals("METHODS") ? String.join(" ", Method.words(Method.selectable())) : known;
         OptionSpec spec = options(command).stream()
                 .filter(o -> o.longestName().equals(option))
                 .findFirst()

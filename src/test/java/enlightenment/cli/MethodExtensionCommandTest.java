@@ -68,12 +68,19 @@ class MethodExtensionCommandTest {
         run = CliRun.of("render", "--help");
         assertTrue(run.out().contains("--toy-rays=N"), run.out());
         assertTrue(
-                run.out().replaceAll("\\s+", " ").contains(String.join(", ", enlightenment.scene.Method.words())),
+                run.out()
+                        .replaceAll("\\s+", " ")
+                        .contains(String.join(
+                                ", ", enlightenment.scene.Method.words(enlightenment.scene.Method.selectable()))),
                 run.out());
         assertTrue(CliRun.of("completion").out().contains("toy-shape"));
         run = CliRun.of("inspect", classic, "--method", "toys");
         assertTrue(
-                run.err().contains("--method must be one of " + String.join(", ", enlightenment.scene.Method.words())),
+                run.err()
+                        .contains("--method must be one of "
+                                + String.join(
+                                        ", ",
+                                        enlightenment.scene.Method.words(enlightenment.scene.Method.selectable()))),
                 run.err());
     }
 

@@ -115,7 +115,9 @@ class NamedFaultsTest {
         fails("threads: must lie in 1..4096, not 0", () -> s.withThreads(0));
         fails("antialias: must lie in 1..256, not 0", () -> s.withAntialias(0));
         fails("samples: must lie in 1..16777216, not 0.5", () -> s.withBudget(Budget.NONE.withSamples(0.5)));
-        fails("method: must be one of " + Method.words() + ", not \"magic\"", () -> Method.named("magic"));
+        fails(
+                "method: must be one of " + Method.words(Method.selectable()) + ", not \"magic\"",
+                () -> Method.named("magic"));
     }
 
     @Test

@@ -134,7 +134,7 @@ class RenderCommandTest extends SceneFixture {
                 "1.5");
         refused("--frame must be a whole number in 0..2147483647, not \"-1\"", "--frame", "-1");
         refused(
-                "--method must be one of " + String.join(", ", Method.words()) + ", not \"magic\"",
+                "--method must be one of " + String.join(", ", Method.words(Method.selectable())) + ", not \"magic\"",
                 "--method",
                 "magic");
         refused("--depth must be one of 8, 16, 32, not \"12\"", "--depth", "12");

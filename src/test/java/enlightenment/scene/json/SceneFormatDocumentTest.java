@@ -222,7 +222,7 @@ class SceneFormatDocumentTest {
     @Test
     void everyWordIsExplained() {
         Stream.of(
-                        Method.words(BuiltInMethod.ALL),
+                        Method.words(Method.selectable(BuiltInMethod.ALL)),
                         Shadings.models(),
                         Fields.words(Texture.Filter.class),
                         Fields.words(MeshOrigin.Normals.class),

@@ -148,7 +148,7 @@ class SceneSchemaTest {
             }
         }
         assertEquals(
-                words(Method.words(BuiltInMethod.ALL)),
+                words(Method.words(Method.selectable(BuiltInMethod.ALL))),
                 strings(property("render", "method").get("enum")));
         assertEquals(
                 Shadings.models(),

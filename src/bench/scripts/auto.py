@@ -17,9 +17,7 @@ import csv
 import json
 import math
 import pathlib
-import re
 import resource
-import shutil
 import subprocess
 import sys
 
@@ -177,6 +175,33 @@ def print_table(table, methods, work, samples):
     print("| geometric mean | " + " | ".join(f"{m:.2f}" for m in means) + " | |")
 
 
+# PilotCosts.java: nanoseconds of a camera sample and of a surface that is met; then of a shadow ray and of a test.
+TABLE = {"raytrace": (500, 1500), "cluster": (500, 1200), "light": (300, 900), "bidirectional": (1500, 1650), "metropolis": (500, 2000)}
+SHADOW_RAY, TEST = 200, 6
+
+
+def costs(chosen):
+    """Processor time and cost by the table, both relative to raytrace's, of the render phases that `race` reported."""
+    print("| scene | method | measured | by the table | off by a factor of |\n|---|---|---|---|---|")
+    for file in sorted(chosen.work.glob(f"*-raytrace-{chosen.samples}-1.json")):
+        name = file.name.removesuffix(f"-raytrace-{chosen.samples}-1.json")
+        base = cost_of(file, "raytrace")
+        for method in FIXED[1:]:
+            other = file.with_name(f"{name}-{method}-{chosen.samples}-1.json")
+            if other.exists():
+                measured, told = (a / b for a, b in zip(cost_of(other, method), base))
+                print(f"| {name} | `{method}` | {measured:.2f} | {told:.2f} | {max(measured / told, told / measured):.2f} |")
+
+
+def cost_of(file, method):
+    report = json.loads(file.read_text())
+    seconds = sum(p["cpuSeconds"] for p in report["phases"] if p["name"] == "render")
+    sample, hit = TABLE[method]
+    rays = report["rays"]
+    return seconds, (
+        sample * rays["camera"] + hit * sum(report["hits"].values()) + SHADOW_RAY * rays["shadow"] + TEST * sum(report["tests"].values()))
+
+
 def parsed():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("task", choices=["race", "costs"])
@@ -192,4 +217,4 @@ def parsed():
 
 if __name__ == "__main__":
     arguments = parsed()
-    race(arguments)
+    race(arguments) if arguments.task == "race" else costs(arguments)

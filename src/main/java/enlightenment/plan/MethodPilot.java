@@ -36,7 +36,7 @@ public final class MethodPilot {
     /** Camera samples per pixel of a small picture: enough that they are well distributed. */
     private static final int SAMPLES = 4;
 
-    /** The same in blocks of the render: as many as {@code cluster} shares at least. */
+    /** Camera samples per pixel in blocks of the render: as many as {@code cluster} shares at least. */
     private static final int SAMPLES_IN_BLOCKS = 8;
 
     /** Camera samples for each method, as a share of those of the render. */
@@ -56,7 +56,7 @@ public final class MethodPilot {
 
     private static final double SURVEY_PATHS = 12;
 
-    /** Smaller factors are told as none, and larger ones not exactly. */
+    /** Smaller factors are reported as none, and larger ones not exactly. */
     private static final double WORTH_TELLING = 1.05;
 
     private static final double MOST_TOLD = 100;
@@ -68,7 +68,7 @@ public final class MethodPilot {
     /** Those of the render, of the whole picture. */
     private final RenderSettings settings;
 
-    /** The same for the small pictures. */
+    /** Settings of the small pictures: those of the render with another size. */
     private final RenderSettings small;
 
     /** Samples per pixel that are expected of the render. */

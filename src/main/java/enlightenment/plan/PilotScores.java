@@ -13,7 +13,7 @@ final class PilotScores {
     /** Side of the blocks of pixels in which the light of two methods is compared. */
     private static final int BLOCK = 4;
 
-    /** Differences of so many standard deviations may be chance. */
+    /** Standard deviations within which a difference may be chance. */
     private static final double CHANCE = 3;
 
     private final int width;

@@ -87,12 +87,12 @@ public record RenderRequest(
                 Optional.empty());
     }
 
-    /** The same request with other settings, for which nothing is chosen. */
+    /** This request with other settings, for which nothing is chosen. */
     public RenderRequest withSettings(RenderSettings value) {
         return with(value, Optional.empty());
     }
 
-    /** The same request with the settings of a choice that {@link Renderer#choose} made for its scene. */
+    /** This request with the settings of a choice that {@link Renderer#choose} made for its scene. */
     public RenderRequest withChoice(MethodChoice value) {
         return with(value.settings(), Optional.of(value));
     }

@@ -20,6 +20,7 @@ import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
+import java.util.stream.Stream;
 
 /**
  * Chooses the method of a render: each that can render the scene makes small pictures of all of it, and the one with the least product
@@ -44,6 +45,9 @@ public final class MethodPilot {
 
     private static final int FEWEST_SAMPLES = 1 << 12;
     private static final int MOST_SAMPLES = 1 << 15;
+
+    /** Camera samples of a render from which on the pilot pays: it takes one to three seconds at least, most of it to compile what is not used later. */
+    private static final double FEWEST_WORTH_A_PILOT = 1 << 20;
 
     /** Samples per pixel of a render whose budget does not say. */
     private static final double USUAL_SAMPLES = 64;
@@ -134,7 +138,20 @@ public final class MethodPilot {
         if (pilot.methods.size() == 1) {
             return MethodDecision.of(pilot.methods.get(0), ONLY);
         }
-        return pilot.decide();
+        return pilot.isWorthIt() ? pilot.decide() : usual(pilot.methods);
+    }
+
+    private boolean isWorthIt() {
+        return expected * settings.width() * settings.height() >= FEWEST_WORTH_A_PILOT;
+    }
+
+    /** Of the methods that are best most often the first that is able. */
+    private static MethodDecision usual(List<BuiltInMethod> able) {
+        BuiltInMethod method = Stream.of(BuiltInMethod.CLUSTER, BuiltInMethod.RAYTRACE)
+                .filter(able::contains)
+                .findFirst()
+                .orElse(able.get(0));
+        return MethodDecision.of(method, "it is best most often, and the render is too small for a pilot");
     }
 
     private static MethodDecision classic(Scene description) {

@@ -24,6 +24,9 @@ import org.junit.jupiter.api.Test;
 
 /** The method that the program chooses takes the place of {@link Method#AUTO} everywhere, and is the same everywhere. */
 class AutomaticMethodTest {
+    /** Enough that a pilot is worth it. */
+    private static final double MANY = 1024;
+
     private static Scene scene(String name) throws IOException {
         return SceneReader.read(Path.of("scenes", name + ".json"));
     }
@@ -43,7 +46,7 @@ class AutomaticMethodTest {
     @Test
     void theChoiceDependsNeitherOnThreadsNorOnTilesNorOnTheCrop() throws IOException {
         Scene scene = scene("door-ajar");
-        RenderSettings settings = auto(scene, 16);
+        RenderSettings settings = auto(scene, MANY);
         String reason = Renderer.choose(scene, settings, () -> false).reason().orElseThrow();
         for (RenderSettings other : List.of(
                 settings.withThreads(1),
@@ -94,9 +97,9 @@ class AutomaticMethodTest {
     @Test
     void matteRoomsGoToClustersAndLampsBehindDoorsToPathsFromLights() throws IOException {
         Scene room = scene("cornell-box");
-        assertEquals(Method.CLUSTER, chosen(room, auto(room, 64)));
+        assertEquals(Method.CLUSTER, chosen(room, auto(room, MANY)));
         Scene door = scene("door-ajar");
-        Method method = chosen(door, auto(door, 64));
+        Method method = chosen(door, auto(door, MANY));
         assertTrue(method == BuiltInMethod.LIGHT || method == BuiltInMethod.BIDIRECTIONAL, method.word());
     }
 
@@ -104,14 +107,17 @@ class AutomaticMethodTest {
     void whatAMethodCannotSeeIsNotLeftToIt() throws IOException {
         Scene scene = scene("glass-physical");
         for (long seed = 0; seed < 3; seed++) {
-            assertNotEquals(BuiltInMethod.LIGHT, chosen(scene, auto(scene, 8).withSeed(seed)));
+            assertNotEquals(BuiltInMethod.LIGHT, chosen(scene, auto(scene, MANY).withSeed(seed)));
         }
     }
 
     @Test
-    void withFewerSamplesThanClustersNeedThereAreNone() throws IOException {
-        Scene room = scene("cornell-box");
-        assertNotEquals(Method.CLUSTER, chosen(room, auto(room, 4)));
+    void aSmallRenderHasNoPilotButTheMethodThatIsBestMostOften() throws IOException {
+        Scene door = scene("door-ajar");
+        MethodChoice choice = Renderer.choose(door, auto(door, 8), () -> false);
+        assertEquals(Method.CLUSTER, choice.settings().method());
+        assertTrue(choice.reason().orElseThrow().contains("too small for a pilot"));
+        assertEquals(Method.RAYTRACE, chosen(door, auto(door, 4)));
     }
 
     @Test
@@ -123,6 +129,6 @@ class AutomaticMethodTest {
     @Test
     void aChoiceThatIsCancelledIsNone() throws IOException {
         Scene scene = scene("cornell-box");
-        assertThrows(CancellationException.class, () -> Renderer.choose(scene, auto(scene, 8), () -> true));
+        assertThrows(CancellationException.class, () -> Renderer.choose(scene, auto(scene, MANY), () -> true));
     }
 }

@@ -49,6 +49,9 @@ public final class MethodPilot {
     /** Camera samples of a render from which on the pilot pays: it takes one to three seconds at least, most of it to compile what is not used later. */
     private static final double FEWEST_WORTH_A_PILOT = 1 << 20;
 
+    /** The same in seconds of a budget. */
+    private static final double FEWEST_SECONDS_WORTH_A_PILOT = 60;
+
     /** Samples per pixel of a render whose budget does not say. */
     private static final double USUAL_SAMPLES = 64;
 
@@ -78,6 +81,7 @@ public final class MethodPilot {
     /** Samples per pixel that are expected of the render. */
     private final double expected;
 
+    private final boolean isWorthIt;
     private final BooleanSupplier cancelled;
     private final List<BuiltInMethod> methods;
 
@@ -89,6 +93,7 @@ public final class MethodPilot {
         double wanted = SHARE * expected * settings.width() * settings.height();
         double pixels = Math.min(Math.max(wanted, FEWEST_SAMPLES), MOST_SAMPLES) / (PICTURES * SAMPLES);
         double unit = Math.sqrt(pixels / ((double) settings.width() * settings.height()));
+        isWorthIt = isWorthPilot(settings.budget(), expected * settings.width() * settings.height());
         this.settings = settings.toBuilder().wholePicture().budget(Budget.NONE).build();
         small = this.settings.withSize(side(settings.width() * unit), side(settings.height() * unit));
     }
@@ -138,11 +143,12 @@ public final class MethodPilot {
         if (pilot.methods.size() == 1) {
             return MethodDecision.of(pilot.methods.get(0), ONLY);
         }
-        return pilot.isWorthIt() ? pilot.decide() : usual(pilot.methods);
+        return pilot.isWorthIt ? pilot.decide() : usual(pilot.methods);
     }
 
-    private boolean isWorthIt() {
-        return expected * settings.width() * settings.height() >= FEWEST_WORTH_A_PILOT;
+    private static boolean isWorthPilot(Budget budget, double samples) {
+        return samples >= FEWEST_WORTH_A_PILOT
+                && budget.seconds().orElse(FEWEST_SECONDS_WORTH_A_PILOT) >= FEWEST_SECONDS_WORTH_A_PILOT;
     }
 
     /** Of the methods that are best most often the first that is able. */

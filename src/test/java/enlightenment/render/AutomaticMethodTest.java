@@ -118,6 +118,8 @@ class AutomaticMethodTest {
         assertEquals(Method.CLUSTER, choice.settings().method());
         assertTrue(choice.reason().orElseThrow().contains("too small for a pilot"));
         assertEquals(Method.RAYTRACE, chosen(door, auto(door, 4)));
+        RenderSettings hasty = auto(door, 8).withSize(480, 320).withBudget(Budget.NONE.withSeconds(8));
+        assertEquals(Method.CLUSTER, chosen(door, hasty));
     }
 
     @Test

@@ -10,11 +10,11 @@ abstract class VisibleNormals {
     /** Whether tables interpolate what is kept relative to {@link #keptBySmooth}. */
     final boolean isRelative;
 
-    private final Rings rings;
+    private final int rings;
     private final double[] cosines;
 
     /** Over rings and sectors of a half disk, over which visible normals are spread evenly. */
-    VisibleNormals(Microfacets facets, double even, boolean isRelative, Rings rings, int sectors) {
+    VisibleNormals(Microfacets facets, double even, boolean isRelative, int rings, int sectors) {
         this.isRelative = isRelative;
         this.facets = facets;
         this.even = even;
@@ -52,17 +52,17 @@ abstract class VisibleNormals {
         double scale = 1 / Math.sqrt(Math.fma(x, x, out * out));
         double k = Math.fma(out, scale, 1);
         double total = 0;
-        for (int i = 0; i < rings.points.length; i++) {
-            double w = rings.points[i];
+        for (int i = 0; i < rings; i++) {
+            double w = (i + 0.5) / rings;
             double edge = w * w * w * w;
             double q = Math.sqrt(k * Math.max(2 - (1 - edge) * k, 0) * (1 - edge));
             double ring = 0;
             for (double c : cosines) {
                 ring += lost(out, sine, x * scale + q * c, q * q * (1 - c) * (1 + c), k * edge);
             }
-            total += rings.weights[i] * 4 * w * w * w * ring;
+            total += 4 * w * w * w * ring;
         }
-        return Math.min(total / cosines.length, 1);
+        return Math.min(total / (rings * cosines.length), 1);
     }
 
     /** At the normal of slopes αx and αy over z, with y squared. */
@@ -73,37 +73,10 @@ abstract class VisibleNormals {
         return lost(out, Math.fma(sine, hx, out * z), z, length2);
     }
 
-    /**
-     * Where the rings are, in w.
-     *
-     * @param weights add up to 1
-     */
-    record Rings(double[] points, double[] weights) {
-        /** Of equal width: where facets that shadow one another make what is lost change abruptly. */
-        static Rings even(int n) {
-            Rings rings = new Rings(new double[n], new double[n]);
-            for (int i = 0; i < n; i++) {
-                rings.points[i] = (i + 0.5) / n;
-                rings.weights[i] = 1.0 / n;
-            }
-            return rings;
-        }
-
-        /** By Gauss's rule: where what is lost is smooth. */
-        static Rings gauss(int n) {
-            Rings rings = new Rings(new double[n], new double[n]);
-            for (int i = 0; i < n; i++) {
-                rings.points[i] = GaussLegendre.node(n, i);
-                rings.weights[i] = GaussLegendre.weight(n, i);
-            }
-            return rings;
-        }
-    }
-
     /** Facets that are perfect mirrors. */
     static final class OfMirrors extends VisibleNormals {
         OfMirrors(Microfacets facets) {
-            super(facets, 0, false, Rings.even(128), 64);
+            super(facets, 0, false, 128, 64);
         }
 
         @Override
@@ -119,7 +92,7 @@ abstract class VisibleNormals {
 
         /** @param eta the index on the side of arrival over that of the coat */
         OfCoat(Microfacets facets, double eta) {
-            super(facets, 0.5, true, Rings.gauss(32), 32);
+            super(facets, 0.5, true, 128, 32);
             this.eta = eta;
         }
 
@@ -147,7 +120,7 @@ abstract class VisibleNormals {
         /** @param eta the index on the side of arrival over that of the other side */
         OfBorder(Microfacets facets, double eta) {
             // Next to the angle of total reflection it changes as well.
-            super(facets, 0.5, false, Rings.even(128), 32);
+            super(facets, 0.5, false, 128, 32);
             this.eta = eta;
         }
 

@@ -147,8 +147,10 @@ public final class Image {
     private float[] row(int y) {
         Row row = last;
         if (row == null || row.y != y) {
-            row = new Row(y, new float[3 * width]);
-            rows.read(y, row.components);
+            float[] components = new float[3 * width];
+            rows.read(y, components);
+            // Only now: other threads see a record as it was when it was made.
+            row = new Row(y, components);
             last = row;
         }
         return row.components;

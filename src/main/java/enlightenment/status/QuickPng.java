@@ -13,7 +13,7 @@ import java.util.zip.DeflaterOutputStream;
  * PNG files (third edition, 2023) of the same pixels as those that are written, 8 bits per component, in a fraction of the time: what is
  * looked at for a second need be neither small nor the same bytes everywhere.
  */
-final class QuickPng {
+public final class QuickPng {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     private static final int TRUECOLOR = 2;
 
@@ -22,7 +22,8 @@ final class QuickPng {
 
     private QuickPng() {}
 
-    static byte[] of(Image image) throws IOException {
+    /** The bytes of a PNG file that shows the picture as a screen takes it. */
+    public static byte[] of(Image image) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(bytes);
         out.write(SIGNATURE);

@@ -2,6 +2,7 @@ package enlightenment.status;
 
 import enlightenment.image.Image;
 import enlightenment.listen.ServerLog;
+import enlightenment.listen.SmallHttp;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -106,7 +107,7 @@ public final class StatusServer {
     }
 
     private SmallHttp.Answer answer(SmallHttp.Request request) throws IOException {
-        if (!isForUs(request.host())) {
+        if (!request.isForLoopback()) {
             return SmallHttp.Answer.text(403, "this page is for this machine only\n");
         }
         if (!request.method().equals("GET")) {
@@ -122,11 +123,6 @@ public final class StatusServer {
             case "/health" -> SmallHttp.Answer.text(200, source.state().word() + "\n");
             default -> SmallHttp.Answer.text(404, "there is /, /status.json, /picture.png and /health\n");
         };
-    }
-
-    /** A page elsewhere that has a name of its own point here does not get an answer. */
-    private static boolean isForUs(String host) {
-        return host != null && host.matches("(localhost|127(\\.\\d{1,3}){3}|\\[::1])(:\\d+)?");
     }
 
     private SmallHttp.Answer status(SmallHttp.Request request) {

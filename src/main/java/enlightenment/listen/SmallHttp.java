@@ -1,8 +1,5 @@
-package enlightenment.status;
+package enlightenment.listen;
 
-import enlightenment.listen.Acceptor;
-import enlightenment.listen.ServerLog;
-import enlightenment.listen.Strangers;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
@@ -23,11 +20,15 @@ import java.util.function.LongSupplier;
  * connection has an end in sight, and where there are too many the oldest is closed: whoever sends half a request, or
  * many, keeps nobody else from an answer. (The JDK's own server waits for half a request without end, with one of few threads.)
  */
-final class SmallHttp implements Closeable {
-    static final int PLACES = 32;
+public final class SmallHttp implements Closeable {
+    /** The most connections at a time. */
+    public static final int PLACES = 32;
+
     static final int MAX_HEAD_BYTES = 8 << 10;
-    static final long REQUEST_TIMEOUT_NANOS = 5_000_000_000L;
-    static final long ANSWER_TIMEOUT_NANOS = 20_000_000_000L;
+    /** How long a request may take to arrive. */
+    public static final long REQUEST_TIMEOUT_NANOS = 5_000_000_000L;
+    /** How long an answer may take from the request to its last byte. */
+    public static final long ANSWER_TIMEOUT_NANOS = 20_000_000_000L;
 
     private static final int MAX_DRAINED_BYTES = 64 << 10;
     private static final int DRAIN_TIMEOUT_MILLIS = 200;
@@ -51,9 +52,17 @@ final class SmallHttp implements Closeable {
     }
 
     /** A request; {@code host} is null unless it is named exactly once. */
-    record Request(String method, String path, String query, String host) {
+    public record Request(String method, String path, String query, String host) {
+        /**
+         * Whether it was sent to one of loopback's own names. A page elsewhere that has a name of its own point here (DNS rebinding) does
+         * not get an answer.
+         */
+        public boolean isForLoopback() {
+            return host != null && host.matches("(localhost|127(\\.\\d{1,3}){3}|\\[::1])(:\\d+)?");
+        }
+
         /** What the query says a name is, if anything; of bounded length, and nothing but text. */
-        Optional<String> value(String name) {
+        public Optional<String> value(String name) {
             for (String part : query.split("&")) {
                 if (part.startsWith(name + "=")) {
                     return Optional.of(part.substring(name.length() + 1));
@@ -68,24 +77,30 @@ final class SmallHttp implements Closeable {
      *
      * @param sent is called when it has been sent
      */
-    record Answer(int code, String type, byte[] body, Runnable sent) {
-        Answer(int code, String type, byte[] body) {
+    public record Answer(int code, String type, byte[] body, Runnable sent) {
+        public Answer(int code, String type, byte[] body) {
             this(code, type, body, () -> {});
         }
 
-        static Answer text(int code, String text) {
+        public static Answer text(int code, String text) {
             return new Answer(code, "text/plain; charset=utf-8", text.getBytes(StandardCharsets.UTF_8));
         }
     }
 
-    /** Knows the answers. */
+    /** Answers requests; on several threads at once. */
     @FunctionalInterface
-    interface Pages {
+    public interface Pages {
         Answer answer(Request request) throws IOException;
     }
 
-    /** Begins to answer on loopback. */
-    static SmallHttp start(int port, Pages pages, ThreadFactory threads, ServerLog log, LongSupplier clock)
+    /**
+     * Begins to answer on loopback.
+     *
+     * @param port 0 for any that is free
+     * @param clock nanoseconds of any origin, that of {@link #check} too
+     * @throws IOException if it cannot listen there
+     */
+    public static SmallHttp start(int port, Pages pages, ThreadFactory threads, ServerLog log, LongSupplier clock)
             throws IOException {
         Acceptor acceptor = Acceptor.at(InetAddress.getLoopbackAddress(), port, log);
         SmallHttp http = new SmallHttp(acceptor, pages, threads, log, clock);
@@ -93,7 +108,8 @@ final class SmallHttp implements Closeable {
         return http;
     }
 
-    int port() {
+    /** The port that it listens at. */
+    public int port() {
         return acceptor.port();
     }
 
@@ -203,12 +219,12 @@ final class SmallHttp implements Closeable {
         }
     }
 
-    boolean isClosed() {
+    public boolean isClosed() {
         return acceptor.isClosed();
     }
 
-    /** Ends what should have ended by now. */
-    void check(long now) {
+    /** Ends connections whose time is over; to be called now and then. */
+    public void check(long now) {
         deadlines.forEach((socket, deadline) -> {
             if (now - deadline > 0) {
                 end(socket);
@@ -229,6 +245,7 @@ final class SmallHttp implements Closeable {
         }
     }
 
+    /** Ends all connections, and takes no more. */
     @Override
     public void close() throws IOException {
         acceptor.close();

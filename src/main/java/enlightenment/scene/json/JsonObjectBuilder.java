@@ -28,7 +28,10 @@ final class JsonObjectBuilder {
     private final Names names;
     private final Map<String, JsonValue> values = new LinkedHashMap<>();
 
-    /** @param names how the scene's textures, materials and image files are called in the text */
+    /**
+     * @param names how the scene's textures, materials and image files are called in the text; null for a part without any, in which
+     *     nothing is animated
+     */
     JsonObjectBuilder(JsonPointer place, Names names) {
         this.place = place;
         this.names = names;
@@ -44,7 +47,7 @@ final class JsonObjectBuilder {
 
     /** Whether a value, or something inside of it, is animated. */
     boolean animated(String key) {
-        return names.isAnimated(place.child(key));
+        return names != null && names.isAnimated(place.child(key));
     }
 
     JsonValue json() {

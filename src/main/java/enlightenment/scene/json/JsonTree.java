@@ -45,7 +45,7 @@ final class JsonTree {
     private static final int MOST_SHARED_TEXTS = 10_000;
     private static final int FEW_KEYS = 16;
 
-    private static final JsonFactory FACTORY = JsonFactory.builder()
+    static final JsonFactory FACTORY = JsonFactory.builder()
             .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS)
             // Let through as tokens, to be refused with their place like any other value that is no finite number.
             .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)

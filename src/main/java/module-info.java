@@ -70,4 +70,6 @@ module enlightenment {
             info.picocli;
     opens enlightenment.cli.terminal to
             info.picocli;
+    opens enlightenment.cli.view to
+            info.picocli;
 }

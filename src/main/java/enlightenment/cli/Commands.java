@@ -21,6 +21,7 @@ import enlightenment.cli.store.RenderStoreCommand;
 import enlightenment.cli.store.StoreExportCommand;
 import enlightenment.cli.store.StoreInfoCommand;
 import enlightenment.cli.terminal.Terminal;
+import enlightenment.cli.view.ViewCommand;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import picocli.AutoComplete;
@@ -30,6 +31,7 @@ import picocli.CommandLine;
 final class Commands {
     static final String[] NAMES = {
         "render",
+        "view",
         "animate",
         "new",
         "validate",
@@ -54,6 +56,7 @@ final class Commands {
     static Subcommand create(String name, Terminal terminal) {
         return switch (name) {
             case "render" -> new RenderCommand(terminal);
+            case "view" -> new ViewCommand(terminal);
             case "animate" -> new AnimateCommand(terminal);
             case "new" -> new NewCommand(terminal);
             case "validate" -> new ValidateCommand(terminal);

@@ -121,6 +121,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.listen")
             .layer("status")
             .definedBy("enlightenment.status")
+            .layer("view")
+            .definedBy("enlightenment.view")
             .layer("window")
             .definedBy("enlightenment.window")
             .layer("store")
@@ -134,7 +136,7 @@ class ArchitectureTest {
             .whereLayer("cli")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("json output")
-            .mayOnlyBeAccessedByLayers("net", "cli")
+            .mayOnlyBeAccessedByLayers("net", "view", "cli")
             .whereLayer("file")
             .mayOnlyBeAccessedByLayers(
                     "codec",
@@ -151,6 +153,7 @@ class ArchitectureTest {
                     "render",
                     "net",
                     "measure",
+                    "view",
                     "cli")
             .whereLayer("job")
             .mayOnlyBeAccessedByLayers("checkpoint", "net", "cli")
@@ -163,9 +166,11 @@ class ArchitectureTest {
             .whereLayer("net")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("listen")
-            .mayOnlyBeAccessedByLayers("status", "net", "cli")
+            .mayOnlyBeAccessedByLayers("status", "net", "view", "cli")
             .whereLayer("status")
-            .mayOnlyBeAccessedByLayers("window", "net", "cli")
+            .mayOnlyBeAccessedByLayers("window", "net", "view", "cli")
+            .whereLayer("view")
+            .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("window")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("measure")
@@ -173,7 +178,7 @@ class ArchitectureTest {
             .whereLayer("store")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("render")
-            .mayOnlyBeAccessedByLayers("checkpoint", "net", "measure", "cli", "status", "store")
+            .mayOnlyBeAccessedByLayers("checkpoint", "net", "measure", "view", "cli", "status", "store")
             .whereLayer("engine")
             .mayOnlyBeAccessedByLayers("render", "checkpoint", "net", "store")
             .whereLayer("plan")
@@ -187,7 +192,7 @@ class ArchitectureTest {
             .whereLayer("importer")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("json")
-            .mayOnlyBeAccessedByLayers("job", "net", "cli")
+            .mayOnlyBeAccessedByLayers("job", "net", "view", "cli")
             .whereLayer("method")
             .mayOnlyBeAccessedByLayers("classic cluster", "plan", "render", "engine")
             .whereLayer("classic cluster")
@@ -262,9 +267,10 @@ class ArchitectureTest {
                     "job",
                     "net",
                     "measure",
+                    "view",
                     "cli")
             .whereLayer("descriptions")
-            .mayOnlyBeAccessedByLayers("scene", "json", "nff", "importer", "world", "cli")
+            .mayOnlyBeAccessedByLayers("scene", "json", "nff", "importer", "world", "view", "cli")
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers(
                     "classic shading",
@@ -294,6 +300,7 @@ class ArchitectureTest {
                     "render",
                     "listen",
                     "net",
+                    "view",
                     "cli",
                     "store")
             .whereLayer("codec")
@@ -315,6 +322,7 @@ class ArchitectureTest {
                     "job",
                     "status",
                     "window",
+                    "view",
                     "net",
                     "measure",
                     "store",
@@ -451,6 +459,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.cli.film")
             .layer("scene")
             .definedBy("enlightenment.cli.scene")
+            .layer("view")
+            .definedBy("enlightenment.cli.view")
             .layer("measure")
             .definedBy("enlightenment.cli.measure")
             .layer("cli")
@@ -458,6 +468,8 @@ class ArchitectureTest {
             .whereLayer("cli")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("measure")
+            .mayOnlyBeAccessedByLayers("cli")
+            .whereLayer("view")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("scene")
             .mayOnlyBeAccessedByLayers("cli")
@@ -476,7 +488,8 @@ class ArchitectureTest {
             .whereLayer("setting")
             .mayOnlyBeAccessedByLayers("store", "serve", "render", "film", "scene", "measure")
             .whereLayer("input")
-            .mayOnlyBeAccessedByLayers("setting", "progress", "serve", "render", "film", "scene", "measure", "cli")
+            .mayOnlyBeAccessedByLayers(
+                    "setting", "progress", "serve", "render", "film", "scene", "view", "measure", "cli")
             .whereLayer("option")
             .mayOnlyBeAccessedByLayers(
                     "input",
@@ -488,6 +501,7 @@ class ArchitectureTest {
                     "render",
                     "film",
                     "scene",
+                    "view",
                     "measure",
                     "cli");
 

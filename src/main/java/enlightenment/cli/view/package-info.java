@@ -1,0 +1,2 @@
+/** The command {@code view}. */
+package enlightenment.cli.view;

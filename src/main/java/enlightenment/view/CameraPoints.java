@@ -1,0 +1,69 @@
+package enlightenment.view;
+
+import enlightenment.camera.Camera;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
+import java.util.function.UnaryOperator;
+
+/** Cameras with other points. None of these is for isometric views, which have a single one. */
+final class CameraPoints {
+    private CameraPoints() {}
+
+    /**
+     * A camera whose points are moved and rounded.
+     *
+     * @param move from the place of each point to its new one; the point that is looked at ends at the aim
+     * @param aim where the camera looks at afterwards
+     * @param up the upward direction afterwards; a window has none of its own
+     */
+    static Camera moved(Camera camera, UnaryOperator<ExactPoint> move, ExactPoint aim, Vec3 up) {
+        ExactPoint exact = move.apply(camera.origin());
+        double distance = exact.minus(aim).length();
+        ExactPoint eye = Digits.rounded(exact, distance);
+        if (camera instanceof Camera.Perspective c) {
+            return new Camera.Perspective(eye, aim, up, c.fieldOfView(), c.axis(), c.handedness(), c.lens());
+        }
+        if (camera instanceof Camera.Orthographic c) {
+            return new Camera.Orthographic(eye, aim, up, c.height(), c.handedness());
+        }
+        if (camera instanceof Camera.Panorama c) {
+            return new Camera.Panorama(eye, aim, up, c.eyeSeparation(), c.handedness());
+        }
+        Camera.Window c = (Camera.Window) camera;
+        // The window may be far nearer than the aim.
+        double size = Math.min(distance, c.lowerLeft().minus(c.upperRight()).length());
+        ExactPoint lowerLeft = Digits.rounded(move.apply(c.lowerLeft()), size);
+        ExactPoint upperLeft = Digits.rounded(move.apply(c.upperLeft()), size);
+        ExactPoint lowerRight = Digits.rounded(move.apply(c.lowerRight()), size);
+        ExactPoint upperRight = new ExactPoint(
+                upperLeft.x().add(lowerRight.x()).subtract(lowerLeft.x()),
+                upperLeft.y().add(lowerRight.y()).subtract(lowerLeft.y()),
+                upperLeft.z().add(lowerRight.z()).subtract(lowerLeft.z()));
+        return new Camera.Window(
+                Digits.rounded(exact, size), lowerLeft, upperLeft, upperRight, lowerRight, c.pupilRadius());
+    }
+
+    /** A camera that is not behind a window with another upward direction. */
+    static Camera withUp(Camera camera, Vec3 up) {
+        if (camera instanceof Camera.Perspective c) {
+            return new Camera.Perspective(c.eye(), c.lookAt(), up, c.fieldOfView(), c.axis(), c.handedness(), c.lens());
+        }
+        if (camera instanceof Camera.Orthographic c) {
+            return new Camera.Orthographic(c.eye(), c.lookAt(), up, c.height(), c.handedness());
+        }
+        Camera.Panorama c = (Camera.Panorama) camera;
+        return new Camera.Panorama(c.eye(), c.lookAt(), up, c.eyeSeparation(), c.handedness());
+    }
+
+    /** A camera that is not behind a window, looking at another point. */
+    static Camera withLookAt(Camera camera, ExactPoint lookAt) {
+        if (camera instanceof Camera.Perspective c) {
+            return new Camera.Perspective(c.eye(), lookAt, c.up(), c.fieldOfView(), c.axis(), c.handedness(), c.lens());
+        }
+        if (camera instanceof Camera.Orthographic c) {
+            return new Camera.Orthographic(c.eye(), lookAt, c.up(), c.height(), c.handedness());
+        }
+        Camera.Panorama c = (Camera.Panorama) camera;
+        return new Camera.Panorama(c.eye(), lookAt, c.up(), c.eyeSeparation(), c.handedness());
+    }
+}

@@ -1,0 +1,97 @@
+package enlightenment.view;
+
+import enlightenment.listen.ServerLog;
+import java.io.Closeable;
+import java.io.IOException;
+import java.security.SecureRandom;
+import java.util.HexFormat;
+import java.util.Optional;
+
+/** A scene that is rendered while its camera and its file change, with a page on loopback that shows it. */
+public final class LiveView implements Closeable {
+    private static final int KEY_BYTES = 16;
+    private static final long WATCH_MILLIS = 300;
+    private static final long TICK_MILLIS = 200;
+
+    private final ViewSession session = new ViewSession();
+    private final SceneLoader loader;
+    private final String key;
+    private final ViewServer server;
+
+    /**
+     * How a view is shown.
+     *
+     * @param title of the page
+     * @param port 0 for any that is free
+     * @param threads that render, at least 1
+     * @param samples per pixel after which a picture is finished, at least 1
+     */
+    public record Options(String title, int port, int threads, int samples) {}
+
+    private LiveView(SceneSource source, Options options, ServerLog log) throws IOException {
+        loader = new SceneLoader(source, session);
+        loader.load();
+        byte[] bytes = new byte[KEY_BYTES];
+        new SecureRandom().nextBytes(bytes);
+        key = HexFormat.of().formatHex(bytes);
+        server = new ViewServer(session, loader, options.title(), key, options.port(), log);
+        start("view render", new Refinement(session, source, options.threads(), options.samples(), System::nanoTime));
+        start("view watch", () -> repeat(WATCH_MILLIS, loader::check));
+        start("view tick", () -> repeat(TICK_MILLIS, server::check));
+    }
+
+    /**
+     * Reads the scene and begins to render and to answer, on threads that keep no process from ending.
+     *
+     * @throws enlightenment.scene.SceneException if the scene cannot be used now
+     * @throws IOException if it cannot listen at the port
+     */
+    public static LiveView start(SceneSource source, Options options, ServerLog log) throws IOException {
+        return new LiveView(source, options, log);
+    }
+
+    private static void start(String name, Runnable work) {
+        Thread thread = new Thread(work, name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void repeat(long millis, Runnable work) {
+        try {
+            while (!session.isClosed()) {
+                Thread.sleep(millis);
+                work.run();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** The address of the page, with the key that it needs behind {@code #}: browsers do not send that part to servers. */
+    public String address() {
+        return "http://127.0.0.1:" + server.port() + "/#" + key;
+    }
+
+    /**
+     * Writes camera and exposure into the scene file, if they have changed.
+     *
+     * @return why that was not done; empty if it was, or was not needed
+     */
+    public Optional<String> save() {
+        try {
+            if (session.snapshot().isMoved()) {
+                loader.save();
+            }
+            return Optional.empty();
+        } catch (SceneLoader.Refusal e) {
+            return Optional.of(e.getMessage());
+        }
+    }
+
+    /** Ends rendering and answers. */
+    @Override
+    public void close() throws IOException {
+        session.close();
+        server.close();
+    }
+}

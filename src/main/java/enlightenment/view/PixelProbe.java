@@ -1,0 +1,101 @@
+package enlightenment.view;
+
+import enlightenment.image.Image;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
+import enlightenment.render.Auxiliary;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
+import enlightenment.render.Renderer;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneObject;
+import java.util.EnumSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * What the ray through the middle of a pixel meets first.
+ *
+ * @param object its name, or its number and type; of a light the same; empty where there is nothing
+ * @param material its name, or its type; empty of a light
+ * @param depth from the eye, in scene units; infinite where there is nothing
+ * @param point in scene units, as the nearest floats
+ * @param normal of length 1, on the side that faces the viewer
+ */
+record PixelProbe(Optional<String> object, Optional<String> material, double depth, Vec3 point, Vec3 normal) {
+    private static final Set<Auxiliary> WANTED =
+            EnumSet.of(Auxiliary.DEPTH, Auxiliary.POSITION, Auxiliary.NORMAL, Auxiliary.OBJECT);
+
+    /**
+     * Follows one ray.
+     *
+     * @param shot the view
+     * @param x column in 0..width − 1
+     * @param y row in 0..height − 1
+     * @throws enlightenment.scene.SceneException if the scene cannot be rendered
+     */
+    static PixelProbe of(Shot shot, int x, int y) {
+        RenderSettings settings = shot.settings(new PassPlan(1, 0, 1, 0), 1).toBuilder()
+                .crop(new RenderSettings.Crop(x, y, 1, 1))
+                .build();
+        RenderResult result = Renderer.render(RenderRequest.of(shot.scene(), settings)
+                .withProgress(RenderProgress.NONE)
+                .withAuxiliary(WANTED));
+        Map<Auxiliary, Image> found = result.auxiliary();
+        int index = (int) found.get(Auxiliary.OBJECT).component(0, 0, 0);
+        return new PixelProbe(
+                object(shot.scene(), index),
+                material(shot.scene(), index),
+                found.get(Auxiliary.DEPTH).component(0, 0, 0),
+                vector(found.get(Auxiliary.POSITION)),
+                vector(found.get(Auxiliary.NORMAL)));
+    }
+
+    private static Vec3 vector(Image image) {
+        return new Vec3(image.component(0, 0, 0), image.component(0, 0, 1), image.component(0, 0, 2));
+    }
+
+    private static Optional<String> object(Scene scene, int index) {
+        int objects = scene.objects().size();
+        if (index < 0 || index >= objects + scene.lights().size()) {
+            return Optional.empty();
+        }
+        if (index >= objects) {
+            int light = index - objects;
+            return Optional.of(
+                    "light " + light + " (" + scene.lights().get(light).type() + ")");
+        }
+        SceneObject object = scene.objects().get(index);
+        String kind = "object " + index + " (" + object.shape().type() + ")";
+        return Optional.of(object.name().isEmpty() ? kind : object.name() + ", " + kind);
+    }
+
+    private static Optional<String> material(Scene scene, int index) {
+        if (index < 0 || index >= scene.objects().size()) {
+            return Optional.empty();
+        }
+        SceneObject object = scene.objects().get(index);
+        if (!object.faces().isEmpty()) {
+            return Optional.of("one for each face");
+        }
+        String type = object.material().type();
+        return Optional.of(scene.materials().entrySet().stream()
+                .filter(named -> named.getValue().equals(object.material()))
+                .findFirst()
+                .map(named -> named.getKey() + " (" + type + ")")
+                .orElse(type));
+    }
+
+    /** Whether the ray met something. */
+    boolean isHit() {
+        return object.isPresent();
+    }
+
+    /** The point that was met. */
+    ExactPoint exactPoint() {
+        return ExactPoint.of(point.x(), point.y(), point.z());
+    }
+}

@@ -1,0 +1,58 @@
+package enlightenment.view;
+
+import enlightenment.camera.Camera;
+import enlightenment.camera.Handedness;
+import enlightenment.math.ExactPoint;
+import enlightenment.math.Vec3;
+
+/**
+ * How a camera stands: the unit axes of its picture, and the point that it looks from.
+ *
+ * @param eye where it is, in scene units
+ * @param right direction of the picture's right side
+ * @param up direction of the picture's upper side
+ * @param forward line of sight through the picture's middle; of a camera behind a window the window's normal
+ */
+record Pose(ExactPoint eye, Vec3 right, Vec3 up, Vec3 forward) {
+
+    /** The pose of any camera but an isometric one, which has no eye. */
+    static Pose of(Camera camera) {
+        if (camera instanceof Camera.Perspective c) {
+            return of(c.eye(), c.lookAt(), c.up(), c.handedness());
+        }
+        if (camera instanceof Camera.Orthographic c) {
+            return of(c.eye(), c.lookAt(), c.up(), c.handedness());
+        }
+        if (camera instanceof Camera.Panorama c) {
+            return of(c.eye(), c.lookAt(), c.up(), c.handedness());
+        }
+        if (camera instanceof Camera.Window c) {
+            Vec3 right = c.lowerLeft().directionTo(c.lowerRight()).normalized();
+            Vec3 side = c.lowerLeft().directionTo(c.upperLeft());
+            Vec3 up = side.minus(right.times(side.dot(right))).normalized();
+            Vec3 normal = right.cross(up);
+            boolean isAhead = normal.dot(c.eye().directionTo(c.lowerLeft())) > 0;
+            return new Pose(c.eye(), right, up, isAhead ? normal : normal.negated());
+        }
+        throw new IllegalArgumentException("a camera of type " + camera.type() + " has no pose");
+    }
+
+    private static Pose of(ExactPoint eye, ExactPoint lookAt, Vec3 upwards, Handedness handedness) {
+        Vec3 forward = eye.directionTo(lookAt).normalized();
+        Vec3 pole = upwards.normalized();
+        Vec3 across = handedness == Handedness.LEFT ? pole.cross(forward) : forward.cross(pole);
+        Vec3 right = across.normalized();
+        Vec3 up = handedness == Handedness.LEFT ? forward.cross(right) : right.cross(forward);
+        return new Pose(eye, right, up, forward);
+    }
+
+    /** A direction with these components along right, up and forward. */
+    Vec3 direction(double r, double u, double f) {
+        return right.times(r).plus(up.times(u)).plus(forward.times(f));
+    }
+
+    /** The distance of a point from the eye along the line of sight. */
+    double depth(ExactPoint point) {
+        return point.minus(eye).dot(forward);
+    }
+}

@@ -1,0 +1,96 @@
+package enlightenment.view;
+
+import enlightenment.image.Image;
+import enlightenment.math.InvalidValueException;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderResult;
+import enlightenment.render.Renderer;
+import enlightenment.scene.SceneException;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.LongSupplier;
+
+/** Renders what a view asks for, pass by pass, until the view changes or there are enough samples. Runs on a thread of its own. */
+final class Refinement implements Runnable {
+    private static final double NANO = 1e-9;
+
+    private final ViewSession session;
+    private final SceneSource source;
+    private final int threads;
+    private final int samples;
+    private final LongSupplier clock;
+
+    /** What a sample of a pixel took lately; infinite at first. */
+    private double secondsPerPixel = Double.POSITIVE_INFINITY;
+
+    /**
+     * @param source finds the lines of problems
+     * @param threads that share a pass
+     * @param samples per pixel after which a picture is finished
+     * @param clock nanoseconds
+     */
+    Refinement(ViewSession session, SceneSource source, int threads, int samples, LongSupplier clock) {
+        this.session = session;
+        this.source = source;
+        this.threads = threads;
+        this.samples = samples;
+        this.clock = clock;
+    }
+
+    @Override
+    public void run() {
+        long done = 0;
+        try {
+            while (!session.isClosed()) {
+                Shot shot = session.awaitShot(done);
+                if (shot != null) {
+                    refineSafely(shot);
+                    done = shot.generation();
+                }
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** A scene that cannot be rendered must not end the view: the next change may mend it. */
+    private void refineSafely(Shot shot) {
+        try {
+            refine(shot);
+        } catch (CancellationException e) {
+            return;
+        } catch (SceneException e) {
+            session.failed(shot.generation(), ViewSession.lines(source.located(e)));
+        } catch (InvalidValueException e) {
+            session.failed(shot.generation(), List.of(e.getMessage()));
+        } catch (OutOfMemoryError e) {
+            session.failed(shot.generation(), List.of("out of memory: a smaller window, or java -Xmx, may help"));
+        } catch (RuntimeException e) {
+            session.failed(shot.generation(), List.of("internal error: " + e));
+        }
+    }
+
+    private void refine(Shot shot) {
+        PictureSum sum = new PictureSum();
+        PassPlan pass = PassPlan.first(secondsPerPixel, shot.size().pixels());
+        while (pass != null && session.isCurrent(shot.generation())) {
+            long start = clock.getAsLong();
+            RenderResult result = Renderer.render(
+                    shot.scene(),
+                    shot.settings(pass, threads),
+                    RenderProgress.NONE,
+                    () -> !session.isCurrent(shot.generation()));
+            if (!result.complete()) {
+                return;
+            }
+            double seconds = (clock.getAsLong() - start) * NANO;
+            long pixels = (long) result.image().width() * result.image().height();
+            secondsPerPixel = seconds / (pixels * pass.samples());
+            Image image = pass.shrink() > 1 ? result.image() : sum.add(result.image(), pass.samples());
+            PassPlan next = pass.next(seconds, samples);
+            session.publish(
+                    new Frame(shot.generation(), image, pass.before() + pass.samples(), pass.shrink(), next == null));
+            pass = next;
+        }
+    }
+}

@@ -1,0 +1,161 @@
+package enlightenment.view;
+
+import enlightenment.file.InputFile;
+import enlightenment.file.WholeFile;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.json.FileNames;
+import enlightenment.scene.json.SceneEdit;
+import enlightenment.scene.json.SceneReader;
+import enlightenment.scene.json.SceneWriter;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.Set;
+
+/** Reads the file of a view whenever it or a file that it names has changed, and writes the view's camera into it. */
+final class SceneLoader {
+    /** The parts of a scene file that a view can change. */
+    private static final List<String> PARTS = List.of("/camera", "/display");
+
+    private final SceneSource source;
+    private final ViewSession session;
+
+    /** The files that the scene was read from, itself first, and their stamps before it was read. */
+    private List<Path> files;
+
+    private List<FileStamp> stamps;
+
+    /** Whether the scene of the session is what the file holds. */
+    private boolean isLoaded;
+
+    SceneLoader(SceneSource source, ViewSession session) {
+        this.source = source;
+        this.session = session;
+        files = List.of(source.file());
+    }
+
+    /** A save that was refused, with the reason in words. */
+    static final class Refusal extends Exception {
+        private static final long serialVersionUID = 1;
+
+        Refusal(String message) {
+            super(message);
+        }
+    }
+
+    /**
+     * Reads the scene.
+     *
+     * @throws SceneException if that cannot be used
+     */
+    synchronized void load() {
+        stamps = FileStamp.of(files);
+        isLoaded = false;
+        Scene scene = source.read();
+        List<FileStamp> all = new ArrayList<>(stamps.subList(0, 1));
+        files = filesOf(scene);
+        all.addAll(FileStamp.of(files.subList(1, files.size())));
+        stamps = all;
+        isLoaded = true;
+        session.loaded(scene);
+    }
+
+    /** Reads the scene if a file has changed since it was last read. */
+    synchronized void check() {
+        if (FileStamp.of(files).equals(stamps)) {
+            return;
+        }
+        try {
+            load();
+        } catch (SceneException e) {
+            session.broken(ViewSession.lines(e));
+        } catch (RuntimeException e) {
+            session.broken(List.of("internal error: " + e));
+        } catch (OutOfMemoryError e) {
+            session.broken(List.of(source.file() + ": out of memory; java -Xmx sets how much there is"));
+        }
+    }
+
+    /** The file itself, and those that a scene says it was made of, as far as scenes know. */
+    private List<Path> filesOf(Scene scene) {
+        Set<Path> all = new LinkedHashSet<>(List.of(source.file()));
+        FileNames names = file -> {
+            all.add(file);
+            return file.toString();
+        };
+        try {
+            SceneWriter.toJson(scene.withInstants(List.of()), names);
+        } catch (SceneException e) {
+            // A mesh of another program's file has no file of its own: the file itself is watched.
+            return List.copyOf(all);
+        }
+        return List.copyOf(all);
+    }
+
+    /** Why this view cannot be saved; "" if it can. */
+    String reasonAgainstSaving(ViewSession.Snapshot view) {
+        if (!source.isNative()) {
+            return "this is a file of another program: 'enlightenment convert' makes a scene file of it";
+        }
+        if (view.scene() != null && PARTS.stream().anyMatch(part -> isAnimated(view.scene(), part))) {
+            return "camera or exposure are animated: the tracks of the file say what they are";
+        }
+        return "";
+    }
+
+    private static boolean isAnimated(Scene scene, String part) {
+        return scene.animation().isPresent()
+                && scene.animation().get().tracks().stream()
+                        .anyMatch(t -> t.target().startsWith(part + "/"));
+    }
+
+    /**
+     * Writes camera and exposure of the view into the scene file, and leaves everything else as it is.
+     *
+     * @throws Refusal if it cannot be done, or the file has changed meanwhile; it is as it was
+     */
+    synchronized void save() throws Refusal {
+        ViewSession.Snapshot view = session.snapshot();
+        String reason = reasonAgainstSaving(view);
+        if (!reason.isEmpty()) {
+            throw new Refusal(reason);
+        }
+        Path file = source.file();
+        if (!isLoaded || !FileStamp.of(file).equals(stamps.get(0))) {
+            throw new Refusal("the file has changed since it was read: nothing was written");
+        }
+        try {
+            String text = new String(InputFile.bytes(file), StandardCharsets.UTF_8);
+            String edited = edited(text, view);
+            requireReadable(edited, view);
+            WholeFile.write(file, edited);
+        } catch (IOException e) {
+            throw new Refusal(e.getMessage());
+        } catch (IllegalArgumentException | SceneException e) {
+            throw new Refusal("the camera cannot be written: " + e.getMessage());
+        }
+        check();
+    }
+
+    private static String edited(String text, ViewSession.Snapshot view) {
+        Scene scene = view.scene();
+        String edited =
+                SceneEdit.withCamera(text, scene.camera(), view.viewpoint().camera());
+        return view.exposure() == scene.display().exposure() ? edited : SceneEdit.withExposure(edited, view.exposure());
+    }
+
+    /** What is written must be read as what is seen. */
+    private void requireReadable(String edited, ViewSession.Snapshot view) {
+        Path folder = source.file().toAbsolutePath().getParent();
+        byte[] bytes = edited.getBytes(StandardCharsets.UTF_8);
+        Scene scene = SceneReader.readBytes(bytes, folder, source.file().toString(), OptionalInt.empty());
+        if (!scene.camera().equals(view.viewpoint().camera())) {
+            throw new IllegalArgumentException("it would not be read as what is seen");
+        }
+    }
+}

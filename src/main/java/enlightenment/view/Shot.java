@@ -1,0 +1,25 @@
+package enlightenment.view;
+
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+
+/**
+ * What is to be rendered.
+ *
+ * @param generation counts changes; a picture of an older one is out of date
+ * @param scene with the camera of the view
+ * @param size of the view
+ */
+record Shot(long generation, Scene scene, ViewSize size) {
+
+    /** The settings of a pass: those of the scene, but for size, samples and random numbers, which differ from pass to pass. */
+    RenderSettings settings(PassPlan pass, int threads) {
+        RenderSettings usual = RenderSettings.of(scene);
+        return usual.toBuilder()
+                .size(pass.side(size.width()), pass.side(size.height()))
+                .budget(usual.budget().withSamples(pass.samples()))
+                .seed(usual.seed() + pass.number())
+                .threads(threads)
+                .build();
+    }
+}

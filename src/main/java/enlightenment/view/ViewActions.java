@@ -1,0 +1,144 @@
+package enlightenment.view;
+
+import enlightenment.camera.Camera;
+import enlightenment.listen.SmallHttp;
+import enlightenment.scene.Display;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneEdit;
+
+/** What pages can ask for, by the words and numbers of their requests. */
+final class ViewActions {
+    private static final double TURN = 360;
+    private static final double MOST_HEIGHTS = 100;
+    private static final double LEAST_FACTOR = 0.01;
+    private static final double MOST_FACTOR = 100;
+    private static final int MOST_SIDE = 1 << 16;
+
+    private final ViewSession session;
+    private final SceneLoader loader;
+
+    /** The scene for which a window's camera has got an aim; null if there is none. */
+    private Scene aimed;
+
+    ViewActions(ViewSession session, SceneLoader loader) {
+        this.session = session;
+        this.loader = loader;
+    }
+
+    /**
+     * Does what is asked for.
+     *
+     * @throws BadParameter if the words or numbers are none that it takes
+     * @throws enlightenment.math.InvalidValueException if the view cannot do it
+     * @throws SceneLoader.Refusal if the view cannot be saved
+     */
+    void act(SmallHttp.Request request) throws SceneLoader.Refusal {
+        String action = request.value("action").orElse("");
+        switch (action) {
+            case "orbit" -> {
+                aimWindow();
+                double right = number(request, "x", -TURN, TURN);
+                double up = number(request, "y", -TURN, TURN);
+                session.move(v -> v.orbit(right, up));
+            }
+            case "pan" -> {
+                double x = number(request, "x", -MOST_HEIGHTS, MOST_HEIGHTS);
+                double y = number(request, "y", -MOST_HEIGHTS, MOST_HEIGHTS);
+                ViewSize size = session.snapshot().size();
+                session.move(v -> v.pan(x, y, size.aspect()));
+            }
+            case "dolly" -> {
+                aimWindow();
+                double factor = number(request, "x", LEAST_FACTOR, MOST_FACTOR);
+                session.move(v -> v.dolly(factor));
+            }
+            case "roll" -> {
+                double degrees = number(request, "x", -TURN, TURN);
+                session.move(v -> v.roll(degrees));
+            }
+            case "field-of-view" -> {
+                double degrees = number(request, "x", 0, TURN);
+                session.move(v -> v.withFieldOfView(degrees));
+            }
+            case "exposure" -> session.expose(number(request, "x", -Display.MAX_EXPOSURE, Display.MAX_EXPOSURE));
+            case "size" ->
+                session.resize((int) number(request, "x", 1, MOST_SIDE), (int) number(request, "y", 1, MOST_SIDE));
+            case "aim", "focus" -> pick(action, request);
+            case "reset" -> reset();
+            case "save" -> save();
+            default -> throw new BadParameter("there is no such action");
+        }
+    }
+
+    private void reset() {
+        synchronized (this) {
+            aimed = null;
+        }
+        session.reset();
+    }
+
+    private void save() throws SceneLoader.Refusal {
+        loader.save();
+        session.note("saved");
+    }
+
+    private void pick(String action, SmallHttp.Request request) {
+        PixelProbe pixel = probe(number(request, "x", 0, 1), number(request, "y", 0, 1));
+        if (!pixel.isHit()) {
+            throw new BadParameter("there is nothing at that place");
+        }
+        if (action.equals("focus")) {
+            session.move(v -> v.focusedOn(pixel.exactPoint()));
+        } else {
+            synchronized (this) {
+                aimed = session.snapshot().scene();
+            }
+            session.move(v -> v.aimedAt(pixel.exactPoint()));
+        }
+    }
+
+    /**
+     * What is seen at a place of the picture. One ray at a time: each compiles the scene.
+     *
+     * @param x 0..1 from the left
+     * @param y 0..1 from the top
+     */
+    synchronized PixelProbe probe(double x, double y) {
+        Shot shot = session.shot();
+        int column = Math.min((int) (x * shot.size().width()), shot.size().width() - 1);
+        int row = Math.min((int) (y * shot.size().height()), shot.size().height() - 1);
+        return PixelProbe.of(shot, column, row);
+    }
+
+    /** A window says nothing about how far away what it shows is: the first motion around it finds out. */
+    private synchronized void aimWindow() {
+        ViewSession.Snapshot now = session.snapshot();
+        if (now.viewpoint() == null || !(now.viewpoint().camera() instanceof Camera.Window) || now.scene() == aimed) {
+            return;
+        }
+        PixelProbe middle = probe(0.5, 0.5);
+        if (middle.isHit()) {
+            session.move(v -> v.aimedAt(middle.exactPoint()));
+        }
+        aimed = now.scene();
+    }
+
+    /** The camera of the view as a scene file has it. */
+    String camera() {
+        return SceneEdit.json(session.shot().scene().camera()) + "\n";
+    }
+
+    /** A number of a request. */
+    static double number(SmallHttp.Request request, String name, double least, double most) {
+        String text = request.value(name).orElse("");
+        try {
+            double v = Double.parseDouble(text);
+            if (v >= least && v <= most) {
+                return v;
+            }
+        } catch (NumberFormatException e) {
+            // Refused below, as a number out of range is.
+        }
+        throw new BadParameter(name + " must be a number in " + least + ".." + most);
+    }
+}

@@ -1,0 +1,103 @@
+package enlightenment.view;
+
+import enlightenment.camera.Camera;
+import enlightenment.image.Image;
+import enlightenment.json.JsonText;
+import enlightenment.math.Vec3;
+import java.util.Locale;
+import tools.jackson.core.JsonGenerator;
+
+/** What pages hear of a view, as JSON; docs/view.md describes it. */
+final class ViewJson {
+    private ViewJson() {}
+
+    /**
+     * The state of a view.
+     *
+     * @param title of the page
+     * @param refusal why the view cannot be saved, or ""
+     */
+    static String state(ViewSession.Snapshot s, String title, String refusal) {
+        return JsonText.of(json -> {
+            json.writeStartObject();
+            json.writeStringProperty("title", title);
+            json.writeNumberProperty("version", s.version());
+            json.writeNumberProperty("picture", s.frame() == null ? 0 : s.picture());
+            json.writeNumberProperty(
+                    "samples", s.frame() == null ? 0 : s.frame().samples());
+            json.writeNumberProperty("shrink", s.frame() == null ? 0 : s.frame().shrink());
+            json.writeBooleanProperty(
+                    "finished", s.frame() != null && s.isUpToDate() && s.frame().isFinal());
+            json.writeNumberProperty("width", s.size() == null ? 0 : s.size().width());
+            json.writeNumberProperty("height", s.size() == null ? 0 : s.size().height());
+            camera(json, s);
+            if (s.isLinear()) {
+                json.writeNumberProperty("exposure", s.exposure());
+            } else {
+                json.writeNullProperty("exposure");
+            }
+            json.writeBooleanProperty("moved", s.isMoved());
+            json.writeStringProperty("refusal", refusal);
+            json.writeStringProperty("note", s.note());
+            json.writeArrayPropertyStart("problems");
+            s.problems().forEach(json::writeString);
+            json.writeEndArray();
+            json.writeEndObject();
+        });
+    }
+
+    private static void camera(JsonGenerator json, ViewSession.Snapshot s) {
+        Camera camera = s.viewpoint() == null ? null : s.viewpoint().camera();
+        json.writeStringProperty("camera", camera == null ? "" : camera.type());
+        json.writeBooleanProperty("turns", !(camera instanceof Camera.Isometric));
+        json.writeBooleanProperty(
+                "focuses", camera instanceof Camera.Perspective c && c.lens().isPresent());
+        if (camera instanceof Camera.Perspective c) {
+            json.writeNumberProperty("fieldOfView", c.fieldOfView());
+        } else {
+            json.writeNullProperty("fieldOfView");
+        }
+    }
+
+    /**
+     * What a pixel shows.
+     *
+     * @param picture the last picture, or null
+     * @param x place in the picture, 0..1 from its left
+     * @param y place in the picture, 0..1 from its top
+     */
+    static String pixel(PixelProbe pixel, Image picture, double x, double y) {
+        return JsonText.of(json -> {
+            json.writeStartObject();
+            json.writeStringProperty("object", pixel.object().orElse("nothing"));
+            if (pixel.material().isPresent()) {
+                json.writeStringProperty("material", pixel.material().get());
+            }
+            if (pixel.isHit()) {
+                json.writeNumberProperty("depth", pixel.depth());
+                vector(json, "point", pixel.point());
+                vector(json, "normal", pixel.normal());
+            }
+            if (picture != null) {
+                int column = Math.min((int) (x * picture.width()), picture.width() - 1);
+                int row = Math.min((int) (y * picture.height()), picture.height() - 1);
+                json.writeArrayPropertyStart("value");
+                for (int c = 0; c < 3; c++) {
+                    json.writeNumber(picture.component(column, row, c));
+                }
+                json.writeEndArray();
+                json.writeStringProperty("unit", picture.encoding().name().toLowerCase(Locale.ROOT));
+            }
+            json.writeEndObject();
+        });
+    }
+
+    /** A vector of floats, with the digits of floats. */
+    private static void vector(JsonGenerator json, String key, Vec3 v) {
+        json.writeArrayPropertyStart(key);
+        json.writeNumber((float) v.x());
+        json.writeNumber((float) v.y());
+        json.writeNumber((float) v.z());
+        json.writeEndArray();
+    }
+}

@@ -1,0 +1,287 @@
+package enlightenment.view;
+
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import enlightenment.math.InvalidValueException;
+import enlightenment.scene.Display;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.text.Plain;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+
+/** What a view shows now: scene, viewpoint, size, exposure, and the last picture. All members are safe for several threads. */
+final class ViewSession {
+    private static final int BOX_WIDTH = 960;
+    private static final int BOX_HEIGHT = 720;
+    private static final int MOST_LINES = 20;
+    private static final int LONGEST_LINE = 500;
+
+    /** The scene as it was read; null until it could be. */
+    private Scene scene;
+
+    private Viewpoint viewpoint;
+    private double exposure;
+    private int boxWidth = BOX_WIDTH;
+    private int boxHeight = BOX_HEIGHT;
+
+    /** Counts what makes pictures out of date. */
+    private long generation;
+
+    /** Counts everything that a page shows. */
+    private long version = 1;
+
+    private Frame frame;
+
+    /** Counts what a page shows as its picture. */
+    private long picture;
+
+    /** What is wrong with the file. */
+    private List<String> problems = List.of();
+
+    /** Why the scene cannot be rendered as it is now. */
+    private List<String> failures = List.of();
+
+    private String note = "";
+    private boolean closed;
+
+    /**
+     * All that a page shows.
+     *
+     * @param version counts changes of any of this
+     * @param picture counts changes of what is to be seen
+     * @param frame the last picture, or null
+     * @param size of the view; null until there is a scene
+     * @param problems of the file or of the render, one in a line; the picture is then the last one that could be made
+     * @param note of the last action, or ""
+     * @param isMoved whether camera or exposure differ from the file's
+     * @param isUpToDate whether the picture shows the camera as it is now
+     */
+    record Snapshot(
+            long version,
+            long picture,
+            Frame frame,
+            Scene scene,
+            Viewpoint viewpoint,
+            ViewSize size,
+            double exposure,
+            List<String> problems,
+            String note,
+            boolean isMoved,
+            boolean isUpToDate) {
+        boolean isLinear() {
+            return scene != null && scene.shading() instanceof PhysicalShading;
+        }
+    }
+
+    /** The problems of a scene, one in a line, made harmless. */
+    static List<String> lines(SceneException e) {
+        return e.problems().stream()
+                .limit(MOST_LINES)
+                .map(p -> Plain.line(p.toString(), LONGEST_LINE))
+                .toList();
+    }
+
+    /**
+     * Shows a scene that was read. The camera that the user has chosen stays, unless the file's camera has changed; so does the exposure.
+     */
+    synchronized void loaded(Scene read) {
+        boolean sameCamera = scene != null && scene.camera().equals(read.camera());
+        boolean sameExposure = scene != null && scene.display().equals(read.display());
+        if (!sameCamera) {
+            viewpoint = Viewpoint.of(read.camera());
+        }
+        if (!sameExposure) {
+            exposure = read.display().exposure();
+            picture++;
+        }
+        // A moment of a film is looked at: without motion blur it is there at once.
+        scene = read.withInstants(List.of());
+        problems = List.of();
+        note = "";
+        restart();
+    }
+
+    /** The file cannot be used as it is now. */
+    synchronized void broken(List<String> lines) {
+        problems = List.copyOf(lines);
+        changed();
+    }
+
+    /**
+     * Moves the camera.
+     *
+     * @throws InvalidValueException if the camera cannot move so, or the scene could not be read yet
+     */
+    synchronized void move(UnaryOperator<Viewpoint> motion) {
+        requireScene();
+        Viewpoint moved = motion.apply(viewpoint);
+        note = "";
+        if (moved.camera().equals(viewpoint.camera())) {
+            viewpoint = moved;
+            return;
+        }
+        viewpoint = moved;
+        restart();
+    }
+
+    /** Shows the camera and the exposure of the file again. */
+    synchronized void reset() {
+        requireScene();
+        viewpoint = Viewpoint.of(scene.camera());
+        exposure = scene.display().exposure();
+        picture++;
+        note = "";
+        restart();
+    }
+
+    /**
+     * Shows pictures 2^stops times as bright.
+     *
+     * @throws InvalidValueException if that is out of range, or pictures are display-referred
+     */
+    synchronized void expose(double stops) {
+        requireScene();
+        if (!(scene.shading() instanceof PhysicalShading)) {
+            throw new InvalidValueException(
+                    "exposure", "is for physical shading: this scene's colours are those of a screen");
+        }
+        new Display(stops, scene.display().tone());
+        exposure = stops;
+        picture++;
+        note = "";
+        changed();
+    }
+
+    /** The picture is to fit into a box of pixels; values beyond the limits of {@link ViewSize} are brought within them. */
+    synchronized void resize(int width, int height) {
+        ViewSize before = size();
+        boxWidth = width;
+        boxHeight = height;
+        if (before != null && !before.equals(size())) {
+            restart();
+        }
+    }
+
+    /** Tells the pages of an action. */
+    synchronized void note(String text) {
+        note = text;
+        changed();
+    }
+
+    private void requireScene() {
+        if (scene == null) {
+            throw new InvalidValueException("scene", "could not be read yet");
+        }
+    }
+
+    private ViewSize size() {
+        return scene == null ? null : ViewSize.fitting(scene.width(), scene.height(), boxWidth, boxHeight);
+    }
+
+    private void restart() {
+        generation++;
+        failures = List.of();
+        changed();
+    }
+
+    private void changed() {
+        version++;
+        notifyAll();
+    }
+
+    /** Whether pictures of this generation are wanted. */
+    synchronized boolean isCurrent(long which) {
+        return which == generation && !closed;
+    }
+
+    /**
+     * Waits until there is something to render.
+     *
+     * @param done the generation that needs no more rendering
+     * @return null if the session was closed
+     */
+    synchronized Shot awaitShot(long done) throws InterruptedException {
+        while (!closed && (scene == null || generation == done)) {
+            wait();
+        }
+        return closed ? null : shot();
+    }
+
+    /** What is to be rendered now; there is a scene. */
+    synchronized Shot shot() {
+        requireScene();
+        return new Shot(generation, Scenes.seenBy(scene, viewpoint.camera()), size());
+    }
+
+    /** Shows a picture, unless it is out of date. */
+    synchronized void publish(Frame next) {
+        if (isCurrent(next.generation())) {
+            frame = next;
+            picture++;
+            changed();
+        }
+    }
+
+    /** The scene cannot be rendered as it is now. */
+    synchronized void failed(long which, List<String> lines) {
+        if (isCurrent(which)) {
+            failures = List.copyOf(lines);
+            changed();
+        }
+    }
+
+    synchronized Snapshot snapshot() {
+        boolean isMoved = scene != null
+                && (!viewpoint.camera().equals(scene.camera())
+                        || exposure != scene.display().exposure());
+        List<String> all = new ArrayList<>(problems);
+        all.addAll(failures);
+        return new Snapshot(
+                version,
+                picture,
+                frame,
+                scene,
+                viewpoint,
+                size(),
+                exposure,
+                all,
+                note,
+                isMoved,
+                frame != null && frame.generation() == generation);
+    }
+
+    /**
+     * Waits until there is something newer than a version.
+     *
+     * @param millis no longer than this
+     */
+    synchronized Snapshot awaitNewer(long than, long millis) throws InterruptedException {
+        long end = System.nanoTime() + millis * 1_000_000;
+        long left = millis;
+        while (!closed && version <= than && left > 0) {
+            wait(left);
+            left = (end - System.nanoTime()) / 1_000_000;
+        }
+        return snapshot();
+    }
+
+    /** The last picture as it is shown; null if there is none. */
+    static Image shown(Snapshot s) {
+        Image image = s.frame() == null ? null : s.frame().image();
+        return image == null || image.encoding() == Encoding.DISPLAY
+                ? image
+                : image.withCurve(image.curve().withExposure(s.exposure()));
+    }
+
+    synchronized boolean isClosed() {
+        return closed;
+    }
+
+    synchronized void close() {
+        closed = true;
+        notifyAll();
+    }
+}

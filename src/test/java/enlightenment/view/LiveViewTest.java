@@ -1,0 +1,413 @@
+package enlightenment.view;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.image.Image;
+import enlightenment.listen.ServerLog;
+import enlightenment.render.Renderer;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
+import enlightenment.scene.json.SceneReader;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.Predicate;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.ObjectMapper;
+
+/** A view over HTTP on loopback, as a browser sees it. Nothing depends on how long anything takes. */
+@Timeout(600)
+class LiveViewTest {
+    private static final String SCENE =
+            """
+            // Two balls.
+            {
+              "image": { "width": 24, "height": 16 },
+              "camera": { "type": "perspective", "eye": [0, 0, -5], "lookAt": [0, 0, 0], "up": [0, 1, 0],
+                          "fieldOfView": 40 /* wide */ },
+              "shading": { "model": "physical" },
+              "materials": { "white": { "type": "matte", "color": "#ffffff" } },
+              "lights": [ { "type": "sphere", "center": [2, 3, -2], "radius": 0.5, "color": "#ffffff", "power": 100 } ],
+              "objects": [
+                { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "white", "name": "ball" },
+                { "type": "sphere", "center": [0, -101, 0], "radius": 100, "material": "white" }
+              ]
+            }
+            """;
+
+    private static final int SAMPLES = 4;
+
+    @TempDir
+    private Path folder;
+
+    private Path file;
+    private boolean isNative = true;
+    private LiveView view;
+    private String address;
+    private String key;
+
+    /** The file, read by the reader of scenes. */
+    private final class Source implements SceneSource {
+        @Override
+        public Path file() {
+            return file;
+        }
+
+        @Override
+        public boolean isNative() {
+            return isNative;
+        }
+
+        @Override
+        public Scene read() {
+            return SceneReader.read(file);
+        }
+
+        @Override
+        public SceneException located(SceneException e) {
+            return SceneReader.located(e, file);
+        }
+    }
+
+    @BeforeEach
+    void start() throws Exception {
+        file = Files.writeString(folder.resolve("scene.json"), SCENE);
+        view = LiveView.start(
+                new Source(),
+                new LiveView.Options("scene.json", 0, 2, SAMPLES),
+                new ServerLog(line -> {}, System::nanoTime));
+        String[] parts = view.address().split("#");
+        address = parts[0];
+        key = parts[1];
+    }
+
+    @AfterEach
+    void end() throws Exception {
+        view.close();
+    }
+
+    /** What came back, until the server closed the connection. */
+    private record Answer(int statusCode, String head, byte[] body) {
+        static Answer of(byte[] all) {
+            String text = new String(all, StandardCharsets.ISO_8859_1);
+            int end = text.indexOf("\r\n\r\n");
+            int code = Integer.parseInt(text.substring(9, 12));
+            return new Answer(code, text.substring(0, end + 2), Arrays.copyOfRange(all, end + 4, all.length));
+        }
+
+        String header(String name) {
+            return head.lines()
+                    .filter(line -> line.startsWith(name + ": "))
+                    .findFirst()
+                    .orElseThrow()
+                    .substring(name.length() + 2);
+        }
+    }
+
+    private Answer send(String method, String target) throws Exception {
+        return send(method, target, "127.0.0.1");
+    }
+
+    private Answer send(String method, String target, String host) throws Exception {
+        String request = method + " /" + target + " HTTP/1.1\r\nHost: " + host + "\r\nContent-Length: 0\r\n\r\n";
+        try (Socket socket =
+                new Socket(InetAddress.getLoopbackAddress(), URI.create(address).getPort())) {
+            socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+            return Answer.of(socket.getInputStream().readAllBytes());
+        }
+    }
+
+    private String withKey(String path, String query) {
+        return path + "?key=" + key + "&" + query;
+    }
+
+    private Answer act(String query) throws Exception {
+        return send("POST", withKey("do", query));
+    }
+
+    private void done(String query) throws Exception {
+        Answer answer = act(query);
+        assertEquals(200, answer.statusCode(), text(answer));
+    }
+
+    private void refused(int code, String message, String query) throws Exception {
+        Answer answer = act(query);
+        assertEquals(message + "\n", text(answer));
+        assertEquals(code, answer.statusCode());
+    }
+
+    private static String text(Answer answer) {
+        return new String(answer.body(), StandardCharsets.UTF_8);
+    }
+
+    private JsonNode state(long after) throws Exception {
+        Answer answer = send("GET", withKey("state.json", "after=" + after));
+        assertEquals(200, answer.statusCode());
+        return new ObjectMapper().readTree(answer.body());
+    }
+
+    /** Waits, by the long poll of pages, until a state is as expected. */
+    private JsonNode await(Predicate<JsonNode> expected) throws Exception {
+        JsonNode state = state(0);
+        while (!expected.test(state)) {
+            state = state(state.get("version").asLong());
+        }
+        return state;
+    }
+
+    private JsonNode awaitFinished() throws Exception {
+        return await(s -> s.get("finished").asBoolean());
+    }
+
+    private byte[] picture() throws Exception {
+        Answer answer = send("GET", withKey("picture.png", ""));
+        assertEquals(200, answer.statusCode());
+        return answer.body();
+    }
+
+    /** Editors may save twice within what a file system's clock tells apart. */
+    private void write(String text) throws IOException {
+        FileTime before = Files.getLastModifiedTime(file);
+        Files.writeString(file, text);
+        Files.setLastModifiedTime(file, FileTime.fromMillis(before.toMillis() + 2_000));
+    }
+
+    @Test
+    void aPictureArrivesAndIsTheMeanOfItsPasses() throws Exception {
+        done("action=size&x=48&y=100");
+        JsonNode state =
+                await(s -> s.get("finished").asBoolean() && s.get("width").asInt() == 48);
+        assertEquals(32, state.get("height").asInt());
+        assertEquals(SAMPLES, state.get("samples").asInt());
+        var shown = ImageIO.read(new ByteArrayInputStream(picture()));
+        assertEquals(48, shown.getWidth());
+        assertEquals(32, shown.getHeight());
+        // The ball in the middle is brighter than the black around it.
+        assertTrue((shown.getRGB(24, 12) & 0xff) > 50);
+        assertEquals(0, shown.getRGB(2, 2) & 0xffffff);
+    }
+
+    /** With a single pass, the view shows the bytes of a render of the same scene, size and samples. */
+    @Test
+    void aPassIsAnOrdinaryRender() throws Exception {
+        view.close();
+        view = LiveView.start(
+                new Source(), new LiveView.Options("", 0, 1, 1), new ServerLog(line -> {}, System::nanoTime));
+        address = view.address().split("#")[0];
+        key = view.address().split("#")[1];
+        awaitFinished();
+        Scene scene = SceneReader.read(file);
+        RenderSettings usual = RenderSettings.of(scene);
+        Image expected = Renderer.render(
+                scene, usual.withSize(960, 640).withBudget(usual.budget().withSamples(1)));
+        var shown = ImageIO.read(new ByteArrayInputStream(picture()));
+        int[] argb = shown.getRGB(0, 0, 960, 640, null, 0, 960);
+        assertArrayEquals(expected.toArgb(), argb);
+    }
+
+    @Test
+    void aMotionStartsAnew() throws Exception {
+        done("action=size&x=24&y=16");
+        JsonNode before = awaitFinished();
+        byte[] first = picture();
+        done("action=orbit&x=40&y=10");
+        JsonNode after = await(s -> s.get("finished").asBoolean()
+                && s.get("picture").asLong() > before.get("picture").asLong());
+        assertTrue(after.get("moved").asBoolean());
+        assertFalse(Arrays.equals(first, picture()));
+        done("action=reset");
+        awaitFinished();
+        assertFalse(state(0).get("moved").asBoolean());
+        assertArrayEquals(first, picture());
+    }
+
+    @Test
+    void exposureNeedsNoRender() throws Exception {
+        done("action=size&x=24&y=16");
+        JsonNode before = awaitFinished();
+        byte[] first = picture();
+        done("action=exposure&x=-2");
+        JsonNode after = state(0);
+        assertTrue(after.get("finished").asBoolean());
+        assertNotEquals(before.get("picture"), after.get("picture"));
+        var dark = ImageIO.read(new ByteArrayInputStream(picture()));
+        var bright = ImageIO.read(new ByteArrayInputStream(first));
+        assertTrue((dark.getRGB(12, 6) & 0xff) < (bright.getRGB(12, 6) & 0xff));
+    }
+
+    @Test
+    void aSavedChangeIsShownAndAMistakeIsToldWithItsPlace() throws Exception {
+        awaitFinished();
+        write(SCENE.replace("\"radius\": 1,", "\"radius\": -1,"));
+        JsonNode broken = await(s -> !s.get("problems").isEmpty());
+        String problem = broken.get("problems").get(0).asString();
+        assertTrue(problem.startsWith(file + ":10:"), problem);
+        assertTrue(problem.contains("/objects/0/radius"), problem);
+        // The last good picture stays, and can still be moved.
+        assertEquals("image/png", send("GET", withKey("picture.png", "")).header("Content-Type"));
+        done("action=orbit&x=5&y=0");
+        assertFalse(state(0).get("problems").isEmpty());
+        write(SCENE.replace("\"fieldOfView\": 40", "\"fieldOfView\": 50"));
+        JsonNode mended = await(s -> s.get("problems").isEmpty());
+        assertEquals(50, mended.get("fieldOfView").asDouble());
+        assertFalse(mended.get("moved").asBoolean());
+    }
+
+    @Test
+    void aCameraThatWasChosenOutlivesOtherChangesOfTheFile() throws Exception {
+        done("action=field-of-view&x=25");
+        long before = state(0).get("version").asLong();
+        write(SCENE.replace("\"radius\": 1,", "\"radius\": 0.5,"));
+        JsonNode state = await(
+                s -> s.get("version").asLong() > before && s.get("finished").asBoolean());
+        assertEquals(25, state.get("fieldOfView").asDouble());
+    }
+
+    @Test
+    void savingWritesCameraAndExposureAndNothingElse() throws Exception {
+        assertEquals(Optional.empty(), view.save());
+        assertEquals(SCENE, Files.readString(file));
+        done("action=field-of-view&x=25");
+        done("action=dolly&x=2");
+        done("action=exposure&x=1.5");
+        done("action=save");
+        String expected = SCENE.replace("[0, 0, -5]", "[0, 0, -10]")
+                .replace("40 /* wide", "25 /* wide")
+                .replaceFirst("\n  \\]\n\\}", "\n  ],\n  \"display\": { \"exposure\": 1.5 }\n}");
+        assertEquals(expected, Files.readString(file));
+        assertFalse(state(0).get("moved").asBoolean());
+    }
+
+    @Test
+    void aFileThatHasChangedMeanwhileIsNotWrittenOver() throws Exception {
+        done("action=dolly&x=2");
+        write("{ half a scene");
+        Answer answer = act("action=save");
+        assertEquals(409, answer.statusCode());
+        assertEquals("the file has changed since it was read: nothing was written\n", text(answer));
+        assertEquals("{ half a scene", Files.readString(file));
+    }
+
+    @Test
+    void filesOfOtherProgramsAreNotWritten() throws Exception {
+        isNative = false;
+        done("action=dolly&x=2");
+        assertFalse(state(0).get("refusal").asString().isEmpty());
+        assertEquals(409, act("action=save").statusCode());
+        assertTrue(view.save().isPresent());
+        assertEquals(SCENE, Files.readString(file));
+    }
+
+    @Test
+    void aPixelTellsWhatIsThere() throws Exception {
+        awaitFinished();
+        JsonNode hit = new ObjectMapper()
+                .readTree(send("GET", withKey("pixel.json", "x=0.5&y=0.5")).body());
+        assertEquals("ball, object 0 (sphere)", hit.get("object").asString());
+        assertEquals("white (matte)", hit.get("material").asString());
+        // The ray passes within a pixel of the ball's middle.
+        assertEquals(4, hit.get("depth").asDouble(), 0.001);
+        assertEquals(-1, hit.get("normal").get(2).asDouble(), 0.001);
+        assertEquals("linear", hit.get("unit").asString());
+        assertTrue(hit.get("value").get(0).asDouble() > 0);
+        JsonNode miss = new ObjectMapper()
+                .readTree(send("GET", withKey("pixel.json", "x=0.01&y=0.01")).body());
+        assertEquals("nothing", miss.get("object").asString());
+        assertEquals(null, miss.get("point"));
+    }
+
+    @Test
+    void anOrbitMayTurnAroundWhatWasPicked() throws Exception {
+        done("action=aim&x=0.5&y=0.5");
+        String camera = text(send("GET", withKey("camera.json", "")));
+        JsonNode json = new ObjectMapper().readTree(camera);
+        assertEquals(-1, json.get("lookAt").get(2).asDouble(), 0.001);
+        refused(400, "there is nothing at that place", "action=aim&x=0.01&y=0.01");
+        refused(409, "\"lens\" is missing: this camera has nothing to focus", "action=focus&x=0.5&y=0.5");
+    }
+
+    @Test
+    void strangersGetNoAnswer() throws Exception {
+        String wrong = "?key=" + "0".repeat(key.length()) + "&action=dolly&x=2";
+        for (String target : new String[] {"do?action=dolly&x=2", "do" + wrong}) {
+            assertEquals(403, send("POST", target).statusCode());
+        }
+        for (String path : new String[] {"state.json", "picture.png", "pixel.json", "camera.json"}) {
+            assertEquals(403, send("GET", path).statusCode());
+            assertEquals(403, send("GET", path + wrong).statusCode());
+        }
+        // What needs no key says nothing of the scene.
+        for (String path : new String[] {"", "view.css", "view.js", "pointer.js", "icon.svg"}) {
+            String page = text(send("GET", path));
+            assertFalse(page.contains(key) || page.contains("scene.json"), path);
+        }
+        assertFalse(state(0).get("moved").asBoolean());
+    }
+
+    @Test
+    void readingDoesNotChangeAnything() throws Exception {
+        assertEquals(405, send("GET", withKey("do", "action=dolly&x=2")).statusCode());
+        assertEquals(405, send("POST", withKey("state.json", "")).statusCode());
+        assertFalse(state(0).get("moved").asBoolean());
+    }
+
+    /** A page elsewhere whose name leads here (DNS rebinding) names itself in its requests. */
+    @Test
+    void otherNamesOfThisMachineAreRefused() throws Exception {
+        for (String host : new String[] {"evil.example", "127.0.0.1.evil.example", ""}) {
+            assertEquals(
+                    403, send("POST", withKey("do", "action=dolly&x=2"), host).statusCode());
+            assertEquals(403, send("GET", "", host).statusCode());
+        }
+        assertFalse(state(0).get("moved").asBoolean());
+    }
+
+    @Test
+    void pagesLoadNothingFromElsewhere() throws Exception {
+        Answer page = send("GET", "");
+        String policy = page.header("Content-Security-Policy");
+        assertTrue(policy.startsWith("default-src 'none'") && !policy.contains("unsafe"), policy);
+        for (String path : new String[] {"", "view.css", "view.js", "pointer.js"}) {
+            assertFalse(text(send("GET", path)).contains("//cdn"), path);
+            assertFalse(text(send("GET", path)).matches("(?s).*(src|href)=\"(https?:)?//.*"), path);
+        }
+    }
+
+    @Test
+    void requestsThatSayNoNumbersAreRefused() throws Exception {
+        refused(400, "x must be a number in -360.0..360.0", "action=orbit&y=1");
+        refused(400, "x must be a number in -360.0..360.0", "action=orbit&x=NaN&y=1");
+        refused(400, "x must be a number in 0.01..100.0", "action=dolly&x=0");
+        refused(400, "there is no such action", "action=explode");
+        assertEquals(404, send("GET", withKey("secrets", "")).statusCode());
+        assertFalse(state(0).get("moved").asBoolean());
+    }
+
+    @Test
+    void aSceneThatCannotBeReadStartsNoView() throws Exception {
+        Files.writeString(file, "{}");
+        LiveView.Options options = new LiveView.Options("", 0, 1, 1);
+        ServerLog log = new ServerLog(line -> {}, System::nanoTime);
+        assertThrows(SceneException.class, () -> LiveView.start(new Source(), options, log));
+    }
+}

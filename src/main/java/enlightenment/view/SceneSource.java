@@ -19,6 +19,6 @@ public interface SceneSource {
      */
     Scene read();
 
-    /** The same problems, with file and line where they had none: of what is found only when a scene is rendered. */
+    /** Adds file and line to problems without any: those that are found only when a scene is rendered. */
     SceneException located(SceneException e);
 }

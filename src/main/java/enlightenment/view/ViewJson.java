@@ -26,8 +26,8 @@ final class ViewJson {
             json.writeNumberProperty(
                     "samples", s.frame() == null ? 0 : s.frame().samples());
             json.writeNumberProperty("shrink", s.frame() == null ? 0 : s.frame().shrink());
-            json.writeBooleanProperty(
-                    "finished", s.frame() != null && s.isUpToDate() && s.frame().isFinal());
+            json.writeBooleanProperty("current", s.isUpToDate());
+            json.writeBooleanProperty("finished", s.isUpToDate() && s.frame().isFinal());
             json.writeNumberProperty("width", s.size() == null ? 0 : s.size().width());
             json.writeNumberProperty("height", s.size() == null ? 0 : s.size().height());
             camera(json, s);

@@ -179,7 +179,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     }
 
     /**
-     * The same place with another angle of view.
+     * Sets the angle of view.
      *
      * @param degrees limited to what can be looked at
      * @throws InvalidValueException for a camera that has none
@@ -193,8 +193,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     }
 
     /**
-     * The same view around another point: the point of the line of sight that is as far away as a point that is seen. The aim of a window
-     * is that point itself.
+     * Moves the aim along the line of sight until it is as far away as a point that is seen. The aim of a window is that point itself.
      *
      * @throws InvalidValueException if the point does not lie in front of the eye, or an isometric view has none
      */
@@ -210,7 +209,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     }
 
     /**
-     * The same view with a lens focused on the plane through a point.
+     * Focuses the lens on the plane through a point.
      *
      * @throws InvalidValueException if the camera has no lens, or the point does not lie in front of it
      */

@@ -23,7 +23,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import javax.imageio.ImageIO;
@@ -56,6 +58,12 @@ class LiveViewTest {
             """;
 
     private static final int SAMPLES = 4;
+
+    /** The slope, across and along, of the ray through the middle of a pixel that touches the middle of a picture of 16 rows. */
+    private static final double SLOPE = Math.tan(Math.toRadians(20)) / 16;
+
+    /** How far along the line of sight that ray meets the unit ball five units ahead: the smaller root of t²(1 + 2s²) − 10t + 24. */
+    private static final double DISTANCE = (5 - Math.sqrt(25 - 24 * (1 + 2 * SLOPE * SLOPE))) / (1 + 2 * SLOPE * SLOPE);
 
     @TempDir
     private Path folder;
@@ -92,13 +100,21 @@ class LiveViewTest {
     @BeforeEach
     void start() throws Exception {
         file = Files.writeString(folder.resolve("scene.json"), SCENE);
-        view = LiveView.start(
-                new Source(),
-                new LiveView.Options("scene.json", 0, 2, SAMPLES),
-                new ServerLog(line -> {}, System::nanoTime));
+        begin(SAMPLES);
+    }
+
+    private void begin(int samples) throws Exception {
+        LiveView.Options options = new LiveView.Options("scene.json", 0, 2, samples);
+        view = LiveView.start(new Source(), options, new ServerLog(line -> {}, System::nanoTime));
         String[] parts = view.address().split("#");
         address = parts[0];
         key = parts[1];
+        done("action=size&x=24&y=16");
+    }
+
+    private void restart(int samples) throws Exception {
+        view.close();
+        begin(samples);
     }
 
     @AfterEach
@@ -210,24 +226,19 @@ class LiveViewTest {
     /** With a single pass, the view shows the bytes of a render of the same scene, size and samples. */
     @Test
     void aPassIsAnOrdinaryRender() throws Exception {
-        view.close();
-        view = LiveView.start(
-                new Source(), new LiveView.Options("", 0, 1, 1), new ServerLog(line -> {}, System::nanoTime));
-        address = view.address().split("#")[0];
-        key = view.address().split("#")[1];
+        restart(1);
         awaitFinished();
         Scene scene = SceneReader.read(file);
         RenderSettings usual = RenderSettings.of(scene);
         Image expected = Renderer.render(
-                scene, usual.withSize(960, 640).withBudget(usual.budget().withSamples(1)));
+                scene, usual.withSize(24, 16).withBudget(usual.budget().withSamples(1)));
         var shown = ImageIO.read(new ByteArrayInputStream(picture()));
-        int[] argb = shown.getRGB(0, 0, 960, 640, null, 0, 960);
+        int[] argb = shown.getRGB(0, 0, 24, 16, null, 0, 24);
         assertArrayEquals(expected.toArgb(), argb);
     }
 
     @Test
     void aMotionStartsAnew() throws Exception {
-        done("action=size&x=24&y=16");
         JsonNode before = awaitFinished();
         byte[] first = picture();
         done("action=orbit&x=40&y=10");
@@ -241,9 +252,54 @@ class LiveViewTest {
         assertArrayEquals(first, picture());
     }
 
+    /** There is no end of passes in sight: what is under way is given up. */
+    @Test
+    void aMotionEndsThePassesUnderWay() throws Exception {
+        restart(1 << 20);
+        done("action=size&x=240&y=160");
+        await(s -> s.get("samples").asInt() > 2);
+        done("action=orbit&x=40&y=10");
+        JsonNode after = await(s -> s.get("current").asBoolean());
+        assertTrue(after.get("moved").asBoolean());
+        assertFalse(after.get("finished").asBoolean());
+    }
+
+    @Test
+    void onlySomePagesWaitAtATime() throws Exception {
+        long version = awaitFinished().get("version").asLong();
+        List<Socket> waiting = new ArrayList<>();
+        try {
+            for (int i = 0; i < ViewServer.MOST_VIEWERS; i++) {
+                Socket socket = new Socket(
+                        InetAddress.getLoopbackAddress(), URI.create(address).getPort());
+                waiting.add(socket);
+                String request =
+                        "GET /" + withKey("state.json", "after=" + version) + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
+                socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+            }
+            // The threads that answer may not have begun yet.
+            Answer refused = send("GET", withKey("state.json", "after=0"));
+            while (refused.statusCode() == 200) {
+                refused = send("GET", withKey("state.json", "after=0"));
+            }
+            assertEquals(503, refused.statusCode());
+            assertEquals("there are " + ViewServer.MOST_VIEWERS + " pages already\n", text(refused));
+            // A change is news for all of them.
+            done("action=dolly&x=2");
+            for (Socket socket : waiting) {
+                Answer answer = Answer.of(socket.getInputStream().readAllBytes());
+                assertTrue(
+                        new ObjectMapper().readTree(answer.body()).get("moved").asBoolean());
+            }
+        } finally {
+            for (Socket socket : waiting) {
+                socket.close();
+            }
+        }
+    }
+
     @Test
     void exposureNeedsNoRender() throws Exception {
-        done("action=size&x=24&y=16");
         JsonNode before = awaitFinished();
         byte[] first = picture();
         done("action=exposure&x=-2");
@@ -325,9 +381,10 @@ class LiveViewTest {
                 .readTree(send("GET", withKey("pixel.json", "x=0.5&y=0.5")).body());
         assertEquals("ball, object 0 (sphere)", hit.get("object").asString());
         assertEquals("white (matte)", hit.get("material").asString());
-        // The ray passes within a pixel of the ball's middle.
-        assertEquals(4, hit.get("depth").asDouble(), 0.001);
-        assertEquals(-1, hit.get("normal").get(2).asDouble(), 0.001);
+        assertEquals(
+                DISTANCE * Math.sqrt(1 + 2 * SLOPE * SLOPE), hit.get("depth").asDouble(), 1e-5);
+        assertEquals(DISTANCE - 5, hit.get("point").get(2).asDouble(), 1e-5);
+        assertEquals(DISTANCE - 5, hit.get("normal").get(2).asDouble(), 1e-5);
         assertEquals("linear", hit.get("unit").asString());
         assertTrue(hit.get("value").get(0).asDouble() > 0);
         JsonNode miss = new ObjectMapper()
@@ -341,7 +398,7 @@ class LiveViewTest {
         done("action=aim&x=0.5&y=0.5");
         String camera = text(send("GET", withKey("camera.json", "")));
         JsonNode json = new ObjectMapper().readTree(camera);
-        assertEquals(-1, json.get("lookAt").get(2).asDouble(), 0.001);
+        assertEquals(DISTANCE - 5, json.get("lookAt").get(2).asDouble(), 1e-5);
         refused(400, "there is nothing at that place", "action=aim&x=0.01&y=0.01");
         refused(409, "\"lens\" is missing: this camera has nothing to focus", "action=focus&x=0.5&y=0.5");
     }

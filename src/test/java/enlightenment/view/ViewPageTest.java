@@ -179,6 +179,7 @@ class ViewPageTest {
     @Test
     void withoutItsKeyThePageSaysSo() throws Exception {
         browser.open(view.address().split("#")[0] + "?none");
-        browser.until("document.querySelector('#note').textContent.startsWith('The key is missing or wrong')");
+        browser.until("document.readyState == 'complete'"
+                + " && document.querySelector('#note').textContent.startsWith('The key is missing or wrong')");
     }
 }

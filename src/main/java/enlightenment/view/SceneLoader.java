@@ -22,6 +22,11 @@ final class SceneLoader {
     /** The parts of a scene file that a view can change. */
     private static final List<String> PARTS = List.of("/camera", "/display");
 
+    /** Of scenes with more objects only the file itself is watched: finding the others takes a text of all objects. */
+    private static final int MOST_OBJECTS = 20_000;
+
+    private static final int CHECKS_BEFORE_RETRY = 4;
+
     private final SceneSource source;
     private final ViewSession session;
 
@@ -32,6 +37,8 @@ final class SceneLoader {
 
     /** Whether the scene of the session is what the file holds. */
     private boolean isLoaded;
+
+    private int checksSinceFailure;
 
     SceneLoader(SceneSource source, ViewSession session) {
         this.source = source;
@@ -57,19 +64,24 @@ final class SceneLoader {
         stamps = FileStamp.of(files);
         isLoaded = false;
         Scene scene = source.read();
+        isLoaded = true;
+        session.loaded(scene);
         List<FileStamp> all = new ArrayList<>(stamps.subList(0, 1));
         files = filesOf(scene);
         all.addAll(FileStamp.of(files.subList(1, files.size())));
         stamps = all;
-        isLoaded = true;
-        session.loaded(scene);
     }
 
-    /** Reads the scene if a file has changed since it was last read. */
+    /**
+     * Reads the scene if a file has changed since it was last read; one that cannot be used also now and then, since what it needs may be a file
+     * that was not there.
+     */
     synchronized void check() {
-        if (FileStamp.of(files).equals(stamps)) {
+        boolean isRetry = !isLoaded && ++checksSinceFailure >= CHECKS_BEFORE_RETRY;
+        if (!isRetry && FileStamp.of(files).equals(stamps)) {
             return;
         }
+        checksSinceFailure = 0;
         try {
             load();
         } catch (SceneException e) {
@@ -84,6 +96,9 @@ final class SceneLoader {
     /** The file itself, and those that a scene says it was made of, as far as scenes know. */
     private List<Path> filesOf(Scene scene) {
         Set<Path> all = new LinkedHashSet<>(List.of(source.file()));
+        if (scene.objects().size() > MOST_OBJECTS) {
+            return List.copyOf(all);
+        }
         FileNames names = file -> {
             all.add(file);
             return file.toString();

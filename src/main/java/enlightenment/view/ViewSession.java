@@ -106,8 +106,10 @@ final class ViewSession {
 
     /** The file cannot be used as it is now. */
     synchronized void broken(List<String> lines) {
-        problems = List.copyOf(lines);
-        changed();
+        if (!problems.equals(lines)) {
+            problems = List.copyOf(lines);
+            changed();
+        }
     }
 
     /**

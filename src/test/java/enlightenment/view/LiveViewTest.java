@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import enlightenment.listen.ServerLog;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
@@ -337,6 +338,35 @@ class LiveViewTest {
         JsonNode state = await(
                 s -> s.get("version").asLong() > before && s.get("finished").asBoolean());
         assertEquals(25, state.get("fieldOfView").asDouble());
+    }
+
+    @Test
+    void filesThatTheSceneNamesAreWatched() throws Exception {
+        Path picture = folder.resolve("a.png");
+        ImageFiles.writePng(new Image(1, 1, new float[] {1, 1, 1}), picture);
+        write(SCENE.replace(
+                        "\"materials\": { \"white\": { \"type\": \"matte\", \"color\": \"#ffffff\" }",
+                        "\"textures\": { \"a\": { \"file\": \"a.png\" } },"
+                                + "\"materials\": { \"white\": { \"type\": \"matte\", \"color\": { \"texture\": \"a\" } }")
+                .replace("\"fieldOfView\": 40", "\"fieldOfView\": 41"));
+        await(s -> s.get("fieldOfView").asDouble() == 41);
+        Files.delete(picture);
+        String problem =
+                await(s -> !s.get("problems").isEmpty()).get("problems").get(0).asString();
+        assertTrue(problem.contains("a.png"), problem);
+        ImageFiles.writePng(new Image(1, 1, new float[] {0, 0, 0}), picture);
+        // Black now, without a change of the scene file.
+        await(s -> s.get("problems").isEmpty() && s.get("finished").asBoolean());
+        int rgb = ImageIO.read(new ByteArrayInputStream(picture())).getRGB(12, 6);
+        assertEquals(0, rgb & 0xffffff);
+    }
+
+    @Test
+    void aFileThatWasMissingIsFoundWhenItComes() throws Exception {
+        write(SCENE.replace("\"materials\"", "\"textures\": { \"a\": { \"file\": \"a.png\" } }, \"materials\""));
+        await(s -> !s.get("problems").isEmpty());
+        ImageFiles.writePng(new Image(1, 1, new float[] {1, 1, 1}), folder.resolve("a.png"));
+        await(s -> s.get("problems").isEmpty());
     }
 
     @Test

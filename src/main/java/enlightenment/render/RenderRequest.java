@@ -10,6 +10,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /**
  * What is asked of a render. Begin with {@link #of(Scene)} and change what should differ. Only scene and settings have an
@@ -89,79 +90,34 @@ public record RenderRequest(
 
     /** This request with other settings, for which nothing is chosen. */
     public RenderRequest withSettings(RenderSettings value) {
-        return with(value, Optional.empty());
+        return withMethod(value, Optional.empty());
     }
 
     /** This request with the settings of a choice that {@link Renderer#choose} made for its scene. */
     public RenderRequest withChoice(MethodChoice value) {
-        return with(value.settings(), Optional.of(value));
+        return withMethod(value.settings(), Optional.of(value));
     }
 
-    private RenderRequest with(RenderSettings how, Optional<MethodChoice> chosen) {
-        return new RenderRequest(
-                scene,
-                how,
-                progress,
-                cancelled,
-                auxiliary,
-                progressive,
-                clusters,
-                chains,
-                archives,
-                denoised,
-                scratch,
-                chosen);
+    private RenderRequest withMethod(RenderSettings how, Optional<MethodChoice> chosen) {
+        return with(c -> {
+            c.settings = how;
+            c.choice = chosen;
+        });
     }
 
     /** The same request with another listener. */
     public RenderRequest withProgress(RenderProgress value) {
-        return new RenderRequest(
-                scene,
-                settings,
-                value,
-                cancelled,
-                auxiliary,
-                progressive,
-                clusters,
-                chains,
-                archives,
-                denoised,
-                scratch,
-                choice);
+        return with(c -> c.progress = value);
     }
 
     /** The same request, ended by something else; it must be quick to answer. */
     public RenderRequest withCancelled(BooleanSupplier value) {
-        return new RenderRequest(
-                scene,
-                settings,
-                progress,
-                value,
-                auxiliary,
-                progressive,
-                clusters,
-                chains,
-                archives,
-                denoised,
-                scratch,
-                choice);
+        return with(c -> c.cancelled = value);
     }
 
     /** The same request for other things beside the colours. */
     public RenderRequest withAuxiliary(Set<Auxiliary> value) {
-        return new RenderRequest(
-                scene,
-                settings,
-                progress,
-                cancelled,
-                value,
-                progressive,
-                clusters,
-                chains,
-                archives,
-                denoised,
-                scratch,
-                choice);
+        return with(c -> c.auxiliary = value);
     }
 
     /** The same request for other things beside the colours. */
@@ -173,94 +129,32 @@ public record RenderRequest(
 
     /** The same request with or without the ray clusters. */
     public RenderRequest withClusters(boolean value) {
-        return new RenderRequest(
-                scene,
-                settings,
-                progress,
-                cancelled,
-                auxiliary,
-                progressive,
-                value,
-                chains,
-                archives,
-                denoised,
-                scratch,
-                choice);
+        return with(c -> c.clusters = value);
     }
 
     /** The same request with or without the Markov chains. */
     public RenderRequest withChains(boolean value) {
-        return new RenderRequest(
-                scene,
-                settings,
-                progress,
-                cancelled,
-                auxiliary,
-                progressive,
-                clusters,
-                value,
-                archives,
-                denoised,
-                scratch,
-                choice);
+        return with(c -> c.chains = value);
     }
 
     /** The same request with or without coarse passes first. */
     public RenderRequest withProgressive(boolean value) {
-        return new RenderRequest(
-                scene, settings, progress, cancelled, auxiliary, value, clusters, chains, archives, denoised, scratch,
-                choice);
+        return with(c -> c.progressive = value);
     }
 
     /** The same request with other archives. */
     public RenderRequest withArchives(List<ResultArchive> value) {
-        return new RenderRequest(
-                scene,
-                settings,
-                progress,
-                cancelled,
-                auxiliary,
-                progressive,
-                clusters,
-                chains,
-                value,
-                denoised,
-                scratch,
-                choice);
+        return with(c -> c.archives = value);
     }
 
     /** This request with or without a second picture, from which grain is removed. */
     public RenderRequest withDenoised(boolean value) {
-        return new RenderRequest(
-                scene,
-                settings,
-                progress,
-                cancelled,
-                auxiliary,
-                progressive,
-                clusters,
-                chains,
-                archives,
-                value,
-                scratch,
-                choice);
+        return with(c -> c.denoised = value);
     }
 
     /** This request for a picture that may be kept in a file of this folder while it is rendered. */
     public RenderRequest withScratch(ScratchFolder value) {
-        return new RenderRequest(
-                scene,
-                settings,
-                progress,
-                cancelled,
-                auxiliary,
-                progressive,
-                clusters,
-                chains,
-                archives,
-                denoised,
-                Optional.of(value),
-                choice);
+        return with(c -> c.scratch = Optional.of(value));
     }
 
     /** What has to be found of each pixel beside its colour: what is asked for, and what grain is removed by. */
@@ -271,5 +165,58 @@ public record RenderRequest(
             all.addAll(Denoising.GUIDES);
         }
         return all;
+    }
+
+    private RenderRequest with(Consumer<Parts> change) {
+        Parts parts = new Parts(this);
+        change.accept(parts);
+        return parts.request();
+    }
+
+    /** The components while some of them are changed. */
+    private static final class Parts {
+        Scene scene;
+        RenderSettings settings;
+        RenderProgress progress;
+        BooleanSupplier cancelled;
+        Set<Auxiliary> auxiliary;
+        boolean progressive;
+        boolean clusters;
+        boolean chains;
+        List<ResultArchive> archives;
+        boolean denoised;
+        Optional<ScratchFolder> scratch;
+        Optional<MethodChoice> choice;
+
+        Parts(RenderRequest of) {
+            scene = of.scene;
+            settings = of.settings;
+            progress = of.progress;
+            cancelled = of.cancelled;
+            auxiliary = of.auxiliary;
+            progressive = of.progressive;
+            clusters = of.clusters;
+            chains = of.chains;
+            archives = of.archives;
+            denoised = of.denoised;
+            scratch = of.scratch;
+            choice = of.choice;
+        }
+
+        RenderRequest request() {
+            return new RenderRequest(
+                    scene,
+                    settings,
+                    progress,
+                    cancelled,
+                    auxiliary,
+                    progressive,
+                    clusters,
+                    chains,
+                    archives,
+                    denoised,
+                    scratch,
+                    choice);
+        }
     }
 }

@@ -49,18 +49,20 @@ class CommandFilesTest {
             "merge --partial",
             "trade --resume",
             "trade --evaluate",
+            "view --save",
             "completion");
 
     /** Such options of all commands that read files of other programs. */
     private static final Set<String> OF_FOREIGN_FILES =
             Set.of("--camera", "--view", "--up", "--background", "--fps", "--animation");
 
-    /** What is read only, by commands that write nothing, or in a place where nothing is written but files that were not there. */
+    /** What is read only, by commands that write nothing, or in a place where nothing is written but files that were not there; {@code view} writes into the scene itself, where asked to. */
     private static final Set<String> READ_ONLY = Set.of(
             "new NAME",
             "new --model",
             "validate SCENE",
             "inspect SCENE",
+            "view SCENE",
             "store-info STORE",
             "store-info --store-password-file",
             "worker --token-file",

@@ -98,17 +98,12 @@ public final class DividedRender implements UnitSource {
         BooleanSupplier stopped = Cancellation.of(cancelled);
         CompiledScene compiled =
                 phases.run("compile", () -> SceneCompiler.compile(scene, asked, images.images, stopped));
-        Planner planner;
-        RenderSettings settings;
-        if (asked.method() == Method.AUTO) {
-            MethodDecision decision = phases.run("pilot", () -> MethodPilot.decide(scene, compiled, asked, stopped));
-            settings = asked.withMethod(decision.method());
-            planner = new Planner(compiled, settings, stopped);
-            planner.note(decision.reason());
-        } else {
-            settings = asked;
-            planner = new Planner(compiled, settings, stopped);
-        }
+        Optional<MethodDecision> choice = asked.method() == Method.AUTO
+                ? Optional.of(phases.run("pilot", () -> MethodPilot.decide(scene, compiled, asked, stopped)))
+                : Optional.empty();
+        RenderSettings settings = choice.map(c -> asked.withMethod(c.method())).orElse(asked);
+        Planner planner = new Planner(compiled, settings, stopped);
+        choice.ifPresent(c -> planner.note(c.reason()));
         RenderPlan plan = phases.run("plan", () -> isLast ? planner.planOnce(time) : planner.plan(time, 0));
         Rounds rounds = new Rounds(settings.budget());
         RenderOutline outline = RenderOutline.of(scene.name(), compiled, settings, plan);

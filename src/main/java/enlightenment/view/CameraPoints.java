@@ -20,16 +20,9 @@ final class CameraPoints {
         ExactPoint exact = move.apply(camera.origin());
         double distance = exact.minus(aim).length();
         ExactPoint eye = Digits.rounded(exact, distance);
-        if (camera instanceof Camera.Perspective c) {
-            return new Camera.Perspective(eye, aim, up, c.fieldOfView(), c.axis(), c.handedness(), c.lens());
+        if (!(camera instanceof Camera.Window c)) {
+            return with(camera, eye, aim, up);
         }
-        if (camera instanceof Camera.Orthographic c) {
-            return new Camera.Orthographic(eye, aim, up, c.height(), c.handedness());
-        }
-        if (camera instanceof Camera.Panorama c) {
-            return new Camera.Panorama(eye, aim, up, c.eyeSeparation(), c.handedness());
-        }
-        Camera.Window c = (Camera.Window) camera;
         // The window may be far nearer than the aim.
         double size = Math.min(distance, c.lowerLeft().minus(c.upperRight()).length());
         ExactPoint lowerLeft = Digits.rounded(move.apply(c.lowerLeft()), size);
@@ -43,27 +36,15 @@ final class CameraPoints {
                 Digits.rounded(exact, size), lowerLeft, upperLeft, upperRight, lowerRight, c.pupilRadius());
     }
 
-    /** A camera that is not behind a window with another upward direction. */
-    static Camera withUp(Camera camera, Vec3 up) {
+    /** A camera that is not behind a window with other points and another upward direction. */
+    static Camera with(Camera camera, ExactPoint eye, ExactPoint lookAt, Vec3 up) {
         if (camera instanceof Camera.Perspective c) {
-            return new Camera.Perspective(c.eye(), c.lookAt(), up, c.fieldOfView(), c.axis(), c.handedness(), c.lens());
+            return new Camera.Perspective(eye, lookAt, up, c.fieldOfView(), c.axis(), c.handedness(), c.lens());
         }
         if (camera instanceof Camera.Orthographic c) {
-            return new Camera.Orthographic(c.eye(), c.lookAt(), up, c.height(), c.handedness());
+            return new Camera.Orthographic(eye, lookAt, up, c.height(), c.handedness());
         }
         Camera.Panorama c = (Camera.Panorama) camera;
-        return new Camera.Panorama(c.eye(), c.lookAt(), up, c.eyeSeparation(), c.handedness());
-    }
-
-    /** A camera that is not behind a window, looking at another point. */
-    static Camera withLookAt(Camera camera, ExactPoint lookAt) {
-        if (camera instanceof Camera.Perspective c) {
-            return new Camera.Perspective(c.eye(), lookAt, c.up(), c.fieldOfView(), c.axis(), c.handedness(), c.lens());
-        }
-        if (camera instanceof Camera.Orthographic c) {
-            return new Camera.Orthographic(c.eye(), lookAt, c.up(), c.height(), c.handedness());
-        }
-        Camera.Panorama c = (Camera.Panorama) camera;
-        return new Camera.Panorama(c.eye(), lookAt, c.up(), c.eyeSeparation(), c.handedness());
+        return new Camera.Panorama(eye, lookAt, up, c.eyeSeparation(), c.handedness());
     }
 }

@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
-import java.util.Objects;
 
 /**
  * What changes with a file's content, without reading it.
@@ -27,18 +26,5 @@ record FileStamp(Object modified, long bytes, Object key) {
     /** The stamps of several files, in their order. */
     static List<FileStamp> of(List<Path> files) {
         return files.stream().map(FileStamp::of).toList();
-    }
-
-    @Override
-    public boolean equals(Object o) {
-        return o instanceof FileStamp other
-                && Objects.equals(modified, other.modified)
-                && bytes == other.bytes
-                && Objects.equals(key, other.key);
-    }
-
-    @Override
-    public int hashCode() {
-        return Objects.hash(modified, bytes, key);
     }
 }

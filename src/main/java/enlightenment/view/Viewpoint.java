@@ -15,7 +15,7 @@ import java.util.Optional;
  *
  * @param camera the camera
  * @param aim the point that it orbits and approaches; {@code lookAt} of cameras that have one
- * @param pole the direction that an orbit turns around, of any length but 0
+ * @param pole the direction that an orbit turns around, of any length but 0; the upward direction of cameras that have one
  */
 record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     private static final double RIGHT_ANGLE = 90;
@@ -175,7 +175,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
                     up);
             return new Viewpoint(rolled, aim, up);
         }
-        return new Viewpoint(CameraPoints.withUp(camera, up), aim, up);
+        return new Viewpoint(CameraPoints.with(camera, camera.origin(), aim, up), aim, up);
     }
 
     /**
@@ -205,7 +205,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
         }
         ExactPoint to =
                 Digits.rounded(camera.origin().plus(Pose.of(camera).forward().times(depth)), depth);
-        return new Viewpoint(CameraPoints.withLookAt(camera, to), to, pole);
+        return new Viewpoint(CameraPoints.with(camera, camera.origin(), to, pole), to, pole);
     }
 
     /**

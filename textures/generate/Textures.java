@@ -16,7 +16,7 @@ import java.util.zip.DeflaterOutputStream;
  * <pre>java textures/generate/Textures.java textures</pre>
  *
  * <p>Everything is computed from integer hashes with + - * / and StrictMath, so that every machine paints the same pixels.
- * docs/textures.md describes the motifs.
+ * docs/notes/textures.md describes the motifs.
  */
 public final class Textures {
     /** A picture as a function of place: u to the right and v downwards, 0..1. */

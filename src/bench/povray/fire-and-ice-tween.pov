@@ -1,4 +1,4 @@
-// The film of fire and ice, for comparing what frames cost (docs/animation.md): the same room, images and ways; clock 0..1 is the film.
+// The film of fire and ice, for comparing what frames cost (docs/guide/animation.md): the same room, images and ways; clock 0..1 is the film.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 10 }
 camera { perspective location <0,1,-3> right 6*x up 3*y direction <0,0.5,3> }

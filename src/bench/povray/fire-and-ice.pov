@@ -1,4 +1,4 @@
-// Fire and ice in plain colours, for comparing speed (docs/benchmarks.md): the same geometry, light and camera.
+// Fire and ice in plain colours, for comparing speed (docs/notes/benchmarks.md): the same geometry, light and camera.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 5 }
 camera { location <0, 1, -3> direction <0, 0.5, 3> right <6, 0, 0> up <0, 3, 0> }

@@ -4,7 +4,7 @@
     python3 src/bench/scripts/auto.py costs --work FOLDER
 
 `race` renders small pictures of scenes of this repository and of those below FOLDER (reference/*, scenes/*: folders with reference.pfm
-and scene.json or scene.xml) by every method that can, with K seeds each, and prints the table of docs/methods.md. Scenes without a
+and scene.json or scene.xml) by every method that can, with K seeds each, and prints the table of docs/guide/methods.md. Scenes without a
 reference.pfm get one by a long render of the method that is named here. The error is that of light, relative: squares over
 m^2 + (0.05 M)^2, with m the pixel and M the picture's mean, as `relativeError` of reports. CPU-seconds are user and system time of the
 whole process, less those of the same program for a picture of one pixel (start-up, reading the scene).

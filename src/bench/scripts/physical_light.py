@@ -7,7 +7,7 @@
 
 FOLDER has scene.json, reference.pfm, variance.pfm (linear, rows from the bottom) and, for `race`, scene.xml of Mitsuba 3. Where there is no scene.json, ours reads
 scene.xml as well: a copy of the folder, with paths of any length and pixels that are boxes, as the references have.
-`agree` renders K seeds and compares the means of blocks of 8 x 8 pixels with the reference: docs/physical-light.md says by which rule.
+`agree` renders K seeds and compares the means of blocks of 8 x 8 pixels with the reference: docs/notes/physical-light.md says by which rule.
 `kept` renders K seeds with `--error E` and counts in how many the displayed error against the reference is no larger.
 `reference` makes a folder: the mean of K seeds by ours; a scene.xml beside SCENE comes with it, at that size.
 `race` gives CPU-seconds of whole processes, in turns, and errors against the reference, its own variance subtracted, as a table; with --runs 0 the
@@ -154,7 +154,7 @@ def student(level, degrees):
 
 
 def same(label, folder, pictures):
-    """Whether the mean of pictures is the reference, by the rule of docs/physical-light.md."""
+    """Whether the mean of pictures is the reference, by the rule of docs/notes/physical-light.md."""
     reference, own = read_pfm(folder / "reference.pfm"), read_pfm(folder / "variance.pfm")
     seeds = len(pictures)
     mean = numpy.mean(pictures, axis=0)

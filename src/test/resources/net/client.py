@@ -1,4 +1,4 @@
-"""A client of an Enlightenment server in another language, written from docs/distributed-protocol.md alone.
+"""A client of an Enlightenment server in another language, written from docs/notes/distributed-protocol.md alone.
 
 It cannot render: the pixels of its tiles come from a picture that was rendered before, a PFM file of the whole region.
 

@@ -24,7 +24,7 @@ public interface Bsdf {
 
     /**
      * Whether all lobes that matter are so narrow that a path from the eye seldom leaves them towards a given small light: caustics by way of
-     * them are found like those of delta lobes (docs/caustics.md).
+     * them are found like those of delta lobes (docs/notes/caustics.md).
      */
     default boolean isNarrow() {
         return false;

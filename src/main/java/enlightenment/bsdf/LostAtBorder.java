@@ -9,7 +9,7 @@ package enlightenment.bsdf;
  * side. One number is then left to choose: on the rare side lost light meets the surface again from outside, and as much is
  * reflected as of diffuse light, the less the rougher the surface is, since it has more chances to get through. Compared with random walks
  * among facets (E. Heitz, J. Hanika, E. d'Eon and C. Dachsbacher, "Multiple-scattering microfacet BSDFs with the Smith model", 2016):
- * docs/bsdfs.md.
+ * docs/notes/bsdfs.md.
  */
 final class LostAtBorder {
     /** How much less of lost light comes back from the roughest surface. */

@@ -12,7 +12,7 @@ public final class Microfacets {
 
     /**
      * A roughness of 0.25. Fitted: where paths from small lights make caustics with as little noise as paths from the eye do
-     * (docs/caustics.md).
+     * (docs/notes/caustics.md).
      */
     private static final double NARROW = 0.0625;
 

@@ -8,7 +8,7 @@ import java.util.List;
 /**
  * Samples one of a scene's lights for a receiver: up to {@link #FEW} lights proportionally to estimates of their unoccluded contribution,
  * more of them by a {@link LightTree}. A light that can contribute has a probability above 0; the choice does not depend on the order in
- * which lights are given. Immutable, shared by threads. See docs/light-sampling.md.
+ * which lights are given. Immutable, shared by threads. See docs/notes/light-sampling.md.
  */
 public final class LightSampler {
     /** Up to this number every light is weighed for every receiver. */

@@ -12,7 +12,7 @@ final class LightTree {
     /** Bounds the roundings of cosines: what is below the horizon by less may be above it. */
     private static final double SLACK = Scale.gamma(64);
 
-    /** Into how many nodes the tree is split; twice and half as many cost more for the same error (docs/light-sampling.md). */
+    /** Into how many nodes the tree is split; twice and half as many cost more for the same error (docs/notes/light-sampling.md). */
     private static final int CUT = 6;
 
     private static final int STRIDE = 10;

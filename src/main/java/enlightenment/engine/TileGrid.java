@@ -42,7 +42,7 @@ public final class TileGrid implements TileCut {
     /**
      * A number without common divisors with {@code tiles}, near the golden section of it: tiles taken in this step are
      * scattered over the picture. So an unfinished picture shows something of everything, and the just-in-time compiler
-     * sees the whole scene before it decides what is common (measured: a third less compiling, docs/benchmarks.md).
+     * sees the whole scene before it decides what is common (measured: a third less compiling, docs/notes/benchmarks.md).
      */
     static int stride(int tiles) {
         double goldenSection = (Math.sqrt(5) - 1) / 2;

@@ -9,7 +9,7 @@ package enlightenment.film;
  * goes on is told by three FITTED curves: what it was in the middle, at least and at most, on shipped scenes and on hard ones
  * (sub-pixel slats, wires, textures of noise, checkerboards, lit spots, small lights). Two ends are known: of independent samples
  * B/A is 2 and the share is 1, and never is it much more; straight edges in random places and directions have
- * V(1) : V(2) : V(4) : … = 1 : 0.294 : 0.0949 : 0.0321 : 0.0112. docs/cluster-laboratory.md has the figures.
+ * V(1) : V(2) : V(4) : … = 1 : 0.294 : 0.0949 : 0.0321 : 0.0112. docs/notes/cluster-laboratory.md has the figures.
  */
 final class VarianceDecay {
     /** Ratios B/A for which the curves are given; straight between them. */

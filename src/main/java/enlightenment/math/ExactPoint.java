@@ -8,7 +8,7 @@ import java.util.Arrays;
  * An exact position in a scene description.
  *
  * <p>Coordinates are kept as the decimals that were written, because the picture must not depend on where the scene's
- * origin lies: the compiler subtracts the eye exactly and rounds once (docs/numerics.md, "exact frame").
+ * origin lies: the compiler subtracts the eye exactly and rounds once (docs/notes/numerics.md, "exact frame").
  *
  * <p>Points are equal if their coordinates are equal numbers, however these were written.
  *

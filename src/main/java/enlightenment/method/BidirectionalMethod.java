@@ -6,7 +6,7 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * Paths from both ends (docs/bidirectional.md). Tiles take camera samples as {@link RayTraceMethod} does, and connect each with a light
+ * Paths from both ends (docs/notes/bidirectional.md). Tiles take camera samples as {@link RayTraceMethod} does, and connect each with a light
  * path of its own; what other light paths bring to the eye straight is added to them ({@link LightPaths#ofBidirectional}).
  */
 public final class BidirectionalMethod {

@@ -46,7 +46,7 @@ public final class LightPaths implements SplatIntegrator {
     }
 
     /**
-     * The caustics of a picture of which tiles make the rest: paths that are aimed at mirrors and smooth glass (docs/caustics.md). For one
+     * The caustics of a picture of which tiles make the rest: paths that are aimed at mirrors and smooth glass (docs/notes/caustics.md). For one
      * thread, and a scene with a pass of caustics ({@link CompiledScene#hasCausticPass}).
      */
     public static LightPaths ofCaustics(CompiledScene scene, RenderSettings settings, RayCounters counters) {
@@ -61,7 +61,7 @@ public final class LightPaths implements SplatIntegrator {
 
     /**
      * Light tracing: paths from everything that shines make all light that surfaces scatter to the eye. What the eye sees of lights,
-     * straight and in mirrors, is the business of tiles ({@link RayTraceMethod#ofSeenLight}). See docs/light-tracing.md. For one thread,
+     * straight and in mirrors, is the business of tiles ({@link RayTraceMethod#ofSeenLight}). See docs/notes/light-tracing.md. For one thread,
      * and a scene of physical shading.
      */
     public static LightPaths ofAllLight(CompiledScene scene, RenderSettings settings, RayCounters counters) {

@@ -20,7 +20,7 @@ import java.util.function.IntFunction;
 /**
  * Renders the frames of a film with the help of {@link RenderWorker}s: each is the picture of {@link
  * enlightenment.render.Renderer}, bit for bit. All frames are one job, so workers stay connected from the first to the last, and begin
- * the next frame while others end the one before. docs/distributed.md tells how it is set up.
+ * the next frame while others end the one before. docs/guide/distributed.md tells how it is set up.
  *
  * <p>A server has threads of its own (daemons); its methods may be called by several threads at once. The module {@code
  * tools.jackson.dataformat.cbor} must be there, which nothing else needs.

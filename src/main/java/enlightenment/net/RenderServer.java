@@ -15,7 +15,7 @@ import java.util.function.BooleanSupplier;
 
 /**
  * Renders one picture with the help of {@link RenderWorker}s, which may come, go and die as they please: the picture is that
- * of {@link enlightenment.render.Renderer}, bit for bit. docs/distributed.md tells how it is set up.
+ * of {@link enlightenment.render.Renderer}, bit for bit. docs/guide/distributed.md tells how it is set up.
  *
  * <p>A server has threads of its own (daemons); its methods may be called by several threads at once. The module {@code
  * tools.jackson.dataformat.cbor} must be there, which nothing else needs.

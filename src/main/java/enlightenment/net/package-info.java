@@ -7,7 +7,7 @@
  *
  * <p>The packages below are internal: {@code schedule} decides who renders what, {@code protocol} and {@code secure} what is
  * said and who may say it, {@code checkpoint} and {@code job} what survives and what travels, {@code server}, {@code worker},
- * {@code listen} and {@code status} are the two sides with their threads and sockets. docs/distributed-protocol.md describes
+ * {@code listen} and {@code status} are the two sides with their threads and sockets. docs/notes/distributed-protocol.md describes
  * the protocol.
  */
 package enlightenment.net;

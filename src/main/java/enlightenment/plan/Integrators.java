@@ -32,7 +32,7 @@ public final class Integrators {
     /**
      * With fewer samples per pixel than this, method {@code cluster} is exactly {@code raytrace}: its survey takes 1.27, every
      * pixel takes at least one, and what is left does not buy more than evenly spaced rays do. Measured: from 2.3 on fire and ice
-     * to 2.6 on the keyhole, docs/cluster-laboratory.md.
+     * to 2.6 on the keyhole, docs/notes/cluster-laboratory.md.
      */
     private static final double FEWEST_OF_CLUSTER = 2.45;
 
@@ -42,7 +42,7 @@ public final class Integrators {
     /** What a search for an error begins with, and what follows a picture without a survey. */
     private static final double FIRST_OF_CLUSTER = 4;
 
-    /** Paths of a pass of caustics per camera sample: docs/caustics.md has what more and less of them bring. */
+    /** Paths of a pass of caustics per camera sample: docs/notes/caustics.md has what more and less of them bring. */
     private static final double CAUSTIC_PATHS = 1.0 / 8;
 
     /** Paths of the method that finds nearly all light by them, per camera sample. */
@@ -53,7 +53,7 @@ public final class Integrators {
 
     /**
      * The same for physical light: its survey tells little of paths, and with few samples the first paths of each pixel are few. Measured:
-     * docs/cluster-sampler.md.
+     * docs/notes/cluster-sampler.md.
      */
     private static final double FEWEST_OF_PHYSICAL_CLUSTER = 8;
 

@@ -211,7 +211,7 @@ public final class Rounds {
 
     /**
      * Whether so few samples were taken of a scene with undersampled light that hardly any has found it: they agree without it, and the
-     * upper end of the interval lies below the true error more often than not (docs/error-estimation.md).
+     * upper end of the interval lies below the true error more often than not (docs/notes/error-estimation.md).
      */
     private boolean hasFewForUndersampled(RenderReport.Sampling outcome) {
         return budget.error().isPresent()

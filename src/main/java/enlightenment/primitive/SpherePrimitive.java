@@ -83,7 +83,7 @@ public final class SpherePrimitive extends Primitive {
         double s = Math.sqrt(discriminant);
         // The body of near(), repeated: it makes this method too long to be inlined at each of its many call sites,
         // which
-        // saves a third of the compilation time of a short render (docs/benchmarks.md).
+        // saves a third of the compilation time of a short render (docs/notes/benchmarks.md).
         double near = b > 0 && s > b * SAFE_RATIO
                 ? Products.distanceSquaredMinus(fx, fy, fz, radius) / (b + s)
                 : (b - s) / ray.dd;

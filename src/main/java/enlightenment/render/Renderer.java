@@ -51,7 +51,7 @@ import java.util.function.BooleanSupplier;
  * not work on an interrupted thread. An interrupt of a helper has no effect.
  */
 public final class Renderer {
-    /** Measured for spheres with a hierarchy (docs/benchmarks.md), rounded up. */
+    /** Measured for spheres with a hierarchy (docs/notes/benchmarks.md), rounded up. */
     private static final long BYTES_PER_PRIMITIVE = 400;
 
     private Renderer() {}

@@ -18,7 +18,7 @@ public interface SampleArchive extends ResultArchive {
      *
      * @param kind 0 for samples alone, 1 for samples with their rays
      * @param samples how many
-     * @param block what is known of them, column by column: docs/sample-store.md has its form
+     * @param block what is known of them, column by column: docs/guide/sample-store.md has its form
      */
     void keepSamples(int plan, int unit, int kind, int samples, byte[] block) throws IOException;
 }

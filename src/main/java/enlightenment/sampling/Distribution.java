@@ -5,7 +5,7 @@ import java.util.List;
 
 /**
  * A family of symmetric densities of one real variable z, standardised to mean 0 and standard deviation 1. These are the
- * paper's proposals; {@code docs/distributions.md} has formulas, sources and the relation to the original. Immutable.
+ * paper's proposals; {@code docs/notes/distributions.md} has formulas, sources and the relation to the original. Immutable.
  *
  * <p>Only correctly rounded operations and {@link StrictMath} are used: the same bits on every machine.
  */

@@ -9,7 +9,7 @@ public final class SobolSampler implements Sampler {
     private static final long FILM = 0;
     private static final long FIRST_LIGHT = 1;
 
-    /** Later bounces gain little by being stratified, and a hash costs less (docs/path-tracing.md). */
+    /** Later bounces gain little by being stratified, and a hash costs less (docs/notes/path-tracing.md). */
     private static final int STRATIFIED_BOUNCES = 2;
 
     private static final int SEQUENCES = STRATIFIED_BOUNCES * Purpose.values().length;

@@ -7,7 +7,7 @@ import java.sql.SQLException;
 import java.sql.Statement;
 import java.util.List;
 
-/** The tables of a store, and whether a database has them. docs/sample-store.md has what the columns mean. */
+/** The tables of a store, and whether a database has them. docs/guide/sample-store.md has what the columns mean. */
 final class Schema {
     /** The version that is written; a newer one is refused. */
     static final int VERSION = 1;

@@ -7,7 +7,7 @@ import enlightenment.math.Vec3;
 import java.util.Locale;
 import tools.jackson.core.JsonGenerator;
 
-/** What pages hear of a view, as JSON; docs/view.md describes it. */
+/** What pages hear of a view, as JSON; docs/guide/view.md describes it. */
 final class ViewJson {
     private ViewJson() {}
 

@@ -36,7 +36,7 @@ import java.util.List;
 
 /** What physical shading adds to a compiled scene: lights, surroundings, and what of it the scene requires. Immutable. */
 public final class PhysicalScene {
-    /** Binary logarithm of the least {@link #areaUnit}: that of the largest scenes that are promised to be right (docs/numerics.md). */
+    /** Binary logarithm of the least {@link #areaUnit}: that of the largest scenes that are promised to be right (docs/notes/numerics.md). */
     private static final int LEAST_AREA = -400;
 
     private static final int NO_LIGHT = -1;

@@ -24,10 +24,10 @@ import java.util.function.Function;
 
 /** Builds from a scene only what it requires. */
 public final class SceneCompiler {
-    /** Up to this many primitives a plain loop is faster than a hierarchy (docs/benchmarks.md). */
+    /** Up to this many primitives a plain loop is faster than a hierarchy (docs/notes/benchmarks.md). */
     public static final int LOOP_LIMIT = 24;
 
-    /** Measured for spheres with a hierarchy (docs/benchmarks.md), rounded up. */
+    /** Measured for spheres with a hierarchy (docs/notes/benchmarks.md), rounded up. */
     private static final long BYTES_PER_OBJECT = 400;
 
     /** The exponent of a unit in which no sum of numbers of a scene overflows. */

@@ -23,9 +23,9 @@ import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
 
-/** docs/cli.md lists the commands and options that there are. */
+/** docs/guide/cli.md lists the commands and options that there are. */
 class CommandLineDocumentTest {
-    private static final Path PAGE = Path.of("docs/cli.md");
+    private static final Path PAGE = Path.of("docs/guide/cli.md");
 
     /** The first cell of a row of a table. */
     private static final Pattern FIRST_CELL = Pattern.compile("(?m)^\\| (`-.*?) \\| ");
@@ -46,7 +46,7 @@ class CommandLineDocumentTest {
         String title = command.equals("merge") ? "render --part and merge" : command;
         Matcher m = Pattern.compile("(?ms)^## \\Q" + title + "\\E$(.*?)(?=^## |\\z)")
                 .matcher(Files.readString(PAGE));
-        assertTrue(m.find(), "docs/cli.md has no section ## " + title);
+        assertTrue(m.find(), "docs/guide/cli.md has no section ## " + title);
         return m.group(1);
     }
 

@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 
-/** Options that exclude or need each other: all that the tables of commands say is held, and stands in docs/cli.md. */
+/** Options that exclude or need each other: all that the tables of commands say is held, and stands in docs/guide/cli.md. */
 class OptionRulesTest {
     private static final Pattern ROW =
             Pattern.compile("(?m)^\\| `([a-z-]+)` \\| (.*?) \\| (not with|only with) \\| (.*?) \\| .+ \\|$");
@@ -218,7 +218,7 @@ class OptionRulesTest {
             }
         }
         Set<String> listed = new TreeSet<>();
-        Matcher row = ROW.matcher(Files.readString(Path.of("docs/cli.md")));
+        Matcher row = ROW.matcher(Files.readString(Path.of("docs/guide/cli.md")));
         while (row.find()) {
             listed.add(String.join(" | ", row.group(1), row.group(2), row.group(3), row.group(4)));
         }

@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
-/** The scene that docs/benchmarks.md compares with POV-Ray is the same in both languages. */
+/** The scene that docs/notes/benchmarks.md compares with POV-Ray is the same in both languages. */
 class PlainSceneTest {
     private static final String NUMBERS = "([-\\d., ]+)";
     private static String pov;

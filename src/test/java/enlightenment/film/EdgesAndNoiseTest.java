@@ -136,7 +136,7 @@ class EdgesAndNoiseTest {
         Picture p = picture(320, 320, samples, 5, 160, Math.sqrt(2) * edges.error());
         double ratio = p.film.error().rmse() / p.error();
         // Four samples cannot tell such a mixture from small shapes, whose variance falls faster:
-        // docs/cluster-laboratory.md.
+        // docs/notes/cluster-laboratory.md.
         assertTrue(ratio > least && ratio < 1.2, samples + " samples: " + ratio);
     }
 

@@ -24,7 +24,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * docs/distributed-protocol.md is enough to write a client from: {@code client.py} was. Its units are made from a picture that was
+ * docs/notes/distributed-protocol.md is enough to write a client from: {@code client.py} was. Its units are made from a picture that was
  * rendered before, and the server makes the same picture of them.
  */
 @Timeout(600)

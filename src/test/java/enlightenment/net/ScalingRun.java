@@ -5,7 +5,7 @@ import enlightenment.scene.RenderSettings;
 
 /**
  * Measures how busy real workers are kept: tiles take their time by sleeping, so that two processors suffice for eight. A
- * program and no test, as the figures depend on how busy the machine is; docs/distributed.md has some.
+ * program and no test, as the figures depend on how busy the machine is; docs/guide/distributed.md has some.
  */
 final class ScalingRun {
     private static final int TILE_MILLIS = 30;

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * A speck far behind the viewer makes the scene's frame larger, so that all that is seen becomes small in it: no bit changes, up to the
- * extents that docs/numerics.md promises. As {@code ImageInvarianceTest} has it, with densities per area and their squares.
+ * extents that docs/notes/numerics.md promises. As {@code ImageInvarianceTest} has it, with densities per area and their squares.
  */
 class FarSpeckTest {
     private static final int[] EXPONENTS = {30, 200, 260, 360, 395};

@@ -2,7 +2,7 @@ package enlightenment.physical;
 
 import enlightenment.math.Vec3;
 
-/** What becomes of light that rough glass loses by single scattering (docs/bsdfs.md), by brute force. */
+/** What becomes of light that rough glass loses by single scattering (docs/notes/bsdfs.md), by brute force. */
 final class NaiveBorder {
     private static final int NODES = 64;
     private static final int SIDE = 128;

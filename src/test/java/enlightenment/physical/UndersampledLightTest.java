@@ -144,7 +144,7 @@ class UndersampledLightTest {
         assertTrue(said.contains("small lamps"), said);
     }
 
-    /** The scenes of the table in docs/error-estimation.md. */
+    /** The scenes of the table in docs/notes/error-estimation.md. */
     @Test
     void theMeasuredScenesAreSaid() throws IOException {
         for (BuiltInMethod method : BuiltInMethod.values()) {

@@ -13,7 +13,7 @@ import java.util.Locale;
 
 /**
  * Measures what textbook forms of intersections get wrong, and what ours do, and prints it: the text of {@code
- * docs/numerics-tables.md}, which names the command.
+ * docs/notes/numerics-tables.md}, which names the command.
  */
 final class ErrorTables {
     /**

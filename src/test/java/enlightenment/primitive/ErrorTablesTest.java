@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
 
-/** What the tables of docs/numerics-tables.md must show: our column keeps the promises, the textbook's does not. */
+/** What the tables of docs/notes/numerics-tables.md must show: our column keeps the promises, the textbook's does not. */
 class ErrorTablesTest {
     static final List<String> KINDS = Subject.KINDS;
 
@@ -85,7 +85,7 @@ class ErrorTablesTest {
     @Tag("full")
     @Test
     void theDocumentIsWhatTheCommandWrites() throws IOException {
-        Path document = Path.of(System.getProperty("project.directory"), "docs", "numerics-tables.md");
+        Path document = Path.of(System.getProperty("project.directory"), "docs", "notes", "numerics-tables.md");
         assertEquals(Files.readString(document), ErrorTables.text());
     }
 }

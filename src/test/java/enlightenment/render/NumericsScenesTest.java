@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The scenes whose pictures stand in docs/numerics-pictures show what they claim. */
+/** The scenes whose pictures stand in docs/notes/numerics-pictures show what they claim. */
 class NumericsScenesTest {
     private static Scene scene(String name) {
         return SceneReader.read(Path.of(System.getProperty("project.directory"), "scenes", "numerics", name));

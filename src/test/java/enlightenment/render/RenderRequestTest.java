@@ -261,7 +261,8 @@ class RenderRequestTest {
         RenderResult again =
                 Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withSamples(samples))));
         assertArrayEquals(again.image().toArray(), timed.image().toArray());
-        // Work, not time by the clock, which depends on what else the machine does: docs/benchmarks measure that. The
+        // Work, not time by the clock, which depends on what else the machine does: docs/notes/benchmarks.md measures
+        // that. The
         // just-in-time compiler works, too.
         double work = timed.report().phases().stream()
                 .mapToDouble(RenderReport.Phase::cpuSeconds)

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The pictures in textures/, as docs/textures.md describes them. */
+/** The pictures in textures/, as docs/notes/textures.md describes them. */
 class TexturesTest {
     private static final Path ROOT = Path.of(System.getProperty("project.directory", "."));
     private static final Path TEXTURES = ROOT.resolve("textures");
@@ -45,7 +45,7 @@ class TexturesTest {
         }
         assertEquals(SIZES, found);
         assertTrue(bytes < 2_500_000, "textures take " + bytes + " bytes");
-        String documentation = Files.readString(ROOT.resolve("docs/textures.md"));
+        String documentation = Files.readString(ROOT.resolve("docs/notes/textures.md"));
         SIZES.forEach((name, size) -> assertTrue(
                 documentation.contains("`" + name + "` | " + size.replace("x", "×")), name + " is not documented"));
     }

@@ -6,7 +6,7 @@ package enlightenment.classic.cluster;
  * here as the nearest power of two, since these are the numbers for which the points are best distributed.
  */
 final class Allocation {
-    /** 1 + γ where the colour is smooth, and where edges or light points make it jump; measured in docs/cluster-laboratory.md. */
+    /** 1 + γ where the colour is smooth, and where edges or light points make it jump; measured in docs/notes/cluster-laboratory.md. */
     private static final double SMOOTH = 2.85;
 
     private static final double ROUGH = 2.5;

@@ -21,7 +21,7 @@ import java.util.function.Consumer;
 /**
  * The paper's ray clusters: a survey of evenly spaced rays shows where samples are needed and where lights are partly hidden;
  * samples are allocated accordingly, the survey's interpolated colours are their control variate, and clusters of rays that met
- * the same surface and light propose further light points. See docs/cluster-sampler.md.
+ * the same surface and light propose further light points. See docs/notes/cluster-sampler.md.
  *
  * <p>Unbiased, because every decision about a pixel is made before and without its own samples: numbers of samples from the
  * survey, proposals from the survey and the pixels before it.

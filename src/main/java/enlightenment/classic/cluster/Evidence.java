@@ -9,7 +9,7 @@ import enlightenment.method.Block;
  *
  * <p>Pixels whose corners met the same and pixels whose corners did not are judged apart: beside the outline of a large thing the
  * former hide nothing, between wires thinner than a pixel they hide as much as the latter. The shares were chosen for the least
- * error at equal cost (docs/cluster-laboratory.md).
+ * error at equal cost (docs/notes/cluster-laboratory.md).
  */
 final class Evidence {
     /** How much more a touching pixel tells than one that is further away. */

@@ -9,7 +9,7 @@ import enlightenment.method.Block;
  *
  * <p>An edge (corners whose rays met different things) makes a sample vary as much as the corners do; without one, what the
  * interpolation between the corners misses is a share of their second differences. Only the shares' ratios matter. They were
- * chosen for the least error at equal cost on shipped scenes (docs/cluster-laboratory.md); the result changes by a few per cent if
+ * chosen for the least error at equal cost on shipped scenes (docs/notes/cluster-laboratory.md); the result changes by a few per cent if
  * they are doubled or halved.
  */
 final class SampleDemand {

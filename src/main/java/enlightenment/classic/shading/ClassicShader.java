@@ -16,11 +16,11 @@ import java.util.function.BooleanSupplier;
  * <p>With c the surface colour, cosθ (0..1) between the normal that faces the viewer and the direction to a light point,
  * and k the share of direct light that an occluded point keeps: colour = c · light · (ambient + (1 − ambient) · mean over
  * light points of (visible ? 1 : k) · cosθ), averaged over the lights. Mirrors and glass multiply their colour and are
- * followed; everything but a light occludes. See docs/classic-shading.md.
+ * followed; everything but a light occludes. See docs/notes/classic-shading.md.
  *
  * <p>{@code step} and {@link ClassicDirectLight}'s {@code meanCosine} are longer than our methods usually are: the just-in-time compiler
  * does not inline a method of more than 325 bytes of code, and these boundaries keep it from compiling the whole renderer once at each
- * level of calls. Without the first, renders of a few seconds take a seventh more CPU time (docs/benchmarks.md).
+ * level of calls. Without the first, renders of a few seconds take a seventh more CPU time (docs/notes/benchmarks.md).
  */
 public final class ClassicShader implements Shader {
     private final CompiledScene scene;

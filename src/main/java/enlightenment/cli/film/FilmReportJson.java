@@ -7,7 +7,7 @@ import enlightenment.report.RenderReport;
 import java.util.Map;
 import java.util.Optional;
 
-/** The report of a film as JSON; docs/cli.md lists the keys. */
+/** The report of a film as JSON; docs/guide/cli.md lists the keys. */
 final class FilmReportJson {
     private FilmReportJson() {}
 

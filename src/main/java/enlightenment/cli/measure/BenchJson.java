@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import tools.jackson.core.JsonGenerator;
 
-/** The figures of {@code bench} as JSON; docs/benchmarks.md lists the keys. */
+/** The figures of {@code bench} as JSON; docs/notes/benchmarks.md lists the keys. */
 final class BenchJson {
     private BenchJson() {}
 

@@ -6,7 +6,7 @@ import enlightenment.image.LightError;
 import enlightenment.json.JsonText;
 import tools.jackson.core.JsonGenerator;
 
-/** What {@code compare} found, with all digits; docs/compare.md lists the keys. */
+/** What {@code compare} found, with all digits; docs/guide/compare.md lists the keys. */
 final class ComparisonJson {
     private ComparisonJson() {}
 

@@ -8,7 +8,7 @@ import java.util.List;
 
 /**
  * Which options of a command exclude or need others, and why. The first rule that is broken is told, before anything is looked at;
- * docs/cli.md lists them all. What depends on an option's value stands with that option.
+ * docs/guide/cli.md lists them all. What depends on an option's value stands with that option.
  */
 public final class OptionRules {
     private static final String NO_PICTURE = "with --part there is no picture yet: --depth (but for --error), --format,"

@@ -15,7 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import tools.jackson.core.JsonGenerator;
 
-/** A render's report as JSON; docs/cli.md lists the keys. */
+/** A render's report as JSON; docs/guide/cli.md lists the keys. */
 public final class ReportJson {
     private ReportJson() {}
 

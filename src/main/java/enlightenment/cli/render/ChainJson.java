@@ -5,7 +5,7 @@ import enlightenment.render.PathChain;
 import java.util.List;
 import tools.jackson.core.JsonGenerator;
 
-/** Markov chains as JSON, one object each; docs/metropolis.md lists the keys. */
+/** Markov chains as JSON, one object each; docs/notes/metropolis.md lists the keys. */
 final class ChainJson {
     private ChainJson() {}
 

@@ -5,7 +5,7 @@ import enlightenment.render.RayCluster;
 import java.util.List;
 import tools.jackson.core.JsonGenerator;
 
-/** Ray clusters as JSON, one object each; docs/cluster-sampler.md lists the keys. */
+/** Ray clusters as JSON, one object each; docs/notes/cluster-sampler.md lists the keys. */
 final class ClusterJson {
     private ClusterJson() {}
 

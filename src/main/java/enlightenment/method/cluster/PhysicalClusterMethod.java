@@ -16,14 +16,14 @@ import java.util.function.BooleanSupplier;
 /**
  * The cluster method for physical light. Rays through the corners of a block's pixels show what is certain: surfaces,
  * edges, and light that is not left to chance, which is interpolated between them as a control variate. The first paths of each pixel show
- * how much paths vary, in what a screen shows; by that the other paths are allotted. See docs/cluster-sampler.md.
+ * how much paths vary, in what a screen shows; by that the other paths are allotted. See docs/notes/cluster-sampler.md.
  *
  * <p>Unbiased, because a pixel's number of samples depends on the corners and on paths of other pixels only.
  */
 public final class PhysicalClusterMethod implements TileIntegrator {
     /**
      * Side, in pixels, of the blocks whose pixels learn from each other and share paths: 16. Larger than in classic shading, because the
-     * errors of pixels that share paths are correlated, which is less visible the farther apart they lie (docs/cluster-sampler.md).
+     * errors of pixels that share paths are correlated, which is less visible the farther apart they lie (docs/notes/cluster-sampler.md).
      */
     public static final int BLOCK_SIDE = 2 * FilmTile.BLOCK_SIDE;
 

@@ -15,7 +15,7 @@ import java.util.Arrays;
 final class SharingGain {
     /**
      * What it costs to ask a rough surface what it makes of light between two directions, by what a scattering event of a path costs:
-     * measured in rooms with metals and with rough walls, 1/45 to 1/22 (docs/cluster-sampler.md).
+     * measured in rooms with metals and with rough walls, 1/45 to 1/22 (docs/notes/cluster-sampler.md).
      */
     private static final double COST = 1 / 32.0;
 

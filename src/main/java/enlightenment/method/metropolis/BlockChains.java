@@ -12,7 +12,7 @@ import java.util.List;
 /**
  * A quarter of the light of a block: two groups of independent paths, and of chains that begin with some of them. One per thread.
  *
- * <p>See docs/metropolis.md for why this is unbiased, however long chains are.
+ * <p>See docs/notes/metropolis.md for why this is unbiased, however long chains are.
  */
 final class BlockChains {
     private static final long PURPOSE = 0x6d6574726f706f6cL;

@@ -19,7 +19,7 @@ import java.util.function.Consumer;
 
 /**
  * Markov chains that live in blocks of the picture: the paper's ray clusters, whose rays propose new ones near them, made sound
- * (docs/metropolis.md). Of physical shading they bring what has been scattered twice or more; direct light comes from evenly spaced rays.
+ * (docs/notes/metropolis.md). Of physical shading they bring what has been scattered twice or more; direct light comes from evenly spaced rays.
  *
  * <p>A tile must not be cut from a block that others are cut from as well, if work is not to be done twice.
  */

@@ -8,7 +8,7 @@ package enlightenment.method.metropolis;
  * @param mutations steps of chains
  */
 record Spending(double direct, double independent, double mutations) {
-    /** Measured on light that is hard to find: docs/metropolis.md. */
+    /** Measured on light that is hard to find: docs/notes/metropolis.md. */
     private static final double DIRECT = 0.25;
 
     private static final double INDEPENDENT = 0.5;

@@ -118,9 +118,9 @@ enum ForeignFormat {
     /** What can be done. */
     private static final class Advice {
         static final String MESH =
-                "a scene can have it as an object {\"type\": \"mesh\", \"file\": ...}, see docs/scene-format.md";
+                "a scene can have it as an object {\"type\": \"mesh\", \"file\": ...}, see docs/guide/scene-format.md";
         static final String SCENE =
-                "it cannot be read yet; a scene is JSON as docs/scene-format.md describes it, and 'enlightenment"
+                "it cannot be read yet; a scene is JSON as docs/guide/scene-format.md describes it, and 'enlightenment"
                         + " convert' makes it of NFF files only";
         static final String CONVERT = "'enlightenment convert IN.nff OUT.json' makes a scene file of it";
 

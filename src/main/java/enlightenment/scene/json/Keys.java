@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The keys of one part of a scene. The schema and {@code docs/scene-format.md} say the same; tests hold them together.
+ * The keys of one part of a scene. The schema and {@code docs/guide/scene-format.md} say the same; tests hold them together.
  *
  * @param schemaName the part's name in the schema's {@code $defs}
  * @param noun what messages call it

@@ -20,7 +20,7 @@ import java.util.List;
 import java.util.OptionalInt;
 
 /**
- * Reads scene files (see {@code docs/scene-format.md}).
+ * Reads scene files (see {@code docs/guide/scene-format.md}).
  *
  * <p>The reader is strict, and tells all that is wrong with a file at once: whatever it cannot take as it stands becomes
  * a {@link SceneException.Problem} with line, column and JSON pointer. Coordinates are read exactly; other numbers become

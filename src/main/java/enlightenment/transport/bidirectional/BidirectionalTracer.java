@@ -22,7 +22,7 @@ import java.util.function.BooleanSupplier;
  * the one is connected to each of the other (E. Lafortune and Y. Willems, "Bi-directional path tracing", 1993; E. Veach and L. Guibas,
  * "Bidirectional estimators for light transport", 1994). So a path is found in several ways, and their weights by the power heuristic
  * add up to 1. What light paths bring to the eye straight is a part of these weights, but found elsewhere:
- * {@code BidirectionalLightTracer}. See docs/bidirectional.md.
+ * {@code BidirectionalLightTracer}. See docs/notes/bidirectional.md.
  */
 public final class BidirectionalTracer implements Shader {
     /** How many light paths that are connected to the eye straight there are for each path from the eye. */

@@ -193,7 +193,7 @@ abstract class Subpath extends CarriedLight {
         arrive();
     }
 
-    /** The root makes longer paths than the colour itself, which pays: docs/bidirectional.md. */
+    /** The root makes longer paths than the colour itself, which pays: docs/notes/bidirectional.md. */
     private static double survival(double most) {
         return Math.min(Math.sqrt(most), PathValue.LARGEST_SURVIVAL);
     }

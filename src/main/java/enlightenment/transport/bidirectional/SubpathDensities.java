@@ -5,7 +5,7 @@ package enlightenment.transport.bidirectional;
  * same vertices are to be found in the other ways, relative to how this part found them. All of it fits into two numbers, which change
  * from vertex to vertex (D. van Antwerpen, "Recursive MIS computation for streaming BDPT on the GPU", 2011; I. Georgiev, "Implementing
  * vertex connection and merging", 2012, equations 31 to 36 without merging). They are sums of squares, since weights go by the power
- * heuristic with exponent 2 (E. Veach and L. Guibas, 1995). docs/bidirectional.md has the formulas.
+ * heuristic with exponent 2 (E. Veach and L. Guibas, 1995). docs/notes/bidirectional.md has the formulas.
  *
  * <p>Areas and squared distances, of which these numbers are squares, are in the scene's {@link
  * enlightenment.world.PhysicalScene#areaUnit}. Weights do not depend on it, but what is seen may be tiny beside the whole scene.

@@ -23,7 +23,7 @@ final class FlightLamps {
 
     /**
      * A lamp is near if so many of its distances are no longer than free flights in the mean. FITTED: 3, 4, 6 and 8 were tried on lamps in
-     * thin and dense fog and on rooms in haze (docs/media.md). It decides about noise only.
+     * thin and dense fog and on rooms in haze (docs/notes/media.md). It decides about noise only.
      */
     private static final double NEAR = 6;
 

@@ -249,7 +249,7 @@ public final class NextEventEstimation implements PathStrategy {
 
     /**
      * The same of a ball: if a part of it may be hidden, by the visibility of a point of it that is chosen by the cosine, or where it is
-     * cut by the horizon, evenly. It is too long to be compiled again into its callers, which costs nothing (docs/benchmarks.md).
+     * cut by the horizon, evenly. It is too long to be compiled again into its callers, which costs nothing (docs/notes/benchmarks.md).
      */
     private double ofBall(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
         SphereLight ball = (SphereLight) l.form;

@@ -20,7 +20,7 @@ import enlightenment.world.parts.RayCounters;
  * Emission that the eye sees with nothing in between, in pixels that a light's image does not cover entirely. The samples of a pixel may all
  * miss the image, and neither picture nor error estimate would show it. So every sample takes a second film position within the image's part of
  * the pixel, and emission of that light seen from the first position counts only outside of it: each path is sampled exactly once, whatever
- * polygon stands for the image. See docs/path-tracing.md. A mutable work object, one per thread.
+ * polygon stands for the image. See docs/notes/path-tracing.md. A mutable work object, one per thread.
  */
 public final class EyeImages implements PathStrategy {
     /** Direct-mapped cache of 16 × 16 pixels: blocks are smaller. */

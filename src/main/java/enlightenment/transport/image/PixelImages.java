@@ -11,7 +11,7 @@ final class PixelImages {
     /** So few images are all taken: numbers that choose among them are spread so evenly that hidden ones make little noise. */
     private static final int FEW = 4;
 
-    /** What is so much brighter than what is behind it is worth sampling apart (docs/path-tracing.md). */
+    /** What is so much brighter than what is behind it is worth sampling apart (docs/notes/path-tracing.md). */
     private static final double CLEARLY_BRIGHTER = 2;
 
     final int column;

@@ -6,7 +6,7 @@ import enlightenment.world.light.CausticPass;
 
 /**
  * Which part of a light path is a caustic: what comes after a first event at a mirror or smooth glass; of small lights, and where lobes are
- * wide, after one at a narrow lobe as well (docs/caustics.md). Mutable, one per thread.
+ * wide, after one at a narrow lobe as well (docs/notes/caustics.md). Mutable, one per thread.
  */
 final class CausticCount {
     /** Null if all of each path counts. */

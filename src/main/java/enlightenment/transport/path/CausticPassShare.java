@@ -10,7 +10,7 @@ import enlightenment.transport.state.PathVertex;
 import enlightenment.world.light.CausticPass;
 
 /**
- * The share of the caustic pass, which makes its paths from the lights (docs/caustics.md): light that mirrors or smooth glass, and narrow lobes
+ * The share of the caustic pass, which makes its paths from the lights (docs/notes/caustics.md): light that mirrors or smooth glass, and narrow lobes
  * of small lights, send to a vertex that can be connected to the eye. Paths from the eye add nothing in its place. Immutable.
  */
 public final class CausticPassShare implements PathStrategy {

@@ -8,7 +8,7 @@ import java.util.Arrays;
 
 /**
  * Path reuse: connects the first vertices of a group of paths to the second vertices of the others, with the balance heuristic
- * (P. Bekaert, M. Sbert and J. Halton, "Accelerating path tracing by re-using paths", 2002; docs/cluster-sampler.md). One per thread.
+ * (P. Bekaert, M. Sbert and J. Halton, "Accelerating path tracing by re-using paths", 2002; docs/notes/cluster-sampler.md). One per thread.
  *
  * <p>First vertices are grouped by surface, so that occluder candidates are found once per surface and second vertex. Their coordinates
  * are kept in a structure of arrays, for loops that the compiler vectorizes.

@@ -24,7 +24,7 @@ import java.util.Arrays;
  * The radiance seen along one camera ray, by the rendering equation: a path is followed from surface to surface, at each of them direct
  * light is added, and Russian roulette ends it (J. Kajiya, "The rendering equation", 1986; E. Veach's thesis, 1997). Light that several
  * strategies can sample is combined by multiple importance sampling ({@link enlightenment.transport.state.PathStrategy}). Nothing is clamped:
- * the mean over paths is the solution. See docs/path-tracing.md.
+ * the mean over paths is the solution. See docs/notes/path-tracing.md.
  */
 public final class PathIntegrator extends EyePathTracer {
     private final PathState state = new PathState();

@@ -6,7 +6,7 @@ import enlightenment.sampling.Sampler;
 /**
  * One way in which light reaches a vertex of a path from the eye, with its share in multiple importance sampling. The weight of emission that
  * a path hits by BSDF sampling is the product of all strategies' weights: each says 1 of paths that it does not make, and of each
- * path at most one says anything else. So for every path the shares add up to 1 (docs/path-tracing.md).
+ * path at most one says anything else. So for every path the shares add up to 1 (docs/notes/path-tracing.md).
  */
 public interface PathStrategy {
     /**

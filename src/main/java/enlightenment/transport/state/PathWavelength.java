@@ -11,7 +11,7 @@ import enlightenment.world.material.SurfaceMaterial;
  * The wavelength of a path through glass that disperses. It is drawn when the path begins, and all indices of refraction are those that it
  * sees. But the path stays one of all wavelengths, in three bands, until it does what they do not do alike: until it is refracted at
  * a border whose index depends on the wavelength, or reflected there by that part of the reflectance that not all of them share. From
- * then on each band counts as the wavelength belongs to it, over the probability of the wavelength. See docs/dispersion.md.
+ * then on each band counts as the wavelength belongs to it, over the probability of the wavelength. See docs/notes/dispersion.md.
  */
 public final class PathWavelength {
     private static final BandSensitivities BANDS = BandSensitivities.DAYLIGHT;

@@ -12,7 +12,7 @@ import java.util.Arrays;
  * margin covers all roundings. Of cameras with a lens and of panoramas, whose rays no such planes bound, it reaches everything.
  *
  * <p>A reusable work object, written with arrays and loops: it is set for every tile, and small code is compiled quickly
- * (docs/benchmarks.md, "start-up").
+ * (docs/notes/benchmarks.md, "start-up").
  */
 public final class TileFrustum {
     private static final double PLANE_ERROR = Scale.gamma(64);

@@ -17,7 +17,7 @@ import enlightenment.world.parts.IntList;
  * crossings, whose last bits are noise. Faces coincide if their surfaces are no farther apart than rounding can move copies of
  * the same surface; if they are farther apart, there is a gap.
  *
- * <p>What is seen (docs/geometry.md): of opaque faces in the same place one that glows to the side where one looks from; else the one of
+ * <p>What is seen (docs/notes/geometry.md): of opaque faces in the same place one that glows to the side where one looks from; else the one of
  * smaller {@linkplain SupportSurface#extent extent}, so that a carpet shows on the floor and a poster on the wall; at equal extents, the
  * first in alphabetical order of material. An opaque face hides one of glass.
  */

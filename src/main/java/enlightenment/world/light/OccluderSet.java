@@ -13,7 +13,7 @@ import enlightenment.primitive.SupportSurface;
  *
  * <p>For a point P and a light inside a ball, every shadow ray runs inside the cone with apex P around the ball. A
  * primitive whose bounding ball does not intersect that cone can block none of them. Bounds are conservative: a candidate
- * too many costs a test, one too few would be a wrong picture. See docs/occluders.md.
+ * too many costs a test, one too few would be a wrong picture. See docs/notes/occluders.md.
  *
  * <p>A flat primitive (a wall of the room) blocks none of them if point and light lie on the same side of its plane. That depends
  * only on the two: nothing else in the scene changes it.

@@ -8,7 +8,7 @@ import java.util.Arrays;
  * caustics are the business of paths from these lights. Others are found from the eye, with less noise.
  */
 final class SmallLights {
-    /** Steradians, a 63rd of a hemisphere. Fitted (docs/caustics.md): beyond it paths from the light bring little or nothing. */
+    /** Steradians, a 63rd of a hemisphere. Fitted (docs/notes/caustics.md): beyond it paths from the light bring little or nothing. */
     private static final double SMALL = 0.1;
 
     private SmallLights() {}

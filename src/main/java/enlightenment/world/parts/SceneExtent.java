@@ -12,7 +12,7 @@ import java.util.List;
 
 /** How large a scene is beside the smallest of its things: physical light has densities per area, and they have squares. */
 public final class SceneExtent {
-    /** Promised is 2^400 (docs/numerics.md); what is smaller than this beside the scene, weights and projections cannot hold. */
+    /** Promised is 2^400 (docs/notes/numerics.md); what is smaller than this beside the scene, weights and projections cannot hold. */
     private static final int LEAST = -440;
 
     private SceneExtent() {}

@@ -21,9 +21,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Samples and rays of two balls under a lamp, unpacked, against what is known of that scene; and the queries of docs/sample-store.md. */
+/** Samples and rays of two balls under a lamp, unpacked, against what is known of that scene; and the queries of docs/guide/sample-store.md. */
 class StoreQueriesTest {
-    private static final Path PAGE = Path.of("docs/sample-store.md");
+    private static final Path PAGE = Path.of("docs/guide/sample-store.md");
     private static final Pattern QUERY = Pattern.compile("(?ms)^```sql$(.*?)^```$");
 
     /** What rounding makes of points on surfaces, in units of the scene: generously. */

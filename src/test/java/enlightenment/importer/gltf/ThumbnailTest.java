@@ -17,9 +17,9 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The example of docs/importing.md: it compiles, stands there as it does here, and makes a picture of a model. */
+/** The example of docs/guide/importing.md: it compiles, stands there as it does here, and makes a picture of a model. */
 class ThumbnailTest {
-    private static final Path PAGE = Path.of("docs/importing.md");
+    private static final Path PAGE = Path.of("docs/guide/importing.md");
     private static final Path HERE = Path.of("src/test/java/enlightenment/importer/gltf/ThumbnailTest.java");
 
     @TempDir
@@ -36,7 +36,7 @@ class ThumbnailTest {
     void theExampleOfThePageIsThisOne() throws IOException {
         String page = Files.readString(PAGE);
         String example = page.substring(page.indexOf("```java\n") + 8, page.lastIndexOf("```"));
-        assertTrue(Files.readString(HERE).contains(example.indent(8)), "docs/importing.md shows other code");
+        assertTrue(Files.readString(HERE).contains(example.indent(8)), "docs/guide/importing.md shows other code");
     }
 
     /** A green cube on the grey ground: its pixels, and no others, are more green than red and blue. */

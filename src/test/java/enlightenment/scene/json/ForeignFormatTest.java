@@ -130,6 +130,7 @@ class ForeignFormatTest {
     void eachSaysInOneLineWhatCanBeDone(ForeignFormat format) {
         String said = format.refusal();
         assertEquals(1, said.lines().count());
-        assertEquals(true, said.contains("docs/scene-format.md") || said.contains("'enlightenment convert"), said);
+        assertEquals(
+                true, said.contains("docs/guide/scene-format.md") || said.contains("'enlightenment convert"), said);
     }
 }

@@ -29,7 +29,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Holds {@code docs/scene-format.md}, the schema and the reader together. */
+/** Holds {@code docs/guide/scene-format.md}, the schema and the reader together. */
 class SceneFormatDocumentTest {
     private static final JsonMapper JSON = JsonMapper.builder().build();
     private static final JsonNode DEFINITIONS =
@@ -46,7 +46,7 @@ class SceneFormatDocumentTest {
 
     @BeforeAll
     static void read() throws IOException {
-        document = Files.readString(Documents.projectFolder().resolve("docs/scene-format.md"));
+        document = Files.readString(Documents.projectFolder().resolve("docs/guide/scene-format.md"));
     }
 
     /** The cells of the first table below a heading, without its head. */

@@ -6,6 +6,7 @@ import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
@@ -14,7 +15,7 @@ import java.util.OptionalDouble;
  *
  * @param color multiplied onto what is seen through the surface, each time a ray crosses it; not onto what it reflects
  * @param indexOfRefraction relative to the surrounding medium (1), greater than 0
- * @param transparency the share of what is seen that comes through: 0 (a matte surface) to 1 (clear)
+ * @param transparency the share of what is seen that comes through: 0 (an opaque surface) to 1 (clear)
  * @param priority where solids overlap, the one of higher priority fills the overlap; at equal priorities, the one of less volume
  *     (Schmidt and Budge, "Simple nested dielectrics in ray traced images", 2002)
  * @param receivesShadows whether shadows show on the opaque share
@@ -27,6 +28,8 @@ import java.util.OptionalDouble;
  *     glass; a smaller number disperses more. Empty: the index does not depend on the wavelength
  * @param smoothRefraction whether, in physical shading, a closed mesh with normals at its vertices refracts and reflects by these,
  *     interpolated, and not by the normals of its triangles; all other shapes refract by their own normal. Needs roughness 0
+ * @param opaque what, in physical shading, the opaque share of the surface is made of: matte, glossy, coated or principled, and without light
+ *     of its own. Empty: matte, of the same colour. Needs a transparency below 1
  */
 public record Glass(
         Texture color,
@@ -38,7 +41,8 @@ public record Glass(
         Rgb absorption,
         boolean multipleScattering,
         OptionalDouble dispersion,
-        boolean smoothRefraction)
+        boolean smoothRefraction,
+        Optional<Material> opaque)
         implements Material {
     /** Validates the components, as {@link Material} states. */
     public Glass {
@@ -54,6 +58,17 @@ public record Glass(
                 !smoothRefraction || roughness.isZero(),
                 "smoothRefraction",
                 "must stand without \"roughness\": rough glass refracts by the normals of its triangles");
+        opaque.ifPresent(base -> checkOpaque(base, transparency));
+    }
+
+    private static void checkOpaque(Material base, double transparency) {
+        boolean mayBe = base instanceof Material.Matte
+                || base instanceof Glossy
+                || base instanceof Coated
+                || base instanceof Principled;
+        Check.that(mayBe, "opaque", "must be matte, glossy, coated or principled, not " + base.type());
+        Detail.check("opaque", base);
+        Check.that(transparency < 1, "opaque", "must stand with a \"transparency\" below 1");
     }
 
     private static void checkDispersion(double index, double abbe) {
@@ -80,7 +95,8 @@ public record Glass(
                 Rgb.BLACK,
                 true,
                 OptionalDouble.empty(),
-                false);
+                false,
+                Optional.empty());
     }
 
     /** Clear, smooth glass of this filter colour and index of refraction, priority 0. */
@@ -95,30 +111,41 @@ public record Glass(
 
     /** This glass with another roughness, which may depend on the place. */
     public Glass withRoughness(Amount value) {
-        return with(value, absorption, multipleScattering, dispersion, smoothRefraction);
+        return with(value, absorption, multipleScattering, dispersion, smoothRefraction, opaque);
     }
 
     /** This glass with another {@link #absorption()}. */
     public Glass withAbsorption(Rgb value) {
-        return with(roughness, value, multipleScattering, dispersion, smoothRefraction);
+        return with(roughness, value, multipleScattering, dispersion, smoothRefraction, opaque);
     }
 
     /** This glass with another {@link #multipleScattering()}. */
     public Glass withMultipleScattering(boolean value) {
-        return with(roughness, absorption, value, dispersion, smoothRefraction);
+        return with(roughness, absorption, value, dispersion, smoothRefraction, opaque);
     }
 
     /** This glass with this Abbe number. */
     public Glass withDispersion(double value) {
-        return with(roughness, absorption, multipleScattering, OptionalDouble.of(value), smoothRefraction);
+        return with(roughness, absorption, multipleScattering, OptionalDouble.of(value), smoothRefraction, opaque);
     }
 
     /** This glass with another {@link #smoothRefraction()}; needs roughness 0 if true. */
     public Glass withSmoothRefraction(boolean value) {
-        return with(roughness, absorption, multipleScattering, dispersion, value);
+        return with(roughness, absorption, multipleScattering, dispersion, value, opaque);
     }
 
-    private Glass with(Amount rough, Rgb absorbed, boolean several, OptionalDouble abbe, boolean smoothly) {
+    /** This glass, whose opaque share is made of this: see {@link #opaque()}. */
+    public Glass withOpaque(Material value) {
+        return with(roughness, absorption, multipleScattering, dispersion, smoothRefraction, Optional.of(value));
+    }
+
+    private Glass with(
+            Amount rough,
+            Rgb absorbed,
+            boolean several,
+            OptionalDouble abbe,
+            boolean smoothly,
+            Optional<Material> base) {
         return new Glass(
                 color,
                 indexOfRefraction,
@@ -129,12 +156,18 @@ public record Glass(
                 absorbed,
                 several,
                 abbe,
-                smoothly);
+                smoothly,
+                base);
     }
 
     @Override
     public List<Texture> textures() {
         return roughness.textures();
+    }
+
+    @Override
+    public List<Material> parts() {
+        return opaque.map(List::of).orElse(List.of());
     }
 
     @Override

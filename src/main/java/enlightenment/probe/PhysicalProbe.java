@@ -54,7 +54,7 @@ final class PhysicalProbe extends RayProbe {
         double way = pair[0];
         int opaque = physical.hasPartialGlass ? path.glass.opaque(pair[1]) : -1;
         if (opaque >= 0) {
-            path.turnTo(opaque);
+            path.turnToOpaque(opaque);
             surfaceIsAt(path.at.hit.px, path.at.hit.py, path.at.hit.pz);
             return false;
         }

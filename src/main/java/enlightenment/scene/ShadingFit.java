@@ -166,7 +166,8 @@ final class ShadingFit {
 
     private void lookAtParts(Material material, String place) {
         for (int i = 0; i < material.parts().size(); i++) {
-            String key = material.parts().size() == 1 ? "/of" : "/materials/" + i;
+            String key =
+                    material instanceof Glass ? "/opaque" : material.parts().size() == 1 ? "/of" : "/materials/" + i;
             look(material.parts().get(i), placeOf(named, material, place) + key);
         }
     }

@@ -69,9 +69,17 @@ final class CompiledMaterials {
             return known;
         }
         PhysicalSurface surface = physical == null ? null : PhysicalSurface.of(m, physical, dyes, bsdfs);
-        SurfaceMaterial made = new SurfaceMaterial(m, image(m.color()), surface, detail(m), radianceMap(m));
+        SurfaceMaterial made =
+                new SurfaceMaterial(m, image(m.color()), surface, detail(m), radianceMap(m), opaqueShare(m));
         bySource.put(m, made);
         return made;
+    }
+
+    /** What glass is made of where it is opaque; null if that is nowhere, and in classic shading, where such glass is matte. */
+    private SurfaceMaterial opaqueShare(Material m) {
+        return physical != null && m instanceof Glass glass && glass.transparency() < 1
+                ? add(glass.opaque().orElseGet(() -> Material.Matte.of(glass.color())))
+                : null;
     }
 
     /** That of one colour is part of the radiance. */

@@ -235,18 +235,17 @@ final class NaiveTracer {
         if (hit.surface().isGlass()) {
             Glass border = NaiveMedium.border(material);
             Glass g = border.withRoughness(NaiveAmount.at(border.roughness(), hit));
-            return path.random.nextDouble() < g.transparency()
-                    ? throughGlass(g, hit, d, scattered, events, path)
-                    : scattered == scene.maxBounces
-                            ? new double[3]
-                            : reflected(new NaiveReflector.Lambert(color(hit)), hit, d, scattered + 1, events, path);
+            if (path.random.nextDouble() < g.transparency()) {
+                return throughGlass(g, hit, d, scattered, events, path);
+            }
+            material = border.opaque().orElse(Material.Matte.of(border.color()));
         }
         if (scattered == scene.maxBounces) {
             return new double[3];
         }
         if (material instanceof Material.Mirror) {
             double[] seen = mirrored(hit, shadingNormal(hit, d), d, scattered, events, path);
-            return NaiveColors.product(color(hit), seen);
+            return NaiveColors.product(color(material, hit), seen);
         }
         NaiveReflector reflector = reflector(material, hit);
         if (reflector instanceof NaiveCoat coat && coat.isSmooth()) {
@@ -268,24 +267,28 @@ final class NaiveTracer {
     }
 
     static double[] color(NaiveScene.Hit hit) {
-        return NaiveColors.of(hit.surface().material().color(), hit.surface().shape(), hit.point());
+        return color(hit.surface().material(), hit);
+    }
+
+    private static double[] color(Material material, NaiveScene.Hit hit) {
+        return NaiveColors.of(material.color(), hit.surface().shape(), hit.point());
     }
 
     private NaiveReflector reflector(Material material, NaiveScene.Hit hit) {
         if (material instanceof Glossy g) {
-            double[] color = color(hit);
+            double[] color = color(material, hit);
             Glossy here = g.withRoughness(NaiveAmount.at(g.roughness(), hit));
             List<Object> key = List.of(here, color[0], color[1], color[2]);
             return metals.computeIfAbsent(key, any -> new NaiveReflector.Facets(color, here));
         }
         if (material instanceof Coated c) {
-            double[] color = color(hit);
+            double[] color = color(material, hit);
             Coated here = c.withRoughness(NaiveAmount.at(c.roughness(), hit));
             List<Object> key = List.of(here, color[0], color[1], color[2]);
             return metals.computeIfAbsent(key, any -> new NaiveCoat(color, here));
         }
         if (material instanceof Principled p) {
-            double[] color = color(hit);
+            double[] color = color(material, hit);
             Principled here = p.withRoughness(NaiveAmount.at(p.roughness(), hit))
                     .withMetallic(NaiveAmount.at(p.metallic(), hit))
                     .withClearcoat(p.clearcoat()
@@ -294,7 +297,8 @@ final class NaiveTracer {
             return metals.computeIfAbsent(key, any -> new NaivePrincipled(color, here));
         }
         double roughness = ((Material.Matte) material).roughness();
-        return roughness > 0 ? new NaiveReflector.Rough(color(hit), roughness) : new NaiveReflector.Lambert(color(hit));
+        double[] color = color(material, hit);
+        return roughness > 0 ? new NaiveReflector.Rough(color, roughness) : new NaiveReflector.Lambert(color);
     }
 
     private double[] reflected(

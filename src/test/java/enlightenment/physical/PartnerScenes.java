@@ -243,6 +243,29 @@ final class PartnerScenes {
                                         List.of(DisplayRgb.of(0.9, 0.8, 0.7), DisplayRgb.of(0.2, 0.3, 0.4)), 6))));
     }
 
+    /** Glass of which a share is an opaque surface that is not matte. */
+    private static void opaqueInPart(Map<String, SceneBuilder> scenes) {
+        Texture tint = linear(0.9, 0.6, 0.5);
+        Glass half = new Glass(tint, 1.5, 0.4, 0, true);
+        scenes.put(
+                "half of glass, half of metal or of lacquer",
+                room().light(CEILING)
+                        .object(BALL, half.withOpaque(Glossy.of(tint, 0.4)))
+                        .object(BLOCK, half.withOpaque(Coated.of(linear(0.3, 0.6, 0.9), 0))));
+        Principled plastic = Principled.of(linear(0.4, 0.7, 0.5), 0.25, 0.3).withClearcoat(0.6, 0.2);
+        scenes.put(
+                "half of rough glass, half of plastic",
+                room().light(CEILING)
+                        .object(
+                                BALL,
+                                half.withRoughness(0.5)
+                                        .withMultipleScattering(false)
+                                        .withOpaque(plastic))
+                        .object(
+                                TestScenes.rectangle(0.2, 0.1, -0.3, 0.2, 1, -0.1, 0.9, 1, 0.2, 0.9, 0.1, 0),
+                                half.withOpaque(plastic)));
+    }
+
     private static void glass(Map<String, SceneBuilder> scenes) {
         scenes.put("glass", room().light(CEILING).object(BALL, GLASS).object(BLOCK, PhysicalScenes.WHITE));
         scenes.put(
@@ -267,6 +290,7 @@ final class PartnerScenes {
         scenes.put(
                 "half of glass",
                 room().light(CEILING).object(BALL, new Glass(linear(0.9, 0.6, 0.5), 1.5, 0.4, 0, true)));
+        opaqueInPart(scenes);
         scenes.put(
                 "rough glass",
                 room().light(CEILING)

@@ -52,6 +52,10 @@ class NamedFaultsTest {
         fails("top: must differ from \"base\"", () -> new Cylinder(O, O, 1, true));
         fails("max/1: must be greater than the same coordinate of \"min\"", () -> new Box(O, ExactPoint.of(1, 0, 1)));
         fails("transparency: must lie in 0.0..1.0, not 2.0", () -> new Glass(WHITE, 1, 2, 0, true));
+        fails("opaque: must be matte, glossy, coated or principled, not mirror", () -> new Glass(WHITE, 1, 0.5, 0, true)
+                .withOpaque(Material.Mirror.of(WHITE)));
+        fails("opaque: must stand with a \"transparency\" below 1", () -> Glass.of(WHITE, 1.5)
+                .withOpaque(Material.Matte.of(WHITE)));
         fails(
                 "smoothRefraction: must stand without \"roughness\": rough glass refracts by the normals of its triangles",
                 () -> Glass.of(WHITE, 1.5).withRoughness(0.5).withSmoothRefraction(true));

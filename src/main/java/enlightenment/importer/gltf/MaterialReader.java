@@ -1,6 +1,7 @@
 package enlightenment.importer.gltf;
 
 import enlightenment.color.Rgb;
+import enlightenment.importer.support.GlowingMaterial;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.material.Amount;
 import enlightenment.material.Coated;
@@ -206,7 +207,16 @@ final class MaterialReader {
         Glass glass = new Glass(color, index(), share, 0, true)
                 .withRoughness(roughness)
                 .withAbsorption(absorption(volume));
-        return dispersing(glass);
+        return dispersing(share < 1 ? glass.withOpaque(opaqueShare(color, share)) : glass);
+    }
+
+    /** What a surface is made of that transmits only a share of light, where it does not: the metal, and the matte base. */
+    private Material opaqueShare(Texture color, double share) throws IOException {
+        Principled whole = principled(color);
+        Principled rest = whole.metallic() instanceof Amount.Constant metal
+                ? whole.withMetallic(Amount.of(Math.min(metal.value() / (1 - share), 1)))
+                : whole;
+        return GlowingMaterial.of(rest, Rgb.BLACK, EmissionPattern.EVEN).orElseThrow();
     }
 
     private Glass dispersing(Glass glass) throws IOException {

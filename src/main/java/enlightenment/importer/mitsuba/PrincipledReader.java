@@ -37,13 +37,7 @@ final class PrincipledReader {
         }
         LEFT_OUT.forEach(name -> leaveOut(p, name));
         double index = index(p);
-        if (transmission > 0) {
-            if (transmission >= 0.5) {
-                return glass(p, color, transmission, metallic, index);
-            }
-            scene.note(p.element(), "spec_trans below 0.5 is left out: the surface is opaque");
-        }
-        return opaque(p, color, metallic, index);
+        return transmission > 0 ? glass(p, color, transmission, metallic, index) : opaque(p, color, metallic, index);
     }
 
     /**
@@ -138,19 +132,26 @@ final class PrincipledReader {
 
     /** Each crossing of the surface filters by the root of the base colour. */
     private Material glass(Properties p, Texture color, double transmission, Amount metallic, double index) {
-        if (transmission < 1) {
-            scene.note(p.element(), "spec_trans of 0.5 or more becomes 1: the surface is glass");
+        double metal = metallic instanceof Amount.Constant constant ? constant.value() : 0;
+        if (metallic instanceof Amount.Textured) {
+            scene.note(p.element(), "the metal of a surface that transmits light is left out");
         }
-        if (!metallic.equals(Amount.of(0))) {
-            scene.note(p.element(), "the metallic part of a surface that transmits light is left out");
+        Amount roughness = amount(p, "roughness", 0.5);
+        Glass clear = new Glass(root(p, color), index, transmission * (1 - metal), 0, true)
+                .withRoughness(roughness)
+                .withMultipleScattering(false);
+        if (clear.transparency() < 1) {
+            scene.note(
+                    p.element(), p.element().described() + " has an opaque share that light inside of it meets, too");
+            double rest = Math.min(metal / (1 - clear.transparency()), 1);
+            return clear.withOpaque(opaque(p, color, Amount.of(rest), index));
         }
         if (p.has("clearcoat")) {
             leaveOut(p, "clearcoat");
         }
         p.ignore("clearcoat_gloss", "sheen_tint");
         leaveOut(p, "sheen");
-        Amount roughness = amount(p, "roughness", 0.5);
-        return Glass.of(root(p, color), index).withRoughness(roughness).withMultipleScattering(false);
+        return clear;
     }
 
     private Texture root(Properties p, Texture color) {

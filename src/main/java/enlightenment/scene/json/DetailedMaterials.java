@@ -61,7 +61,7 @@ final class DetailedMaterials {
     }
 
     /** A material by its name, or as it is. */
-    private static JsonValue json(Material m, JsonObjectBuilder p) {
+    static JsonValue json(Material m, JsonObjectBuilder p) {
         String name = p.nameOf(m);
         if (name != null) {
             return new JsonValue.Str(0, 0, name);

@@ -58,7 +58,7 @@ final class Materials {
                     "glass",
                     Glass.class,
                     "color indexOfRefraction | transparency priority roughness absorption multipleScattering dispersion"
-                            + " smoothRefraction receivesShadows",
+                            + " smoothRefraction opaque receivesShadows",
                     Map.of(
                             "radiance",
                             GLASS_IS_DARK,
@@ -171,8 +171,9 @@ final class Materials {
                     .bandsUnless(Rgb.BLACK, "absorption", g.absorption())
                     .flagUnless(true, "multipleScattering", g.multipleScattering());
             g.dispersion().ifPresent(abbe -> p.number("dispersion", abbe));
-            p.flagUnless(false, "smoothRefraction", g.smoothRefraction())
-                    .flagUnless(true, "receivesShadows", g.receivesShadows());
+            p.flagUnless(false, "smoothRefraction", g.smoothRefraction());
+            g.opaque().ifPresent(base -> p.put("opaque", DetailedMaterials.json(base, p.child("opaque"))));
+            p.flagUnless(true, "receivesShadows", g.receivesShadows());
         } else if (value instanceof Material.Scattering s) {
             Media.write(s.medium(), p)
                     .numberUnless(1, "indexOfRefraction", s.indexOfRefraction())
@@ -338,11 +339,22 @@ final class Materials {
         boolean several = f.flag("multipleScattering", true);
         OptionalDouble abbe = f.has("dispersion") ? OptionalDouble.of(f.number("dispersion")) : OptionalDouble.empty();
         boolean smoothly = f.flag("smoothRefraction", false);
-        if (color == null || roughness == null) {
+        Material opaque = f.has("opaque") ? use(f.get("opaque"), f.at("opaque"), f.values()) : null;
+        if (color == null || roughness == null || f.has("opaque") && opaque == null) {
             return null;
         }
         return f.make(() -> new Glass(
-                color, index, transparency, priority, shadows, roughness, absorption, several, abbe, smoothly));
+                color,
+                index,
+                transparency,
+                priority,
+                shadows,
+                roughness,
+                absorption,
+                several,
+                abbe,
+                smoothly,
+                Optional.ofNullable(opaque)));
     }
 
     private static Material scattering(Fields f) {

@@ -2,7 +2,6 @@ package enlightenment.transport.bidirectional;
 
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.GlossyReflection;
-import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.Scattering;
 import enlightenment.bsdf.SmoothShading;
@@ -246,8 +245,8 @@ abstract class Subpath extends CarriedLight {
         if (physical.hasPartialGlass) {
             int k = path.glass.opaque(pair[1]);
             if (k >= 0) {
-                path.turnTo(k);
-                opaque(path.at.material, Lambert.INSTANCE);
+                path.turnToOpaque(k);
+                opaque(path.at.material, path.at.bsdf);
                 return Event.SURFACE;
             }
         }

@@ -1,7 +1,6 @@
 package enlightenment.transport.light;
 
 import enlightenment.bsdf.Bsdf;
-import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Ray;
 import enlightenment.transport.emission.LightPathNumbers;
@@ -151,19 +150,18 @@ abstract class LightWalker extends LightPathTracer {
             in.absorb(path.distance(ray), surface);
             carried.filter(surface[0], surface[1], surface[2]);
         }
-        boolean isGlass = event == PathFollower.Event.GLASS;
-        if (isGlass) {
+        if (event == PathFollower.Event.GLASS) {
             int opaque = physical.hasPartialGlass ? path.glass.opaque(unit(5)) : -1;
             if (opaque < 0) {
                 return glass();
             }
-            path.turnTo(opaque);
+            path.turnToOpaque(opaque);
         }
         if (flight != null) {
             flight.begin();
         }
         SurfaceMaterial material = path.at.material;
-        Bsdf bsdf = isGlass ? Lambert.INSTANCE : path.at.bsdf;
+        Bsdf bsdf = path.at.bsdf;
         if (material.isBlack || !caustic.goesOn(bsdf)) {
             return false;
         }

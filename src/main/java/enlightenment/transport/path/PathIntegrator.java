@@ -306,7 +306,8 @@ public final class PathIntegrator extends EyePathTracer {
         double choice = pair[0];
         int opaque = physical.hasPartialGlass ? path.glass.opaque(pair[1]) : -1;
         if (opaque >= 0) {
-            return opaquePart(ray, opaque, sampler);
+            path.turnToOpaque(opaque);
+            return surface(ray, sampler);
         }
         boolean isRough = false;
         if (physical.hasRoughGlass) {
@@ -334,13 +335,6 @@ public final class PathIntegrator extends EyePathTracer {
                 ? survives(surface[0], surface[1], surface[2], sampler)
                 : walk.survives(surface, sampler, state.events);
         return survives && path.goesOn();
-    }
-
-    /** Glass that is opaque in part, where chance says that it is. */
-    private boolean opaquePart(Ray ray, int surfaceHere, Sampler sampler) {
-        path.turnTo(surfaceHere);
-        path.color(path.at.material, surface);
-        return mayScatter() && (isAlbedo ? value.endsWith(surface) : matte(ray, null, sampler));
     }
 
     /** Adds direct light if the path is at a rough border; returns whether it is. */

@@ -82,8 +82,10 @@ public final class SeenLight extends EyePathTracer {
     private boolean glass(Ray ray, Sampler sampler) {
         sampler.pair(address++, Sampler.Purpose.CHOICE, pair);
         double choice = pair[0];
-        if (physical.hasPartialGlass && path.glass.opaque(pair[1]) >= 0) {
-            return false;
+        int opaque = physical.hasPartialGlass ? path.glass.opaque(pair[1]) : -1;
+        if (opaque >= 0) {
+            path.turnToOpaque(opaque);
+            return surface(ray, sampler);
         }
         if (physical.hasRoughGlass && path.roughBorder(ray, border) != null) {
             return false;

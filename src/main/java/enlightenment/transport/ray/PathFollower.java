@@ -408,6 +408,12 @@ public final class PathFollower {
         at.arrive(scene, glass.surface(k));
     }
 
+    /** Turns to one of them, of glass, where {@link GlassTracer#opaque} finds it opaque. */
+    public void turnToOpaque(int k) {
+        turnTo(k);
+        at.becomeOpaque();
+    }
+
     /**
      * Counts the event that the path leaves behind. Surfaces that do not turn the ray are no bounces, so cutting a scene into more
      * pieces changes nothing.

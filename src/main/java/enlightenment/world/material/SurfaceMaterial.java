@@ -93,6 +93,9 @@ public final class SurfaceMaterial {
     /** What must be known of a place before it is known what the surface is made of there; null for most. */
     public final SurfaceDetail detail;
 
+    /** What glass is made of where it is opaque; null if that is nowhere, and in classic shading. */
+    public final SurfaceMaterial opaque;
+
     /** A material of classic shading, whose colours are display-referred. */
     public SurfaceMaterial(Material material, ImageTexture image) {
         this(material, image, null);
@@ -100,21 +103,24 @@ public final class SurfaceMaterial {
 
     /** A material of physical shading, whose colours are linear, as those of the image must be. */
     public SurfaceMaterial(Material material, ImageTexture image, PhysicalSurface physical) {
-        this(material, image, physical, null, null);
+        this(material, image, physical, null, null, null);
     }
 
     /**
      * A material of physical shading that has detail, which says what it is made of.
      *
      * @param radianceMap what its radiance is multiplied by; null if all points glow alike
+     * @param opaque see {@link #opaque}
      */
     public SurfaceMaterial(
             Material material,
             ImageTexture image,
             PhysicalSurface physical,
             SurfaceDetail detail,
-            RadianceMap radianceMap) {
+            RadianceMap radianceMap,
+            SurfaceMaterial opaque) {
         this.detail = detail;
+        this.opaque = opaque;
         this.radianceMap = radianceMap;
         description = material;
         receivesShadows = material.receivesShadows();
@@ -168,19 +174,26 @@ public final class SurfaceMaterial {
 
     /** Whether it, or what it may be made of at some place, is such. */
     public boolean any(Predicate<SurfaceMaterial> such) {
-        return detail == null ? such.test(this) : Arrays.stream(detail.parts()).anyMatch(part -> part.any(such));
+        return detail == null
+                ? such.test(this) || opaque != null && opaque.any(such)
+                : Arrays.stream(detail.parts()).anyMatch(part -> part.any(such));
     }
 
     /** Whether some detail of it is such. */
     private boolean anyDetail(Predicate<SurfaceDetail> such) {
-        return detail != null
-                && (such.test(detail) || Arrays.stream(detail.parts()).anyMatch(part -> part.anyDetail(such)));
+        if (detail == null) {
+            return opaque != null && opaque.anyDetail(such);
+        }
+        return such.test(detail) || Arrays.stream(detail.parts()).anyMatch(part -> part.anyDetail(such));
     }
 
     /** Adds what it may be made of at some place: itself, or its parts. */
     void addTo(Collection<SurfaceMaterial> all) {
         if (detail == null) {
             all.add(this);
+            if (opaque != null) {
+                opaque.addTo(all);
+            }
         } else {
             for (SurfaceMaterial part : detail.parts()) {
                 part.addTo(all);
@@ -268,6 +281,7 @@ public final class SurfaceMaterial {
             return (radianceMap == null ? "" : radianceMap.look() + " ") + description.type() + " " + detail.look();
         }
         return physicalLook() + description.type() + " " + texture.look() + " " + receivesShadows + " "
-                + indexOfRefraction + " " + transparency + " " + priority;
+                + indexOfRefraction + " " + transparency + " " + priority
+                + (opaque == null ? "" : " or " + opaque.appearance());
     }
 }

@@ -52,12 +52,22 @@ public final class SurfaceInteraction {
     /** Completes the interaction once its hit is set. */
     public void arrive(CompiledScene scene, int atId) {
         id = atId;
-        material = scene.material(atId, hit.face);
+        find(scene.material(atId, hit.face));
+        light = material.glows && scene.physical != null ? scene.physical.lightOf(atId, hit.face) : NO_LIGHT;
+    }
+
+    /** Where glass is opaque, as chance has it: the surface is made of that. */
+    public void becomeOpaque() {
+        find(material.opaque);
+    }
+
+    /** Finds how a surface of this material scatters light here. */
+    private void find(SurfaceMaterial of) {
+        material = of;
         isTurned = false;
         while (material.detail != null) {
             resolve(material.detail);
         }
-        light = material.glows && scene.physical != null ? scene.physical.lightOf(atId, hit.face) : NO_LIGHT;
         bsdf = material.bsdf;
         if (material.smooth != null && (isTurned || hit.primitive.shadingNormal(hit))) {
             bsdf = material.smooth;

@@ -259,6 +259,17 @@ class GltfMaterialTest {
         assertEquals(List.of("materials/0: what transmits light is smooth: its mesh is not closed"), imported.notes());
     }
 
+    /** A fifth is metal; of the rest a quarter transmits light, so the other 0.8 are metal by one quarter. */
+    @Test
+    void whatTransmitsAShareIsPrincipledElsewhere() throws IOException {
+        Glass glass = (Glass) material(read("{'pbrMetallicRoughness':{'metallicFactor':0.2,'roughnessFactor':0.5},"
+                + "'extensions':{'KHR_materials_transmission':{'transmissionFactor':0.25}}}"));
+        assertEquals(0.2, glass.transparency(), 1e-15);
+        Principled rest = (Principled) glass.opaque().orElseThrow();
+        assertEquals(0.25, ((Amount.Constant) rest.metallic()).value(), 1e-15);
+        assertEquals(Amount.of(0.5), rest.roughness());
+    }
+
     @Test
     void metalTransmitsNothing() throws IOException {
         assertEquals(

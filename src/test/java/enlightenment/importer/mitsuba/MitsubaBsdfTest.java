@@ -312,6 +312,19 @@ class MitsubaBsdfTest {
         assertEquals(1.5, m.indexOfRefraction());
     }
 
+    /** Half of what is not metal, 0.8, is glass; of the other 0.6, a third is metal. */
+    @Test
+    void principledThatTransmitsAShareIsPrincipledElsewhere() throws IOException {
+        Glass m = (Glass) scenes.material(bsdf(
+                "principled",
+                "<rgb name=\"base_color\" value=\"0.25 0.36 1\"/><float name=\"spec_trans\" value=\"0.5\"/>"
+                        + "<float name=\"metallic\" value=\"0.2\"/><float name=\"roughness\" value=\"0.4\"/>"));
+        assertEquals(0.4, m.transparency(), 1e-15);
+        Principled rest = (Principled) m.opaque().orElseThrow();
+        assertEquals(1.0 / 3, ((Amount.Constant) rest.metallic()).value(), 1e-15);
+        assertEquals(0.25, ((Texture.Solid) rest.color()).color().linear().r(), 1e-15);
+    }
+
     /** Mitsuba 3.9 evaluates to the same numbers whatever these parameters of the dielectric part are. */
     @Test
     void principledMetalIsGlossyWithoutANote() throws IOException {

@@ -562,8 +562,23 @@ final class RandomScenes {
                         radiance(),
                         random.nextBoolean(),
                         hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive()),
-                        random.nextInt(4) == 0));
+                        random.nextInt(4) == 0,
+                        opaque()));
         }
+    }
+
+    /** What the opaque share of glass may be made of. */
+    private Optional<Material> opaque() {
+        return random.nextBoolean()
+                ? Optional.empty()
+                : Optional.of(new Glossy(
+                        Texture.of(surfaceColor()),
+                        amount(),
+                        Optional.empty(),
+                        true,
+                        Rgb.BLACK,
+                        0,
+                        EmissionPattern.EVEN));
     }
 
     /** The points and sides of a surface that glow. */

@@ -34,6 +34,7 @@ public final class GlassTracer {
 
     private final CoincidentHits coincident;
     private final MissedBorders missed;
+    private final GlassBorder media;
     private final Hit nextHit = new Hit();
     /** What the last {@link #cross} sampled, unless it passed straight. */
     public final Scattering border;
@@ -48,9 +49,6 @@ public final class GlassTracer {
 
     /** Whether the last {@link #cross} left the ray's direction unchanged. */
     private boolean straight;
-
-    /** The index of the coincident surface that is the boundary of the two media, or -1. */
-    private int boundary;
 
     /** Whether the last {@link #cross} ended the path. */
     private boolean lost;
@@ -72,6 +70,7 @@ public final class GlassTracer {
         beyond = new MediumStack(scene, wavelength);
         coincident = scene.coincidentHits();
         missed = new MissedBorders(scene, inside);
+        media = new GlassBorder(coincident, inside, saved);
     }
 
     /**
@@ -207,9 +206,9 @@ public final class GlassTracer {
      */
     boolean cross(Ray ray, Hit hit) {
         double from = inside.leave();
-        changeMedia();
+        media.cross(next != NONE);
         double to = inside.enter();
-        straight = boundary == NONE || from == to;
+        straight = !media.isThere() || from == to;
         lost = false;
         if (straight && panesReflect && isReflectedByPane(ray, hit)) {
             straight = false;
@@ -221,8 +220,7 @@ public final class GlassTracer {
             coincident.startBehind(ray, next != NONE);
             return true;
         }
-        Bsdf bsdf = coincident.bsdf(boundary);
-        lost = !scattering.atBorder(ray, hit, bsdf, coincident.hit(boundary), from / to);
+        lost = !scattering.atBorder(ray, hit, media.bsdf(), media.hit(), from / to);
         if (border.transmitted) {
             counters.refractedRays++;
             coincident.startBehind(ray, next != NONE);
@@ -234,23 +232,10 @@ public final class GlassTracer {
 
     /** Undoes the crossing of borders: the ray stays on its side, and comes back to what is opaque there if it has just left that. */
     private void reflect(Ray ray) {
-        inside.set(saved);
+        media.undo();
         next = coincident.left(nextHit);
         counters.mirrorRays++;
         coincident.startOn(ray);
-    }
-
-    /** Crosses all borders that no opaque surface is before, and finds the one that counts. */
-    private void changeMedia() {
-        int before = inside.current();
-        saved.set(inside);
-        for (int k = 0; k < coincident.size(); k++) {
-            if (coincident.isGlassSolid(k) && (next == NONE || coincident.hit(k).side == Ray.INSIDE)) {
-                inside.cross(coincident.id(k), coincident.hit(k).side);
-            }
-        }
-        int after = inside.current();
-        boundary = before == after ? NONE : coincident.border(after, before);
     }
 
     /**
@@ -260,8 +245,8 @@ public final class GlassTracer {
      */
     double passStraight(Ray ray, Hit hit) {
         double from = inside.indexOfRefraction();
-        changeMedia();
-        straight = boundary == NONE || from == inside.indexOfRefraction();
+        media.cross(next != NONE);
+        straight = !media.isThere() || from == inside.indexOfRefraction();
         if (!straight) {
             return 0;
         }
@@ -288,20 +273,11 @@ public final class GlassTracer {
      * @return the index of the coincident surface, or -1 if all are clear
      */
     public int opaque(double number) {
-        changeMedia();
-        inside.set(saved);
-        double left = number;
-        for (int k = 0; k < coincident.size(); k++) {
-            if (filters(k, true)) {
-                double clear = coincident.material(k).transparency;
-                if (left >= clear) {
-                    next = NONE;
-                    return k;
-                }
-                left /= clear;
-            }
-        }
-        return NONE;
+        media.cross(next != NONE);
+        media.undo();
+        int opaque = media.opaque(number);
+        next = opaque == NONE ? next : NONE;
+        return opaque;
     }
 
     /**
@@ -309,11 +285,7 @@ public final class GlassTracer {
      * this probability.
      */
     public double clear(double share) {
-        double left = share;
-        for (int k = 0; k < coincident.size(); k++) {
-            left *= filters(k, true) ? coincident.material(k).transparency : 1;
-        }
-        return left;
+        return media.clear(share);
     }
 
     /**
@@ -321,14 +293,14 @@ public final class GlassTracer {
      */
     Bsdf roughBorder(Ray ray, Hit hit, Scattering s) {
         double from = inside.leave();
-        changeMedia();
+        media.cross(next != NONE);
         double to = inside.enter();
         beyond.set(inside);
-        inside.set(saved);
-        if (boundary == NONE || from == to) {
+        media.undo();
+        if (!media.isThere() || from == to) {
             return null;
         }
-        Bsdf bsdf = coincident.bsdf(boundary);
+        Bsdf bsdf = media.bsdf();
         Optics.arrive(s, ray, hit);
         s.eta = from / to;
         return bsdf.isDelta() ? null : bsdf;
@@ -385,7 +357,7 @@ public final class GlassTracer {
 
     /** Whether surface k filters the light: the boundary does, and so do panes that the ray passed. */
     public boolean filters(int k, boolean through) {
-        return k == boundary || through && coincident.isPane(k);
+        return media.filters(k, through);
     }
 
     /** The id of the primitive that coincident surface k belongs to. */

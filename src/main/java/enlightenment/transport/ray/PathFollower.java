@@ -56,10 +56,7 @@ public final class PathFollower {
     private final RayCounters counters;
     private final Scattering scattering = new Scattering();
     private final double[] tint = new double[3];
-    private final int maxBounces;
-
-    /** No line meets more surfaces: a path that passes more of them straight is caught in a loop by rounding, and ends. */
-    private final int maxStraight;
+    private final PathLength bounces;
 
     /** Whether there are surfaces with holes. */
     private final boolean hasMasks;
@@ -70,9 +67,6 @@ public final class PathFollower {
     /** Whether the surface that the path is at coincides with the one before. */
     private boolean tookNext;
 
-    private int bounces;
-    private int straight;
-
     /** Whether the last event was glass that did not turn the ray. */
     private boolean passedStraight;
 
@@ -80,9 +74,8 @@ public final class PathFollower {
         this.scene = scene;
         around = scene.physical == null ? null : scene.physical.around;
         this.counters = counters;
-        this.maxBounces = maxBounces;
         hasMasks = scene.physical != null && scene.physical.hasMasks;
-        maxStraight = scene.crossings;
+        bounces = new PathLength(maxBounces, scene.crossings);
         tracer = new Tracer(scene, counters);
         glass = new GlassTracer(scene, counters);
         poll = new Poll();
@@ -152,8 +145,7 @@ public final class PathFollower {
     private void begin(int left) {
         key = 0;
         surfaces = left;
-        bounces = 0;
-        straight = 0;
+        bounces.begin();
         passedStraight = false;
         poll.tick();
     }
@@ -170,7 +162,7 @@ public final class PathFollower {
             surfaces++;
             Optics.pass(ray, at.hit);
             glass.startBehindHole(ray);
-            event = ++straight > maxStraight ? Event.NOTHING : meet(ray);
+            event = bounces.passed() ? meet(ray) : Event.NOTHING;
         }
         return event;
     }
@@ -344,17 +336,17 @@ public final class PathFollower {
 
     /** How many scattering events it has had. */
     public int bounces() {
-        return bounces;
+        return bounces.bounces();
     }
 
     /** Whether the path may have one more scattering event. */
     public boolean mayScatter() {
-        return bounces < maxBounces;
+        return bounces.mayScatter(1);
     }
 
     /** Whether it may have two more. */
     public boolean mayScatterTwice() {
-        return bounces < maxBounces - 1;
+        return bounces.mayScatter(2);
     }
 
     /**
@@ -422,14 +414,9 @@ public final class PathFollower {
      */
     public boolean goesOn() {
         surfaces++;
-        if (!passedStraight) {
-            bounces++;
-            straight = 0;
-        } else if (++straight > maxStraight) {
-            return false;
-        }
+        boolean goesOn = passedStraight ? bounces.passed() : bounces.bounced();
         passedStraight = false;
-        if (bounces > maxBounces) {
+        if (!goesOn) {
             return false;
         }
         poll.tick();

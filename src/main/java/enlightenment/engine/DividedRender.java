@@ -33,6 +33,9 @@ import java.util.function.Function;
  * arrays. {@link FilmAssembly} puts the results together to the picture that {@code enlightenment.render.Renderer} makes, bit for bit.
  */
 public final class DividedRender implements UnitSource {
+    /** The preview itself, and it with finished pixels over it. */
+    private static final int IMAGES_OF_PREVIEW = 2;
+
     private final CompiledScene compiled;
     private final RenderOutline outline;
     private final WorkUnits units;
@@ -180,6 +183,21 @@ public final class DividedRender implements UnitSource {
     @Override
     public int units() {
         return units.count();
+    }
+
+    /**
+     * The whole picture with the fewest samples that show it, which takes a moment, on as many threads as the settings say.
+     *
+     * @return empty if there is too little memory for it, or paths may end anywhere: they show something of the whole picture themselves
+     */
+    public Optional<Preview> preview(BooleanSupplier cancelled) {
+        RenderSettings settings = outline.settings();
+        if (!units.haveTiles() || !PictureMemory.isEnough(settings, units.imagesBeside() + IMAGES_OF_PREVIEW)) {
+            return Optional.empty();
+        }
+        Preview preview = new Preview(Preview.Kind.COARSE, compiled, settings);
+        preview.begin(Cancellation.of(cancelled));
+        return Optional.of(preview);
     }
 
     /** What was decided before the first unit. */

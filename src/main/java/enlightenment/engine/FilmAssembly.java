@@ -38,6 +38,10 @@ public final class FilmAssembly implements UnitAssembly {
     private final BitSet differences = new BitSet();
 
     private ResultStore store = ResultStore.NONE;
+
+    /** What is shown where nothing is finished yet; null for nothing. */
+    private Preview preview;
+
     private long peakMemory;
 
     /** A picture of which nothing is there yet. */
@@ -177,9 +181,19 @@ public final class FilmAssembly implements UnitAssembly {
         return film;
     }
 
+    /**
+     * Has {@link #image} show this where nothing is finished yet.
+     *
+     * @param coarse null for black
+     */
+    public synchronized void showBeneath(Preview coarse) {
+        preview = coarse;
+    }
+
     @Override
     public synchronized Image image() {
-        return film.image();
+        Image image = film.image();
+        return preview == null || film.isComplete() ? image : preview.beneath(film, image);
     }
 
     /** The picture so far with its report, whose phase of rendering began with this assembly. */

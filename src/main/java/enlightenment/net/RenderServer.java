@@ -1,6 +1,7 @@
 package enlightenment.net;
 
 import enlightenment.engine.DividedRender;
+import enlightenment.engine.Preview;
 import enlightenment.listen.ServerLog;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
@@ -55,7 +56,10 @@ public final class RenderServer implements Closeable {
         Canary.hash();
         DividedRender render = DividedRender.prepare(scene, settings, cancelled);
         render.notes().forEach(log::say);
-        ServedPicture picture = ServedPicture.of(render, JobContent.of(scene, render.outline(), options.version));
+        Preview preview =
+                options.statusPort < 0 ? null : render.preview(cancelled).orElse(null);
+        ServedPicture picture =
+                ServedPicture.of(render, JobContent.of(scene, render.outline(), options.version), preview);
         return new RenderServer(ServerRound.start(options, log, secrets, picture.job(log)), picture);
     }
 

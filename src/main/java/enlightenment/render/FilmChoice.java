@@ -65,6 +65,11 @@ final class FilmChoice {
         }
     }
 
+    /** Whether one more image may be in memory, which the render can do without. */
+    boolean hasRoom() {
+        return !isLarge() && PictureMemory.isEnough(settings, images + PictureMemory.IMAGES_OF_ADDED_SPLATS + 1);
+    }
+
     private void checkPaths() {
         PictureMemory.check(
                 settings,

@@ -4,6 +4,7 @@ import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.FilmPlace;
 import enlightenment.engine.PictureFilm;
+import enlightenment.engine.Preview;
 import enlightenment.image.Image;
 import enlightenment.plan.RenderPlan;
 import enlightenment.report.RenderReport;
@@ -82,9 +83,19 @@ final class KeptRender implements PictureRender {
     private void tell() {
         synchronized (archives.telling()) {
             if (assembly.done() > 0) {
-                request.progress().progress(assembly.pixelsDone(), assembly.pixels(), this::image);
+                request.progress().progress(assembly.pixelsDone(), assembly.pixels(), this::shown);
             }
         }
+    }
+
+    /** The picture so far for those who look at it. */
+    private Image shown() {
+        Image image = assembly.finished();
+        return preview == null || film().isComplete() ? image : preview.beneath(film(), image);
+    }
+
+    private boolean keepsPreview() {
+        return preview != null && preview.isKept();
     }
 
     @Override
@@ -94,27 +105,12 @@ final class KeptRender implements PictureRender {
 
     @Override
     public Image image() {
-        Image image = assembly.finished();
-        return preview == null || film().isComplete() ? image : overPreview(image);
-    }
-
-    /** Finished pixels, and where there are none what the preview shows, with what paths have brought so far. */
-    private Image overPreview(Image finished) {
-        RenderSettings.Crop region = request.settings().region();
-        Image coarse = film().completed(preview.image());
-        float[] rgb = coarse.toArray();
-        float[] fine = finished.toArray();
-        for (int i = 0; i < region.width() * region.height(); i++) {
-            if (film().samples(region.x() + i % region.width(), region.y() + i / region.width()) > 0) {
-                System.arraycopy(fine, 3 * i, rgb, 3 * i, 3);
-            }
-        }
-        return new Image(region.width(), region.height(), rgb, coarse.curve());
+        return keepsPreview() ? shown() : assembly.finished();
     }
 
     @Override
     public long shownPixels() {
-        return preview == null ? film().shownPixels() : Math.max(film().shownPixels(), preview.shownPixels());
+        return keepsPreview() ? Math.max(film().shownPixels(), preview.shownPixels()) : film().shownPixels();
     }
 
     @Override

@@ -3,6 +3,7 @@ package enlightenment.render;
 import enlightenment.classic.cluster.ClusterStatistics;
 import enlightenment.engine.FilmPlace;
 import enlightenment.engine.PictureFilm;
+import enlightenment.engine.Preview;
 import enlightenment.engine.RenderOutline;
 import enlightenment.engine.Reports;
 import enlightenment.engine.UnitWork;
@@ -135,7 +136,12 @@ final class LocalRender implements PictureRender {
         if (preview != null && finished != null) {
             preview.put(finished);
         }
-        progress.progress(film.pixelsDone(), film.pixels(), this::image);
+        progress.progress(film.pixelsDone(), film.pixels(), this::shown);
+    }
+
+    /** The picture so far for those who look at it. */
+    private Image shown() {
+        return preview == null || film.isComplete() ? film.image() : film.completed(preview.image());
     }
 
     private void gather(List<ClusterStatistics> records) {
@@ -167,12 +173,16 @@ final class LocalRender implements PictureRender {
 
     @Override
     public Image image() {
-        return preview == null || film.isComplete() ? film.image() : film.completed(preview.image());
+        return keepsPreview() ? shown() : film.image();
+    }
+
+    private boolean keepsPreview() {
+        return preview != null && preview.isKept();
     }
 
     @Override
     public long shownPixels() {
-        return preview == null ? film.shownPixels() : preview.shownPixels();
+        return keepsPreview() ? preview.shownPixels() : film.shownPixels();
     }
 
     @Override

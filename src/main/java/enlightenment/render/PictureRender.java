@@ -14,7 +14,7 @@ interface PictureRender {
     /** What was rendered, in full precision. */
     PictureFilm film();
 
-    /** The picture as it stands: the film, and what the preview shows where that is not finished. */
+    /** The picture as it stands: the film, and what a preview that is kept shows where that is not finished. */
     Image image();
 
     /** How many pixels are not black for want of samples. */

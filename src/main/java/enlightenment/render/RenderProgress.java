@@ -16,13 +16,20 @@ public interface RenderProgress {
      * Some more of the picture is done.
      *
      * @param done pixels finished, where a unit of work that is a share of several pixels counts as that share of them; 0 while a
-     *     progressive render refines its first coarse pass
+     *     progressive or watched render refines its first coarse pass
      * @param total pixels in all
      * @param soFar makes the picture so far, when it is called before this method returns. What is not rendered yet is black;
-     *     in a progressive render there is no such thing, because the first call comes after the first coarse pass, nor with a
+     *     in a progressive or watched render there is no such thing, because the first call comes after the first coarse pass, nor with a
      *     method whose paths may end anywhere: there it is the picture of the paths so far
      */
     void progress(long done, long total, Supplier<Image> soFar);
+
+    /**
+     * The whole picture, coarsely: called once, before {@link #planned}, by a render that is {@linkplain RenderRequest#watched watched}.
+     *
+     * @param soFar makes the picture, when it is called before this method returns; no pixel is black for want of samples
+     */
+    default void coarse(Supplier<Image> soFar) {}
 
     /**
      * It is decided how many samples there will be; called before the first progress, and again before the picture is rendered once

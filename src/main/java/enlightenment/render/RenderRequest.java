@@ -24,6 +24,9 @@ import java.util.function.Consumer;
  * @param auxiliary what to tell of each pixel beside its colour
  * @param progressive whether coarse passes over the whole picture come first, so that from then on there is always a whole
  *     picture to show; they take about a seventh more time. A method whose paths may end anywhere needs none
+ * @param watched whether somebody may look at the picture while it is rendered: coarse passes over the whole of it come first, for at most a
+ *     fiftieth of the samples where there is one per pixel; without effect where memory is too short for it, and on what is returned, even of
+ *     a render that is stopped. Where progressive passes are asked for, or paths may end anywhere, none is needed
  * @param clusters whether to tell of the ray clusters
  * @param chains whether to tell of the Markov chains
  * @param archives where the results of units of work are kept, and taken from; of this scene and these settings, as far as the budget is
@@ -39,6 +42,7 @@ public record RenderRequest(
         BooleanSupplier cancelled,
         Set<Auxiliary> auxiliary,
         boolean progressive,
+        boolean watched,
         boolean clusters,
         boolean chains,
         List<ResultArchive> archives,
@@ -79,6 +83,7 @@ public record RenderRequest(
                 RenderProgress.NONE,
                 () -> false,
                 Set.of(),
+                false,
                 false,
                 false,
                 false,
@@ -142,6 +147,11 @@ public record RenderRequest(
         return with(c -> c.progressive = value);
     }
 
+    /** This request for a render that somebody may look at, or that nobody looks at. */
+    public RenderRequest withWatched(boolean value) {
+        return with(c -> c.watched = value);
+    }
+
     /** The same request with other archives. */
     public RenderRequest withArchives(List<ResultArchive> value) {
         return with(c -> c.archives = value);
@@ -181,6 +191,7 @@ public record RenderRequest(
         BooleanSupplier cancelled;
         Set<Auxiliary> auxiliary;
         boolean progressive;
+        boolean watched;
         boolean clusters;
         boolean chains;
         List<ResultArchive> archives;
@@ -195,6 +206,7 @@ public record RenderRequest(
             cancelled = of.cancelled;
             auxiliary = of.auxiliary;
             progressive = of.progressive;
+            watched = of.watched;
             clusters = of.clusters;
             chains = of.chains;
             archives = of.archives;
@@ -211,6 +223,7 @@ public record RenderRequest(
                     cancelled,
                     auxiliary,
                     progressive,
+                    watched,
                     clusters,
                     chains,
                     archives,

@@ -1,6 +1,7 @@
 package enlightenment.render;
 
 import enlightenment.engine.FilmPlace;
+import enlightenment.engine.Preview;
 import enlightenment.engine.Reports;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;

@@ -1,6 +1,7 @@
 package enlightenment.render;
 
 import enlightenment.engine.FilmPlace;
+import enlightenment.engine.Preview;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.plan.Integrators;
@@ -143,13 +144,19 @@ public final class Renderer {
         if (request.denoised()) {
             Denoising.check(scene);
         }
+        Preview preview = preview(request, scene, film);
+        if (preview != null && !preview.isKept()) {
+            // Before all that takes long: planning, too.
+            phases.run("preview", () -> preview.begin(cancelled));
+            if (!cancelled.getAsBoolean()) {
+                request.progress().coarse(preview::image);
+            }
+        }
         AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.neededAuxiliary());
         if (request.neededAuxiliary().stream().anyMatch(Auxiliary::needsRays)) {
             phases.run("auxiliary", () -> pass.run(cancelled));
         }
         PathPartPass parts = new PathPartPass(scene, settings, request.neededAuxiliary());
-        // Paths that may end anywhere show something of the whole picture from the first on.
-        boolean previewed = request.progressive() && settings.method().kind() == Method.Kind.TILES;
         Planner planner = new Planner(scene, settings, cancelled);
         Archives archives =
                 request.archives().isEmpty() ? null : new Archives(request.archives(), request.progress()::note);
@@ -158,7 +165,7 @@ public final class Renderer {
         RenderPlan plan;
         try {
             plan = phases.run("plan", () -> kept.map(planner::known)
-                    .orElseGet(() -> planner.plan(time, (previewed ? Preview.SHARE : 0) + parts.share())));
+                    .orElseGet(() -> planner.plan(time, (preview == null ? 0 : preview.share()) + parts.share())));
         } catch (CancellationException e) {
             return new RenderRounds(stoppable, scene, planner, null, pass, parts, phases, time, null, FilmPlace.MEMORY)
                     .nothing();
@@ -171,12 +178,34 @@ public final class Renderer {
                             + " samples per pixel, whatever time is left");
         }
         request.progress().planned(plan.samples(), plan.decidedBy());
-        Preview preview = previewed ? new Preview(scene, settings, planner) : null;
         if (preview != null) {
-            phases.run("preview", () -> preview.run(plan, request.progress(), cancelled));
+            phases.run("preview", () -> refine(preview, planner, plan, request, cancelled));
         }
         return new RenderRounds(stoppable, scene, planner, preview, pass, parts, phases, time, archives, place)
                 .run(plan);
+    }
+
+    /** What is shown of a picture where it is not finished; null for nothing. */
+    private static Preview preview(RenderRequest request, CompiledScene scene, FilmChoice film) {
+        RenderSettings settings = request.settings();
+        if (settings.method().kind() != Method.Kind.TILES) {
+            // Paths that may end anywhere show something of the whole picture from the first on.
+            return null;
+        }
+        if (request.progressive()) {
+            return new Preview(Preview.Kind.FINE, scene, settings);
+        }
+        return request.watched() && film.hasRoom() ? new Preview(Preview.Kind.COARSE, scene, settings) : null;
+    }
+
+    private static void refine(
+            Preview preview, Planner planner, RenderPlan plan, RenderRequest request, BooleanSupplier cancelled) {
+        RenderSettings.Crop region = request.settings().region();
+        long total = (long) region.width() * region.height();
+        if (preview.isKept()) {
+            preview.begin(cancelled);
+        }
+        preview.refine(planner, plan, () -> request.progress().progress(0, total, preview::image), cancelled);
     }
 
     /**

@@ -173,6 +173,19 @@ public final class WatchedRender implements StatusSource {
         }
 
         @Override
+        public void coarse(Supplier<Image> soFar) {
+            display.coarse(soFar);
+            long now = clock.getAsLong();
+            boolean isDue;
+            synchronized (WatchedRender.this) {
+                isDue = isDue(now);
+            }
+            if (isDue) {
+                take(soFar, now);
+            }
+        }
+
+        @Override
         public void progress(long isDone, long ofAll, Supplier<Image> soFar) {
             display.progress(isDone, ofAll, soFar);
             long now = clock.getAsLong();
@@ -182,13 +195,18 @@ public final class WatchedRender implements StatusSource {
                 done = isDone;
                 total = ofAll;
                 timeLeft.at(now, isDone, ofAll);
-                long pause = Math.max(PERIOD_NANOS, (long) (took / SHARE));
-                isDue = !isTooLarge && (isDone == ofAll || isWanted && (picture == null || now - taken >= pause));
+                isDue = isDue(now) || isDone == ofAll && !isTooLarge;
             }
             if (isDue) {
                 take(soFar, now);
             }
         }
+    }
+
+    /** Whether somebody waits for a picture, and there was none for long enough; called under the lock. */
+    private boolean isDue(long now) {
+        long pause = Math.max(PERIOD_NANOS, (long) (took / SHARE));
+        return !isTooLarge && isWanted && (picture == null || now - taken >= pause);
     }
 
     private double seconds() {

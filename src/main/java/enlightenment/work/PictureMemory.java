@@ -58,6 +58,12 @@ public final class PictureMemory {
                         + scaled(region.width(), share) + "x" + scaled(region.height(), share) + " pixels" + reason);
     }
 
+    /** Whether there is memory for a picture and this many other images as large. */
+    public static boolean isEnough(RenderSettings settings, int moreImages) {
+        return bytes(settings) + moreImages * BYTES_PER_IMAGE_PIXEL * pixels(settings)
+                <= Runtime.getRuntime().maxMemory();
+    }
+
     /** A side of a picture with this share of the pixels. */
     private static int scaled(int side, double share) {
         return Math.max((int) (side * Math.sqrt(share)), 1);

@@ -84,6 +84,28 @@ class WatchedRenderTest {
     }
 
     @Test
+    void aCoarsePictureIsThereWhileTheRenderIsPrepared() {
+        List<String> heard = new ArrayList<>();
+        RenderProgress listening = watched.listening(new RenderProgress() {
+            @Override
+            public void progress(long done, long total, Supplier<Image> soFar) {}
+
+            @Override
+            public void coarse(Supplier<Image> soFar) {
+                heard.add("coarse");
+            }
+        });
+        listening.coarse(this::copied);
+        assertEquals(List.of("coarse"), heard);
+        assertEquals(State.PREPARING, watched.status().state());
+        assertEquals(1, watched.status().picture());
+        assertTrue(watched.image().isPresent());
+        clock.addAndGet(SECOND);
+        listening.progress(0, 2, this::copied);
+        assertEquals(2, copies.get());
+    }
+
+    @Test
     void theEndIsToldAndTheClockStopsThere() {
         progress.progress(1, 2, this::copied);
         assertFalse(watched.isWhole());

@@ -125,7 +125,7 @@ public final class AnimateCommand extends Subcommand {
         makeFolder();
         FrameWriter writer = new FrameWriter(output, view, digests, report, terminal);
         FrameMaker maker = server == null
-                ? new FrameRenderer(film, settings, output, writer, terminal)
+                ? new FrameRenderer(film, settings, output, writer, watching.isGiven(), terminal)
                 : new ServedFrames(film, settings, writer, serving, server, terminal);
         RenderSettings asWritten = options.settings(scene, input);
         String title = scene.name().isEmpty() ? input.name() : scene.name();

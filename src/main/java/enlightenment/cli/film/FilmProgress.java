@@ -26,6 +26,11 @@ final class FilmProgress implements RenderProgress {
     }
 
     @Override
+    public void coarse(Supplier<Image> soFar) {
+        display.coarse(soFar);
+    }
+
+    @Override
     public void progress(long done, long total, Supplier<Image> soFar) {
         length = length == 0 ? total : length;
         ofFrame = Math.max(ofFrame, (long) ((double) done / total * length));

@@ -20,13 +20,22 @@ final class FrameRenderer implements FrameMaker {
     private final FrameSettings settings;
     private final FrameOutput output;
     private final FrameWriter writer;
+    private final boolean isWatched;
     private final Terminal terminal;
 
-    FrameRenderer(Film film, FrameSettings settings, FrameOutput output, FrameWriter writer, Terminal terminal) {
+    /** @param isWatched whether somebody may look at frames while they are rendered */
+    FrameRenderer(
+            Film film,
+            FrameSettings settings,
+            FrameOutput output,
+            FrameWriter writer,
+            boolean isWatched,
+            Terminal terminal) {
         this.film = film;
         this.settings = settings;
         this.output = output;
         this.writer = writer;
+        this.isWatched = isWatched;
         this.terminal = terminal;
     }
 
@@ -58,6 +67,7 @@ final class FrameRenderer implements FrameMaker {
                             progress, chosen.budget(), terminal, FrameWriter.named(frame), said -> writer.notes()
                                     .say(frame, said)))
                     .withAuxiliary(output.aov().kinds())
+                    .withWatched(isWatched)
                     .withCancelled(terminal.stop()));
         } catch (InvalidValueException | SceneException e) {
             throw settings.told(frame, e);

@@ -323,7 +323,8 @@ public final class RenderCommand extends Subcommand {
                 .withClusters(clusters != null)
                 .withChains(chains != null)
                 .withArchives(archives)
-                .withProgressive(writer != null);
+                .withProgressive(writer != null)
+                .withWatched(watching.isGiven());
         Optional<ScratchFolder> scratch = watching.isGiven() ? Optional.empty() : output.scratch();
         try {
             return Renderer.render(scratch.map(request::withScratch).orElse(request));

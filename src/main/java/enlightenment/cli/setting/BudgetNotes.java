@@ -55,6 +55,11 @@ public final class BudgetNotes implements RenderProgress {
     }
 
     @Override
+    public void coarse(Supplier<Image> soFar) {
+        display.coarse(soFar);
+    }
+
+    @Override
     public void progress(long done, long total, Supplier<Image> soFar) {
         display.progress(done, total, soFar);
     }

@@ -1,0 +1,36 @@
+#!/bin/sh
+# Builds what is committed twice, apart in place, time zone, language and file permissions, and compares all artifacts byte for byte.
+#
+#   src/release/reproduce.sh [OPTIONS OF MAVEN]
+#
+# Needs git, a JDK 17 or newer and Maven. Ends with 0 if both builds are equal, with 1 if not or if one failed.
+set -eu
+cd "$(dirname "$0")/../.."
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+
+# build FOLDER TIME_ZONE LOCALE UMASK [OPTIONS]
+build() {
+    folder=$work/$1 sums=$work/$1.sums zone=$2 locale=$3 mask=$4
+    shift 4
+    mkdir -p "$folder"
+    git archive HEAD | tar -x -C "$folder"
+    # A release is not made here: nothing is signed, and addresses may be missing.
+    (umask "$mask" && cd "$folder" && TZ=$zone LC_ALL=$locale mvn -B -q -Prelease -DskipTests -Dspotless.check.skip -Dgpg.skip -Denforcer.skip "$@" verify)
+    (cd "$folder/target" && find . -maxdepth 1 -type f \( -name '*.jar' -o -name '*.zip' -o -name '*.json' \) ! -name 'original-*' |
+        LC_ALL=C sort | while read -r file; do sha256sum "$file"; done) > "$sums"
+    [ -s "$sums" ] || { echo "reproduce.sh: a build made no artifacts" >&2; exit 1; }
+}
+
+build one UTC C 022 "$@"
+build elsewhere/another Pacific/Auckland C.UTF-8 077 "$@"
+cat "$work/one.sums"
+if cmp -s "$work/one.sums" "$work/elsewhere/another.sums"; then
+    echo "both builds are equal, byte for byte"
+else
+    echo "reproduce.sh: the builds differ:" >&2
+    diff "$work/one.sums" "$work/elsewhere/another.sums" >&2 || true
+    exit 1
+fi

@@ -7,6 +7,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 
+commit=$(git rev-parse HEAD)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
@@ -16,7 +17,7 @@ build() {
     folder=$work/$1 sums=$work/$1.sums zone=$2 locale=$3 mask=$4
     shift 4
     mkdir -p "$folder"
-    git archive HEAD | tar -x -C "$folder"
+    git archive "$commit" | tar -x -C "$folder"
     # A release is not made here: nothing is signed, and addresses may be missing.
     (umask "$mask" && cd "$folder" && TZ=$zone LC_ALL=$locale mvn -B -q -Prelease -DskipTests -Dspotless.check.skip -Dgpg.skip -Denforcer.skip "$@" verify)
     (cd "$folder/target" && find . -maxdepth 1 -type f \( -name '*.jar' -o -name '*.zip' -o -name '*.json' \) ! -name 'original-*' |

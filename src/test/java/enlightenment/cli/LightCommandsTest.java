@@ -28,6 +28,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /** What the command line does with pictures of linear light. */
 class LightCommandsTest {
@@ -288,6 +290,19 @@ class LightCommandsTest {
         for (String key : new String[] {"relativeError", "kurtosis", "heavyTail", "lostSamples"}) {
             assertTrue(json.contains("\"" + key + "\""), json);
         }
+    }
+
+    @Test
+    void theReportSaysWhyTheProgramChoseAMethod() throws IOException {
+        Path report = folder.resolve("report.json");
+        CliRun run = render(png, "--report", report, "--method", "auto");
+        assertEquals(0, run.code(), run.err());
+        JsonNode told = JsonMapper.shared().readTree(Files.readString(report));
+        String reason = told.get("methodReason").asString();
+        assertTrue(run.err().contains(reason), run.err());
+        assertFalse(told.get("settings").get("method").asString().equals("auto"));
+        assertEquals(0, render(png, "--report", report, "--method", "raytrace").code());
+        assertFalse(Files.readString(report).contains("methodReason"));
     }
 
     /** Two polished balls under a small lamp: whatever the samples show, and in pictures that are merged as well. */

@@ -19,12 +19,18 @@ import tools.jackson.core.JsonGenerator;
 public final class ReportJson {
     private ReportJson() {}
 
-    /** @param audits those of a server; empty for others */
-    static String of(RenderResult result, Optional<AuditReport> audits) {
+    /**
+     * The report of a render.
+     *
+     * @param reason why the program chose its method; empty if the settings named it
+     * @param audits those of a server; empty for others
+     */
+    static String of(RenderResult result, Optional<String> reason, Optional<AuditReport> audits) {
         return JsonText.of(json -> {
             json.writeStartObject();
             program(json);
             content(json, result.report(), result.complete());
+            reason.ifPresent(why -> json.writeStringProperty("methodReason", why));
             audits.ifPresent(a -> audits(json, a));
             json.writeEndObject();
         });

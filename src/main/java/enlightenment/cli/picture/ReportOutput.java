@@ -28,14 +28,24 @@ public final class ReportOutput {
 
     /** Writes and prints what was asked for; where the picture goes to standard output, the statistics go elsewhere. */
     public void write(RenderResult result, PictureOutput picture, Terminal terminal) throws IOException {
-        write(result, Optional.empty(), picture, terminal);
+        write(result, Optional.empty(), Optional.empty(), picture, terminal);
     }
 
-    /** Does so for the picture of a server. */
-    public void write(RenderResult result, Optional<AuditReport> audits, PictureOutput picture, Terminal terminal)
+    /**
+     * Does so for a picture whose method may have been chosen by the program, or that a server made.
+     *
+     * @param reason why that method; empty if the settings named it
+     * @param audits those of a server
+     */
+    public void write(
+            RenderResult result,
+            Optional<String> reason,
+            Optional<AuditReport> audits,
+            PictureOutput picture,
+            Terminal terminal)
             throws IOException {
         if (report != null) {
-            WholeFile.write(report, ReportJson.of(result, audits));
+            WholeFile.write(report, ReportJson.of(result, reason, audits));
         }
         if (stats) {
             PrintStream stream = picture.isStandardOutput() ? terminal.err() : terminal.out();

@@ -290,7 +290,7 @@ public final class RenderCommand extends Subcommand {
         progress.tellWritten(output.file(), terminal);
         aovFiles.write(result.auxiliary(), shown, output.pngOptions(texts));
         denoised.write(result, shown, output, texts, settings);
-        report.write(result, output, terminal);
+        report.write(result, choice.reason(), Optional.empty(), output, terminal);
         if (clusters != null) {
             ClusterFile.write(clusters, result, terminal);
         }

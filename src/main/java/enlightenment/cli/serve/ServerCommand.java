@@ -119,7 +119,7 @@ public final class ServerCommand extends Subcommand {
         files.check();
         MethodChoice choice = choose(scene, settings);
         choice.reason().ifPresent(terminal::say);
-        finish(serve(scene, choice.settings(), serverOptions), scene, choice.settings());
+        finish(serve(scene, choice.settings(), serverOptions), scene, choice);
         return ExitCode.DONE;
     }
 
@@ -160,20 +160,20 @@ public final class ServerCommand extends Subcommand {
         return archives;
     }
 
-    private void finish(RenderResult result, Scene scene, RenderSettings settings) throws IOException {
+    private void finish(RenderResult result, Scene scene, MethodChoice choice) throws IOException {
         if (result.report().pixels() == 0) {
             throw output.nothingRendered();
         }
         double samples = result.report().sampling().plannedSamples();
-        String line = SettingsLine.replayable(settings, samples, frame.number());
+        String line = SettingsLine.replayable(choice.settings(), samples, frame.number());
         Image shown = view.view(result.image(), terminal);
-        output.write(shown, PictureText.of(scene, line), settings, terminal);
+        output.write(shown, PictureText.of(scene, line), choice.settings(), terminal);
         progress.tellWritten(output.file(), terminal);
-        report.write(result, Optional.of(audits), output, terminal);
+        report.write(result, choice.reason(), Optional.of(audits), output, terminal);
         if (!result.complete()) {
             throw StoppedRender.after(result, output, "");
         }
-        if (!UniformImageHint.tell(scene, settings, result, terminal)) {
+        if (!UniformImageHint.tell(scene, choice.settings(), result, terminal)) {
             output.tellBrightness(result, shown, terminal);
         }
         LightNotes.tell(result, terminal::say);

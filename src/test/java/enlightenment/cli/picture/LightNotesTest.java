@@ -71,7 +71,9 @@ class LightNotesTest {
         CliException e = assertThrows(CliException.class, () -> LightNotes.require(bad, bad.image()));
         assertTrue(e.getMessage().startsWith("3 samples were infinite or no numbers"), e.getMessage());
         assertTrue(StatsTable.of(bad.report()).contains("lost samples"));
-        assertTrue(ReportJson.of(bad, Optional.empty()).replace(" ", "").contains("\"lostSamples\":3"));
+        assertTrue(ReportJson.of(bad, Optional.empty(), Optional.empty())
+                .replace(" ", "")
+                .contains("\"lostSamples\":3"));
         RenderResult good = result(0);
         assertDoesNotThrow(() -> LightNotes.require(good, good.image()));
     }

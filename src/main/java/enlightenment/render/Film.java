@@ -7,12 +7,14 @@ import enlightenment.scene.Scene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.light.SceneImages;
 import java.util.Objects;
+import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 
 /**
  * The frames of a moving scene, each of them a request like any other. Frames do not depend on each other: any of them may be
  * rendered, in any order, on any machine, to the same bytes as by {@link Renderer#render(RenderRequest)}. What a film adds is that the
- * image files of its scenes are read once and kept in memory, for as long as the film is referred to.
+ * image files of its scenes are read once and kept in memory, for as long as the film is referred to, and that tables of materials which two
+ * frames have in common are made once.
  *
  * <pre>{@code
  * SceneFile file = new SceneFile(Path.of("scenes/fire-and-ice-tween.json"));
@@ -96,6 +98,20 @@ public final class Film {
      */
     public void check(Scene frame) {
         SceneCompiler.check(frame, files);
+    }
+
+    /**
+     * Chooses the method of renders of a scene at one size, as {@link Renderer#choose} does, and prepares the scene for all of them: those that
+     * are requested with {@link MethodChoice#with} do not prepare it again. Takes as much memory as a render, for as long as it is kept.
+     *
+     * @param scene of this film, seen by any camera
+     * @param cancelled asked from several threads at once
+     * @throws enlightenment.scene.SceneException if the scene cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used
+     * @throws java.util.concurrent.CancellationException if it was cancelled, or the calling thread interrupted, before that was done
+     */
+    public MethodChoice prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        return Renderer.prepare(scene, settings, files, cancelled);
     }
 
     /**

@@ -42,6 +42,21 @@ public final class MethodChoice {
         return reason;
     }
 
+    /**
+     * This choice for another render of its scene, which is not prepared again. Its time is counted from now.
+     *
+     * @param other settings that differ in samples, seed, threads and crop alone; their method is not looked at
+     * @throws IllegalArgumentException if their size is another one
+     */
+    public MethodChoice with(RenderSettings other) {
+        if (other.width() != settings.width() || other.height() != settings.height()) {
+            throw new IllegalArgumentException("prepared for " + settings.width() + "x" + settings.height()
+                    + " pixels, not for " + other.width() + "x" + other.height());
+        }
+        RenderSettings chosen = other.method() == settings.method() ? other : other.withMethod(settings.method());
+        return new MethodChoice(chosen, Optional.empty(), compiled, new Phases(), Stopwatch.started());
+    }
+
     Optional<CompiledScene> compiled() {
         return Optional.ofNullable(compiled);
     }

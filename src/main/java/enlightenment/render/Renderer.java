@@ -222,6 +222,19 @@ public final class Renderer {
         return choose(scene, settings, new SceneImages(), Cancellation.of(cancelled));
     }
 
+    /** What {@link #choose} gives, with the scene prepared in any case. */
+    static MethodChoice prepare(Scene scene, RenderSettings settings, SceneImages files, BooleanSupplier stop) {
+        BooleanSupplier cancelled = Cancellation.of(stop);
+        MethodChoice choice = choose(scene, settings, files, cancelled);
+        if (choice.compiled().isPresent()) {
+            return choice;
+        }
+        Phases phases = choice.phases();
+        CompiledScene compiled =
+                phases.run("compile", () -> SceneCompiler.compile(scene, choice.settings(), files, cancelled));
+        return new MethodChoice(choice.settings(), choice.reason(), compiled, phases, choice.time());
+    }
+
     private static MethodChoice choose(
             Scene scene, RenderSettings settings, SceneImages files, BooleanSupplier cancelled) {
         Stopwatch time = Stopwatch.started();

@@ -31,13 +31,27 @@ public final class LiveView implements Closeable {
     private LiveView(SceneSource source, Options options, ServerLog log) throws IOException {
         loader = new SceneLoader(source, session);
         loader.load();
+        ScenePreparation preparation = new ScenePreparation();
+        // The first picture takes longest: it is begun before anything else.
+        start(
+                "view render",
+                new Refinement(
+                        session, preparation, source, options.threads(), options.samples(), System::nanoTime));
         byte[] bytes = new byte[KEY_BYTES];
         new SecureRandom().nextBytes(bytes);
         key = HexFormat.of().formatHex(bytes);
-        server = new ViewServer(session, loader, options.title(), key, options.port(), log);
-        start("view render", new Refinement(session, source, options.threads(), options.samples(), System::nanoTime));
+        server = served(new ViewActions(session, loader, preparation), options, log);
         start("view watch", () -> repeat(WATCH_MILLIS, loader::check));
         start("view tick", () -> repeat(TICK_MILLIS, server::check));
+    }
+
+    private ViewServer served(ViewActions actions, Options options, ServerLog log) throws IOException {
+        try {
+            return new ViewServer(session, loader, actions, options.title(), key, options.port(), log);
+        } catch (IOException e) {
+            session.close();
+            throw e;
+        }
     }
 
     /**

@@ -3,14 +3,20 @@ package enlightenment.view;
 /**
  * The passes over a picture, from coarse ones to fine ones and on to more samples. A pure function of the times that are given to it.
  *
- * @param shrink the side of the squares of pixels that one pixel of the pass stands for: 8, 4, 2 or 1
+ * @param shrink the side of the squares of pixels that one pixel of the pass stands for: a power of two, at most {@link #FIRST}
  * @param number of the pass among those at full resolution, counted from 0; 0 of coarser ones
  * @param samples per pixel of the pass
  * @param before samples per pixel of the passes at full resolution before this one
  */
 record PassPlan(int shrink, int number, int samples, int before) {
-    /** The coarsest pass has one pixel for squares of this side. */
-    static final int COARSEST = 8;
+    /** The coarsest pass while a view is in use has one pixel for squares of this side: things can still be recognized. */
+    static final int COARSEST = 16;
+
+    /** The side of these squares before anything is known of the scene, and most of the program waits to be compiled. */
+    static final int FIRST = 32;
+
+    /** No pass has fewer pixels than about a quarter of this because it is coarse: they take no time. */
+    private static final int FEW_PIXELS = 1024;
 
     /** A pass that is expected to take less is fine enough to begin with: the eye takes it for immediate. */
     private static final double IMMEDIATE_SECONDS = 0.05;
@@ -25,11 +31,16 @@ record PassPlan(int shrink, int number, int samples, int before) {
      * @param pixels of the picture at full resolution
      */
     static PassPlan first(double secondsPerPixel, long pixels) {
+        int coarsest = secondsPerPixel == Double.POSITIVE_INFINITY ? FIRST : COARSEST;
         int shrink = 1;
-        while (shrink < COARSEST && !(secondsPerPixel * pixels / (shrink * shrink) <= IMMEDIATE_SECONDS)) {
+        while (shrink < coarsest && !isImmediate(secondsPerPixel, pixels / (shrink * shrink))) {
             shrink *= 2;
         }
         return new PassPlan(shrink, 0, 1, 0);
+    }
+
+    private static boolean isImmediate(double secondsPerPixel, long pixels) {
+        return pixels < FEW_PIXELS || secondsPerPixel * pixels <= IMMEDIATE_SECONDS;
     }
 
     /**

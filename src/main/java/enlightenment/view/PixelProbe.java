@@ -4,10 +4,7 @@ import enlightenment.image.Image;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.Auxiliary;
-import enlightenment.render.RenderProgress;
-import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
-import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -33,17 +30,17 @@ record PixelProbe(Optional<String> object, Optional<String> material, double dep
      * Follows one ray.
      *
      * @param shot the view
+     * @param preparation prepares its scene
      * @param x column in 0..width − 1
      * @param y row in 0..height − 1
      * @throws enlightenment.scene.SceneException if the scene cannot be rendered
      */
-    static PixelProbe of(Shot shot, int x, int y) {
+    static PixelProbe of(Shot shot, ScenePreparation preparation, int x, int y) {
         RenderSettings settings = shot.settings(new PassPlan(1, 0, 1, 0), 1).toBuilder()
                 .crop(new RenderSettings.Crop(x, y, 1, 1))
                 .build();
-        RenderResult result = Renderer.render(RenderRequest.of(shot.scene(), settings)
-                .withProgress(RenderProgress.NONE)
-                .withAuxiliary(WANTED));
+        RenderResult result = shot.film()
+                .render(preparation.request(shot, settings, () -> false).withAuxiliary(WANTED));
         Map<Auxiliary, Image> found = result.auxiliary();
         int index = (int) found.get(Auxiliary.OBJECT).component(0, 0, 0);
         return new PixelProbe(

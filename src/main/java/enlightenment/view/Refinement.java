@@ -2,9 +2,8 @@ package enlightenment.view;
 
 import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
-import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
-import enlightenment.render.Renderer;
 import enlightenment.scene.SceneException;
 import java.util.List;
 import java.util.concurrent.CancellationException;
@@ -15,6 +14,7 @@ final class Refinement implements Runnable {
     private static final double NANO = 1e-9;
 
     private final ViewSession session;
+    private final ScenePreparation preparation;
     private final SceneSource source;
     private final int threads;
     private final int samples;
@@ -24,13 +24,21 @@ final class Refinement implements Runnable {
     private double secondsPerPixel = Double.POSITIVE_INFINITY;
 
     /**
+     * @param preparation prepares the scene
      * @param source finds the lines of problems
      * @param threads that share a pass
      * @param samples per pixel after which a picture is finished
      * @param clock nanoseconds
      */
-    Refinement(ViewSession session, SceneSource source, int threads, int samples, LongSupplier clock) {
+    Refinement(
+            ViewSession session,
+            ScenePreparation preparation,
+            SceneSource source,
+            int threads,
+            int samples,
+            LongSupplier clock) {
         this.session = session;
+        this.preparation = preparation;
         this.source = source;
         this.threads = threads;
         this.samples = samples;
@@ -74,12 +82,10 @@ final class Refinement implements Runnable {
         PictureSum sum = new PictureSum();
         PassPlan pass = PassPlan.first(secondsPerPixel, shot.size().pixels());
         while (pass != null && session.isCurrent(shot.generation())) {
+            RenderRequest request = preparation.request(
+                    shot, shot.settings(pass, threads), () -> !session.isCurrent(shot.generation()));
             long start = clock.getAsLong();
-            RenderResult result = Renderer.render(
-                    shot.scene(),
-                    shot.settings(pass, threads),
-                    RenderProgress.NONE,
-                    () -> !session.isCurrent(shot.generation()));
+            RenderResult result = shot.film().render(request);
             if (!result.complete()) {
                 return;
             }

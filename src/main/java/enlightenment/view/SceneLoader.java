@@ -2,6 +2,7 @@ package enlightenment.view;
 
 import enlightenment.file.InputFile;
 import enlightenment.file.WholeFile;
+import enlightenment.render.Film;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.FileNames;
@@ -65,7 +66,7 @@ final class SceneLoader {
         isLoaded = false;
         Scene scene = source.read();
         isLoaded = true;
-        session.loaded(scene);
+        session.loaded(scene, Film.of(1, 1, frame -> scene));
         List<FileStamp> all = new ArrayList<>(stamps.subList(0, 1));
         files = filesOf(scene);
         all.addAll(FileStamp.of(files.subList(1, files.size())));

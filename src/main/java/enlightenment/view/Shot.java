@@ -1,5 +1,6 @@
 package enlightenment.view;
 
+import enlightenment.render.Film;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 
@@ -8,9 +9,10 @@ import enlightenment.scene.Scene;
  *
  * @param generation counts changes; a picture of an older one is out of date
  * @param scene with the camera of the view
+ * @param film what the scene's pictures have in common with those before; another one whenever the file was read
  * @param size of the view
  */
-record Shot(long generation, Scene scene, ViewSize size) {
+record Shot(long generation, Scene scene, Film film, ViewSize size) {
 
     /** The settings of a pass: those of the scene, but for size, samples and random numbers, which differ from pass to pass. */
     RenderSettings settings(PassPlan pass, int threads) {

@@ -16,13 +16,15 @@ final class ViewActions {
 
     private final ViewSession session;
     private final SceneLoader loader;
+    private final ScenePreparation preparation;
 
     /** The scene for which a window's camera has got an aim; null if there is none. */
     private Scene aimed;
 
-    ViewActions(ViewSession session, SceneLoader loader) {
+    ViewActions(ViewSession session, SceneLoader loader, ScenePreparation preparation) {
         this.session = session;
         this.loader = loader;
+        this.preparation = preparation;
     }
 
     /**
@@ -98,7 +100,7 @@ final class ViewActions {
     }
 
     /**
-     * What is seen at a place of the picture. One ray at a time: each compiles the scene.
+     * What is seen at a place of the picture. One ray at a time: it may have to prepare the scene.
      *
      * @param x 0..1 from the left
      * @param y 0..1 from the top
@@ -107,7 +109,7 @@ final class ViewActions {
         Shot shot = session.shot();
         int column = Math.min((int) (x * shot.size().width()), shot.size().width() - 1);
         int row = Math.min((int) (y * shot.size().height()), shot.size().height() - 1);
-        return PixelProbe.of(shot, column, row);
+        return PixelProbe.of(shot, preparation, column, row);
     }
 
     /** A window says nothing about how far away what it shows is: the first motion around it finds out. */

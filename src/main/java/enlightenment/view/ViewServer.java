@@ -46,13 +46,14 @@ final class ViewServer implements Closeable {
     private long pngOf;
 
     /** @param key that requests must bring */
-    ViewServer(ViewSession session, SceneLoader loader, String title, String key, int port, ServerLog log)
+    ViewServer(
+            ViewSession session, SceneLoader loader, ViewActions actions, String title, String key, int port, ServerLog log)
             throws IOException {
         this.session = session;
         this.loader = loader;
         this.title = title;
         this.key = key.getBytes(StandardCharsets.UTF_8);
-        actions = new ViewActions(session, loader);
+        this.actions = actions;
         http = SmallHttp.start(port, this::answer, Thread::new, log, System::nanoTime);
     }
 

@@ -3,6 +3,7 @@ package enlightenment.view;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
+import enlightenment.render.Film;
 import enlightenment.scene.Display;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
@@ -21,6 +22,9 @@ final class ViewSession {
 
     /** The scene as it was read; null until it could be. */
     private Scene scene;
+
+    /** What its pictures have in common; null until there is a scene. */
+    private Film film;
 
     private Viewpoint viewpoint;
     private double exposure;
@@ -87,7 +91,7 @@ final class ViewSession {
     /**
      * Shows a scene that was read. The camera that the user has chosen stays, unless the file's camera has changed; so does the exposure.
      */
-    synchronized void loaded(Scene read) {
+    synchronized void loaded(Scene read, Film of) {
         boolean sameCamera = scene != null && scene.camera().equals(read.camera());
         boolean sameExposure = scene != null && scene.display().equals(read.display());
         if (!sameCamera) {
@@ -99,6 +103,7 @@ final class ViewSession {
         }
         // A moment of a film is looked at: without motion blur it is there at once.
         scene = read.withInstants(List.of());
+        film = of;
         problems = List.of();
         note = "";
         restart();
@@ -215,7 +220,7 @@ final class ViewSession {
     /** What is to be rendered now; there is a scene. */
     synchronized Shot shot() {
         requireScene();
-        return new Shot(generation, Scenes.seenBy(scene, viewpoint.camera()), size());
+        return new Shot(generation, Scenes.seenBy(scene, viewpoint.camera()), film, size());
     }
 
     /** Shows a picture, unless it is out of date. */

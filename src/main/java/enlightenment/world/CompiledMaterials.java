@@ -46,7 +46,7 @@ final class CompiledMaterials {
     private final SceneImages images;
     private final Runnable poll;
     private final Dyes dyes;
-    private final MaterialBsdfs bsdfs = new MaterialBsdfs();
+    private final MaterialBsdfs bsdfs;
 
     /** @param physical the frame if the shading is physical, else null */
     CompiledMaterials(Scene scene, SceneFrame physical, SceneImages images, Runnable poll) {
@@ -55,6 +55,7 @@ final class CompiledMaterials {
         this.images = images;
         this.poll = poll;
         dyes = new Dyes(scene);
+        bsdfs = images.bsdfs();
         for (SceneObject o : scene.objects()) {
             if (o.faces().isEmpty()) {
                 add(o.material());

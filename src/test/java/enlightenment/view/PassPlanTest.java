@@ -14,17 +14,24 @@ class PassPlanTest {
 
     @Test
     void theFirstPassIsTheFinestThatIsThereAtOnce() {
-        assertEquals(8, PassPlan.first(Double.POSITIVE_INFINITY, MEGAPIXEL).shrink());
-        assertEquals(8, PassPlan.first(1, MEGAPIXEL).shrink());
+        assertEquals(32, PassPlan.first(Double.POSITIVE_INFINITY, MEGAPIXEL).shrink());
+        assertEquals(16, PassPlan.first(1, MEGAPIXEL).shrink());
         // 0.4 s for all pixels: 0.1 s at half, 0.025 s at a quarter of the resolution.
         assertEquals(4, PassPlan.first(4e-7, MEGAPIXEL).shrink());
         assertEquals(1, PassPlan.first(1e-8, MEGAPIXEL).shrink());
     }
 
     @Test
+    void smallPicturesAreNotMadeSmallerThanNeeded() {
+        // 384 pixels take no time; 900 do neither at 30 by 30, of 60 by 60 that do.
+        assertEquals(1, PassPlan.first(Double.POSITIVE_INFINITY, 24 * 16).shrink());
+        assertEquals(2, PassPlan.first(Double.POSITIVE_INFINITY, 60 * 60).shrink());
+    }
+
+    @Test
     void resolutionDoublesUntilItIsFullThenSamplesAreAdded() {
         PassPlan pass = PassPlan.first(1, MEGAPIXEL);
-        for (int shrink = 8; shrink > 1; shrink /= 2) {
+        for (int shrink = 16; shrink > 1; shrink /= 2) {
             assertEquals(new PassPlan(shrink, 0, 1, 0), pass);
             pass = pass.next(1, 16);
         }

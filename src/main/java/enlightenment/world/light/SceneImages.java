@@ -9,6 +9,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.surroundings.Surroundings;
 import enlightenment.texture.ImageTexture;
+import enlightenment.world.material.MaterialBsdfs;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -16,8 +17,8 @@ import java.util.Map;
 import java.util.function.Function;
 
 /**
- * The image files of scenes, each read once, for as long as this is kept: what the frames of a film have in common. A file that changes
- * meanwhile is not read again.
+ * The image files of scenes, each read once, for as long as this is kept, and the tables of their materials: what the frames of a film have
+ * in common. A file that changes meanwhile is not read again.
  */
 public final class SceneImages {
     private final Function<Path, byte[]> files;
@@ -29,6 +30,9 @@ public final class SceneImages {
     private Surroundings surroundings;
 
     private Background background;
+
+    /** Those of the last scene. */
+    private MaterialBsdfs bsdfs = new MaterialBsdfs();
 
     private record Key(Path file, Texture.Encoding encoding, boolean isPhysical) {}
 
@@ -111,6 +115,12 @@ public final class SceneImages {
             background = of;
         }
         return surroundings;
+    }
+
+    /** How the materials of the next scene scatter light: what the last one has in common with it is not made again. */
+    public synchronized MaterialBsdfs bsdfs() {
+        bsdfs = bsdfs.next();
+        return bsdfs;
     }
 
     private static ImageTexture load(Texture.File texture, byte[] content) throws IOException {

@@ -22,16 +22,36 @@ import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 
-/** How the materials of a scene scatter light. Those with tables are made once for all materials that differ in colour alone. */
+/**
+ * How the materials of a scene scatter light. Those with tables are made once for all materials that differ in colour alone, and not again for
+ * the scene after. For use by one thread.
+ */
 public final class MaterialBsdfs {
-    private final Map<List<Object>, Bsdf> made = new HashMap<>();
+    private final Map<List<Object>, Bsdf> made = new ConcurrentHashMap<>();
+
+    /** Those of the scene before, which may still be compiled by another thread. */
+    private final Map<List<Object>, Bsdf> earlier;
+
     private final PrincipledLayers layers = new PrincipledLayers();
+
+    public MaterialBsdfs() {
+        this(Map.of());
+    }
+
+    private MaterialBsdfs(Map<List<Object>, Bsdf> earlier) {
+        this.earlier = earlier;
+    }
+
+    /** For another scene, which takes from this one what it needs as well; the rest is not kept. */
+    public MaterialBsdfs next() {
+        return new MaterialBsdfs(made);
+    }
 
     Bsdf of(Material material) {
         if (material instanceof Material.Matte matte) {
@@ -75,7 +95,8 @@ public final class MaterialBsdfs {
         List<Object> all = List.of(key);
         Bsdf known = made.get(all);
         if (known == null) {
-            known = maker.get();
+            Bsdf before = earlier.get(all);
+            known = before == null ? maker.get() : before;
             made.put(all, known);
         }
         return known;

@@ -27,8 +27,14 @@ public final class SmallHttp implements Closeable {
     static final int MAX_HEAD_BYTES = 8 << 10;
     /** How long a request may take to arrive. */
     public static final long REQUEST_TIMEOUT_NANOS = 5_000_000_000L;
-    /** How long an answer may take from the request to its last byte. */
+    /** How long an answer may take from the request to its last byte; a long one takes more. */
     public static final long ANSWER_TIMEOUT_NANOS = 20_000_000_000L;
+
+    /** How much longer it may take for each byte: 64 KiB in a second is a slow connection. */
+    private static final long ANSWER_NANOS_PER_BYTE = 1_000_000_000L >> 16;
+
+    /** Head and body are sent together up to this length. */
+    private static final int SMALL_ANSWER_BYTES = 1 << 20;
 
     private static final int MAX_DRAINED_BYTES = 64 << 10;
     private static final int DRAIN_TIMEOUT_MILLIS = 200;
@@ -150,6 +156,7 @@ public final class SmallHttp implements Closeable {
             Request request = read(socket.getInputStream());
             deadlines.computeIfPresent(socket, (s, old) -> clock.getAsLong() + ANSWER_TIMEOUT_NANOS);
             Answer answer = request == null ? badRequest() : pages.answer(request);
+            deadlines.computeIfPresent(socket, (s, old) -> old + answer.body.length * ANSWER_NANOS_PER_BYTE);
             write(socket.getOutputStream(), answer);
             socket.shutdownOutput();
             answer.sent.run();
@@ -204,9 +211,14 @@ public final class SmallHttp implements Closeable {
                 + "Content-Security-Policy: default-src 'none'; img-src 'self'; connect-src 'self'; style-src 'self'; "
                 + "script-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'\r\n\r\n";
         byte[] first = head.getBytes(StandardCharsets.US_ASCII);
-        byte[] all = Arrays.copyOf(first, first.length + answer.body.length);
-        System.arraycopy(answer.body, 0, all, first.length, answer.body.length);
-        out.write(all);
+        if (answer.body.length > SMALL_ANSWER_BYTES) {
+            out.write(first);
+            out.write(answer.body);
+        } else {
+            byte[] all = Arrays.copyOf(first, first.length + answer.body.length);
+            System.arraycopy(answer.body, 0, all, first.length, answer.body.length);
+            out.write(all);
+        }
         out.flush();
     }
 

@@ -28,26 +28,28 @@ public final class LiveView implements Closeable {
      */
     public record Options(String title, int port, int threads, int samples) {}
 
-    private LiveView(SceneSource source, Options options, ServerLog log) throws IOException {
+    private LiveView(SceneSource source, PictureFiles files, Options options, ServerLog log) throws IOException {
         loader = new SceneLoader(source, session);
         loader.load();
         ScenePreparation preparation = new ScenePreparation();
         // The first picture takes longest: it is begun before anything else.
         start(
                 "view render",
-                new Refinement(
-                        session, preparation, source, options.threads(), options.samples(), System::nanoTime));
+                new Refinement(session, preparation, source, options.threads(), options.samples(), System::nanoTime));
         byte[] bytes = new byte[KEY_BYTES];
         new SecureRandom().nextBytes(bytes);
         key = HexFormat.of().formatHex(bytes);
-        server = served(new ViewActions(session, loader, preparation), options, log);
+        RenderPages renders =
+                new RenderPages(session, new BackgroundRender(session, files, System::nanoTime), options.threads());
+        server = served(new ViewActions(session, loader, preparation, renders), renders, options, log);
         start("view watch", () -> repeat(WATCH_MILLIS, loader::check));
         start("view tick", () -> repeat(TICK_MILLIS, server::check));
     }
 
-    private ViewServer served(ViewActions actions, Options options, ServerLog log) throws IOException {
+    private ViewServer served(ViewActions actions, RenderPages renders, Options options, ServerLog log)
+            throws IOException {
         try {
-            return new ViewServer(session, loader, actions, options.title(), key, options.port(), log);
+            return new ViewServer(session, loader, actions, renders, options.title(), key, options.port(), log);
         } catch (IOException e) {
             session.close();
             throw e;
@@ -57,11 +59,13 @@ public final class LiveView implements Closeable {
     /**
      * Reads the scene and begins to render and to answer, on threads that keep no process from ending.
      *
+     * @param files makes the files of final renders
      * @throws enlightenment.scene.SceneException if the scene cannot be used now
      * @throws IOException if it cannot listen at the port
      */
-    public static LiveView start(SceneSource source, Options options, ServerLog log) throws IOException {
-        return new LiveView(source, options, log);
+    public static LiveView start(SceneSource source, PictureFiles files, Options options, ServerLog log)
+            throws IOException {
+        return new LiveView(source, files, options, log);
     }
 
     private static void start(String name, Runnable work) {

@@ -62,7 +62,7 @@ final class Refinement implements Runnable {
     }
 
     /** A scene that cannot be rendered must not end the view: the next change may mend it. */
-    private void refineSafely(Shot shot) {
+    private void refineSafely(Shot shot) throws InterruptedException {
         try {
             refine(shot);
         } catch (CancellationException e) {
@@ -78,10 +78,11 @@ final class Refinement implements Runnable {
         }
     }
 
-    private void refine(Shot shot) {
+    private void refine(Shot shot) throws InterruptedException {
         PictureSum sum = new PictureSum();
         PassPlan pass = PassPlan.first(secondsPerPixel, shot.size().pixels());
         while (pass != null && session.isCurrent(shot.generation())) {
+            session.awaitProcessors(shot.generation());
             RenderRequest request = preparation.request(
                     shot, shot.settings(pass, threads), () -> !session.isCurrent(shot.generation()));
             long start = clock.getAsLong();

@@ -2,7 +2,9 @@ package enlightenment.view;
 
 import enlightenment.file.InputFile;
 import enlightenment.file.WholeFile;
+import enlightenment.math.InvalidValueException;
 import enlightenment.render.Film;
+import enlightenment.scene.Animation;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.FileNames;
@@ -41,6 +43,9 @@ final class SceneLoader {
 
     private int checksSinceFailure;
 
+    /** The frame that was asked for; empty until one was. */
+    private OptionalInt chosen = OptionalInt.empty();
+
     SceneLoader(SceneSource source, ViewSession session) {
         this.source = source;
         this.session = session;
@@ -65,12 +70,47 @@ final class SceneLoader {
         stamps = FileStamp.of(files);
         isLoaded = false;
         Scene scene = source.read();
+        OptionalInt frame = frameOf(scene);
+        Scene shown = frame.equals(source.frame()) ? scene : source.read(frame.getAsInt());
         isLoaded = true;
-        session.loaded(scene, Film.of(1, 1, frame -> scene));
+        session.loaded(shown, filmOf(scene), frame);
         List<FileStamp> all = new ArrayList<>(stamps.subList(0, 1));
         files = filesOf(scene);
         all.addAll(FileStamp.of(files.subList(1, files.size())));
         stamps = all;
+    }
+
+    /** The frame that was chosen, if the scene still has it; else the one of the source. */
+    private OptionalInt frameOf(Scene scene) {
+        boolean isThere = chosen.isPresent()
+                && scene.animation().isPresent()
+                && chosen.getAsInt() < scene.animation().get().frames();
+        return isThere ? chosen : source.frame();
+    }
+
+    private Film filmOf(Scene scene) {
+        return scene.animation().isPresent()
+                ? Film.of(scene.animation().get(), source::read)
+                : Film.of(1, 1, frame -> scene);
+    }
+
+    /**
+     * Shows a frame of the scene's animation.
+     *
+     * @param frame counted from 0
+     * @throws InvalidValueException if there is no such frame
+     * @throws SceneException if its scene cannot be used
+     */
+    synchronized void show(int frame) {
+        ViewSession.Seen seen = session.seen();
+        int frames = seen.scene().animation().map(Animation::frames).orElse(0);
+        if (frame < 0 || frame >= frames) {
+            throw new InvalidValueException(
+                    "frame", frames == 0 ? "is not there: nothing is animated" : "must be in 0.." + (frames - 1));
+        }
+        Scene scene = seen.film().scene(frame);
+        chosen = OptionalInt.of(frame);
+        session.loaded(scene, seen.film(), chosen);
     }
 
     /**

@@ -1,21 +1,41 @@
 package enlightenment.view;
 
 import enlightenment.camera.Camera;
+import enlightenment.scene.Display;
 import enlightenment.scene.Scene;
+import java.util.List;
 
 /** Variants of scenes. */
 final class Scenes {
     private Scenes() {}
 
+    /**
+     * A scene seen by another camera and with another display, at all moments of its picture. Where the camera is the scene's own, it may move
+     * while the shutter is open.
+     */
+    static Scene seenAs(Scene s, Camera camera, Display display) {
+        if (camera.equals(s.camera())) {
+            return with(s, camera, display).withInstants(s.instants());
+        }
+        List<Scene> instants = s.instants().stream()
+                .map(moment -> with(moment, camera, moment.display()))
+                .toList();
+        return with(s, camera, display).withInstants(instants);
+    }
+
     /** A scene seen by another camera, as it stands. */
     static Scene seenBy(Scene s, Camera camera) {
+        return with(s, camera, s.display());
+    }
+
+    private static Scene with(Scene s, Camera camera, Display display) {
         return new Scene(
                 s.name(),
                 s.width(),
                 s.height(),
                 camera,
                 s.shading(),
-                s.display(),
+                display,
                 s.textures(),
                 s.materials(),
                 s.lights(),

@@ -17,14 +17,16 @@ final class ViewActions {
     private final ViewSession session;
     private final SceneLoader loader;
     private final ScenePreparation preparation;
+    private final RenderPages renders;
 
     /** The scene for which a window's camera has got an aim; null if there is none. */
     private Scene aimed;
 
-    ViewActions(ViewSession session, SceneLoader loader, ScenePreparation preparation) {
+    ViewActions(ViewSession session, SceneLoader loader, ScenePreparation preparation, RenderPages renders) {
         this.session = session;
         this.loader = loader;
         this.preparation = preparation;
+        this.renders = renders;
     }
 
     /**
@@ -67,6 +69,9 @@ final class ViewActions {
                 session.resize((int) number(request, "x", 1, MOST_SIDE), (int) number(request, "y", 1, MOST_SIDE));
             case "aim", "focus" -> pick(action, request);
             case "reset" -> reset();
+            case "frame" -> loader.show((int) number(request, "x", 0, Integer.MAX_VALUE));
+            case "render" -> renders.start(request);
+            case "cancel" -> renders.cancel();
             case "save" -> save();
             default -> throw new BadParameter("there is no such action");
         }

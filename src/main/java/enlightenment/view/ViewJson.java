@@ -4,7 +4,9 @@ import enlightenment.camera.Camera;
 import enlightenment.image.Image;
 import enlightenment.json.JsonText;
 import enlightenment.math.Vec3;
+import enlightenment.scene.Animation;
 import java.util.Locale;
+import java.util.Optional;
 import tools.jackson.core.JsonGenerator;
 
 /** What pages hear of a view, as JSON; docs/guide/view.md describes it. */
@@ -36,6 +38,7 @@ final class ViewJson {
             } else {
                 json.writeNullProperty("exposure");
             }
+            animation(json, s);
             json.writeBooleanProperty("moved", s.isMoved());
             json.writeStringProperty("refusal", refusal);
             json.writeStringProperty("note", s.note());
@@ -44,6 +47,19 @@ final class ViewJson {
             json.writeEndArray();
             json.writeEndObject();
         });
+    }
+
+    private static void animation(JsonGenerator json, ViewSession.Snapshot s) {
+        Optional<Animation> animation =
+                s.scene() == null ? Optional.empty() : s.scene().animation();
+        json.writeNumberProperty("frames", animation.map(Animation::frames).orElse(0));
+        json.writeNumberProperty(
+                "framesPerSecond", animation.map(Animation::framesPerSecond).orElse(0.0));
+        if (s.moment().isPresent()) {
+            json.writeNumberProperty("frame", s.moment().getAsInt());
+        } else {
+            json.writeNullProperty("frame");
+        }
     }
 
     private static void camera(JsonGenerator json, ViewSession.Snapshot s) {

@@ -1,6 +1,7 @@
 package enlightenment.view;
 
 import enlightenment.image.Image;
+import enlightenment.image.ImageFormat;
 import enlightenment.listen.ServerLog;
 import enlightenment.listen.SmallHttp;
 import enlightenment.math.InvalidValueException;
@@ -35,6 +36,7 @@ final class ViewServer implements Closeable {
     private final ViewSession session;
     private final SceneLoader loader;
     private final ViewActions actions;
+    private final RenderPages renders;
     private final String title;
     private final byte[] key;
     private final SmallHttp http;
@@ -47,13 +49,21 @@ final class ViewServer implements Closeable {
 
     /** @param key that requests must bring */
     ViewServer(
-            ViewSession session, SceneLoader loader, ViewActions actions, String title, String key, int port, ServerLog log)
+            ViewSession session,
+            SceneLoader loader,
+            ViewActions actions,
+            RenderPages renders,
+            String title,
+            String key,
+            int port,
+            ServerLog log)
             throws IOException {
         this.session = session;
         this.loader = loader;
         this.title = title;
         this.key = key.getBytes(StandardCharsets.UTF_8);
         this.actions = actions;
+        this.renders = renders;
         http = SmallHttp.start(port, this::answer, Thread::new, log, System::nanoTime);
     }
 
@@ -77,7 +87,7 @@ final class ViewServer implements Closeable {
         switch (request.path()) {
             case "/":
                 return resource("view.html");
-            case "/view.css", "/view.js", "/pointer.js", "/icon.svg":
+            case "/view.css", "/view.js", "/pointer.js", "/render.css", "/render.js", "/film.js", "/icon.svg":
                 return resource(request.path().substring(1));
             default:
                 break;
@@ -108,6 +118,9 @@ final class ViewServer implements Closeable {
                 case "/pixel.json" -> pixel(request);
                 case "/camera.json" -> json(actions.camera());
                 case "/do" -> action(request);
+                case "/render.json" -> renders.status(request, PATIENCE_MILLIS);
+                case "/render.png" -> renders.file(ImageFormat.PNG, "image/png");
+                case "/render.exr" -> renders.file(ImageFormat.EXR, "image/x-exr");
                 default -> SmallHttp.Answer.text(404, "there is no such page\n");
             };
         } catch (BadParameter e) {

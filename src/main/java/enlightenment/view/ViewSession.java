@@ -11,6 +11,7 @@ import enlightenment.scene.SceneException;
 import enlightenment.text.Plain;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.function.UnaryOperator;
 
 /** What a view shows now: scene, viewpoint, size, exposure, and the last picture. All members are safe for several threads. */
@@ -20,8 +21,17 @@ final class ViewSession {
     private static final int MOST_LINES = 20;
     private static final int LONGEST_LINE = 500;
 
-    /** The scene as it was read; null until it could be. */
+    /** Motions so recent mean that the view is in use. */
+    private static final long IN_USE_NANOS = 3_000_000_000L;
+
+    /** A moment of the scene that was read: without motion blur it is there at once. Null until it could be read. */
     private Scene scene;
+
+    /** The scene as it was read. */
+    private Scene whole;
+
+    /** The frame of its animation that it is; empty if it is as the file's own numbers say. */
+    private OptionalInt moment = OptionalInt.empty();
 
     /** What its pictures have in common; null until there is a scene. */
     private Film film;
@@ -51,6 +61,12 @@ final class ViewSession {
     private String note = "";
     private boolean closed;
 
+    /** Whether a final render is under way. */
+    private boolean hasBackground;
+
+    /** When what is to be seen last changed. */
+    private long restarted;
+
     /**
      * All that a page shows.
      *
@@ -58,6 +74,7 @@ final class ViewSession {
      * @param picture counts changes of what is to be seen
      * @param frame the last picture, or null
      * @param size of the view; null until there is a scene
+     * @param moment the frame of the scene's animation that is shown; empty if it is the scene as its file's own numbers say
      * @param problems of the file or of the render, one in a line; the picture is then the last one that could be made
      * @param note of the last action, or ""
      * @param isMoved whether camera or exposure differ from the file's
@@ -71,6 +88,7 @@ final class ViewSession {
             Viewpoint viewpoint,
             ViewSize size,
             double exposure,
+            OptionalInt moment,
             List<String> problems,
             String note,
             boolean isMoved,
@@ -79,6 +97,14 @@ final class ViewSession {
             return scene != null && scene.shading() instanceof PhysicalShading;
         }
     }
+
+    /**
+     * The scene as it is seen now, with motion blur.
+     *
+     * @param film what its pictures have in common
+     * @param moment the frame of its animation; empty if it is as its file's own numbers say
+     */
+    record Seen(Scene scene, Film film, OptionalInt moment) {}
 
     /** The problems of a scene, one in a line, made harmless. */
     static List<String> lines(SceneException e) {
@@ -90,8 +116,11 @@ final class ViewSession {
 
     /**
      * Shows a scene that was read. The camera that the user has chosen stays, unless the file's camera has changed; so does the exposure.
+     *
+     * @param of what pictures of it have in common
+     * @param frame of its animation; empty if it is as the file's own numbers say
      */
-    synchronized void loaded(Scene read, Film of) {
+    synchronized void loaded(Scene read, Film of, OptionalInt frame) {
         boolean sameCamera = scene != null && scene.camera().equals(read.camera());
         boolean sameExposure = scene != null && scene.display().equals(read.display());
         if (!sameCamera) {
@@ -101,9 +130,10 @@ final class ViewSession {
             exposure = read.display().exposure();
             picture++;
         }
-        // A moment of a film is looked at: without motion blur it is there at once.
         scene = read.withInstants(List.of());
+        whole = read;
         film = of;
+        moment = frame;
         problems = List.of();
         note = "";
         restart();
@@ -190,6 +220,7 @@ final class ViewSession {
 
     private void restart() {
         generation++;
+        restarted = System.nanoTime();
         failures = List.of();
         changed();
     }
@@ -223,6 +254,35 @@ final class ViewSession {
         return new Shot(generation, Scenes.seenBy(scene, viewpoint.camera()), film, size());
     }
 
+    /** What a final render is to show; there is a scene. */
+    synchronized Seen seen() {
+        requireScene();
+        Display display = new Display(exposure, whole.display().tone());
+        return new Seen(Scenes.seenAs(whole, viewpoint.camera(), display), film, moment);
+    }
+
+    /** A final render begins or has ended: it has the processors while nothing moves. */
+    synchronized void background(boolean isUnderWay) {
+        hasBackground = isUnderWay;
+        notifyAll();
+    }
+
+    /** Whether what is to be seen has changed lately. */
+    synchronized boolean isInUse() {
+        return System.nanoTime() - restarted < IN_USE_NANOS;
+    }
+
+    /** Waits while a final render is under way and the picture that is wanted is there already, at full resolution. */
+    synchronized void awaitProcessors(long which) throws InterruptedException {
+        while (hasBackground
+                && isCurrent(which)
+                && frame != null
+                && frame.generation() == which
+                && frame.shrink() == 1) {
+            wait();
+        }
+    }
+
     /** Shows a picture, unless it is out of date. */
     synchronized void publish(Frame next) {
         if (isCurrent(next.generation())) {
@@ -254,6 +314,7 @@ final class ViewSession {
                 viewpoint,
                 size(),
                 exposure,
+                moment,
                 all,
                 note,
                 isMoved,

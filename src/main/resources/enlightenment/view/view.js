@@ -1,3 +1,4 @@
+import { film } from "./film.js";
 import { listen, motion, sum } from "./pointer.js";
 
 const at = id => document.getElementById(id);
@@ -99,6 +100,7 @@ function show(s) {
   if (s.note) {
     say(s.note);
   }
+  frames(s);
   if (s.picture && s.picture !== shown) {
     shown = s.picture;
     load(s.picture);
@@ -180,6 +182,7 @@ async function copy() {
 
 const mode = () => document.querySelector("input[name=mode]:checked").value;
 listen(at("stage"), at("picture"), mode, send, pick);
+const frames = film(at("stage"), send);
 at("steps").addEventListener("click", event => {
   const { x, y } = event.target.dataset;
   if (x !== undefined) {

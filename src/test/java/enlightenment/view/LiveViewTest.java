@@ -28,6 +28,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Predicate;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
@@ -93,6 +94,16 @@ class LiveViewTest {
         }
 
         @Override
+        public Scene read(int frame) {
+            return SceneReader.read(file, frame);
+        }
+
+        @Override
+        public OptionalInt frame() {
+            return OptionalInt.empty();
+        }
+
+        @Override
         public SceneException located(SceneException e) {
             return SceneReader.located(e, file);
         }
@@ -106,7 +117,7 @@ class LiveViewTest {
 
     private void begin(int samples) throws Exception {
         LiveView.Options options = new LiveView.Options("scene.json", 0, 2, samples);
-        view = LiveView.start(new Source(), options, new ServerLog(line -> {}, System::nanoTime));
+        view = LiveView.start(new Source(), FileSource.FILES, options, new ServerLog(line -> {}, System::nanoTime));
         String[] parts = view.address().split("#");
         address = parts[0];
         key = parts[1];
@@ -495,6 +506,6 @@ class LiveViewTest {
         Files.writeString(file, "{}");
         LiveView.Options options = new LiveView.Options("", 0, 1, 1);
         ServerLog log = new ServerLog(line -> {}, System::nanoTime);
-        assertThrows(SceneException.class, () -> LiveView.start(new Source(), options, log));
+        assertThrows(SceneException.class, () -> LiveView.start(new Source(), FileSource.FILES, options, log));
     }
 }

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.browser.Browser;
 import enlightenment.listen.ServerLog;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -46,29 +45,9 @@ class ViewPageTest {
     @BeforeEach
     void open() throws Exception {
         file = Files.writeString(folder.resolve("scene.json"), SCENE);
-        SceneSource source = new SceneSource() {
-            @Override
-            public Path file() {
-                return file;
-            }
-
-            @Override
-            public boolean isNative() {
-                return true;
-            }
-
-            @Override
-            public Scene read() {
-                return SceneReader.read(file);
-            }
-
-            @Override
-            public SceneException located(SceneException e) {
-                return e;
-            }
-        };
+        SceneSource source = new FileSource(file);
         LiveView.Options options = new LiveView.Options("<b>scene</b>", 0, 2, 2);
-        view = LiveView.start(source, options, new ServerLog(line -> {}, System::nanoTime));
+        view = LiveView.start(source, FileSource.FILES, options, new ServerLog(line -> {}, System::nanoTime));
         browser.open(view.address());
         untilFinished();
     }

@@ -9,7 +9,6 @@ import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.WholeFile;
 import enlightenment.image.ExrOptions;
 import enlightenment.image.Image;
-import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.image.PngOptions;
 import enlightenment.render.Auxiliary;
@@ -214,11 +213,7 @@ public final class PictureOutput {
             Map<Auxiliary, Image> layers,
             OutputStream out)
             throws IOException {
-        if (format() == ImageFormat.EXR) {
-            ImageFiles.toExr(image, out, ExrOutput.options(depth(), texts, settings, layers));
-        } else {
-            ImageFiles.write(image, out, format(), pngOptions(texts));
-        }
+        PictureBytes.write(image, format(), depth(), texts, settings, layers, out);
     }
 
     /** How PNG files are written, of the picture or beside it. */

@@ -95,7 +95,7 @@ public final class ViewCommand extends Subcommand {
 
     private LiveView start(ViewedFile source, LiveView.Options options, ServerLog log) {
         try {
-            return LiveView.start(source, options, log);
+            return LiveView.start(source, new RenderedFiles(), options, log);
         } catch (IOException e) {
             throw CliException.failed("--port: cannot listen at port " + port + ": " + e.getMessage());
         }

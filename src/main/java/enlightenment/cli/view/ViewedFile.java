@@ -12,6 +12,9 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.view.SceneSource;
 import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.Supplier;
 
 /** The file that a view shows, read anew each time. */
 final class ViewedFile implements SceneSource {
@@ -20,6 +23,9 @@ final class ViewedFile implements SceneSource {
     private final FrameOption frame;
     private final Terminal terminal;
     private final boolean isNative;
+
+    /** The file as it was last read; null before. */
+    private SceneInput input;
 
     ViewedFile(Path file, ForeignOptions foreign, FrameOption frame, Terminal terminal) {
         this.file = file;
@@ -48,10 +54,24 @@ final class ViewedFile implements SceneSource {
     }
 
     @Override
-    public Scene read() {
-        SceneInput input = new SceneInput(file, foreign, terminal);
+    public OptionalInt frame() {
+        return frame.number() == null ? OptionalInt.empty() : OptionalInt.of(frame.number());
+    }
+
+    @Override
+    public synchronized Scene read() {
+        input = new SceneInput(file, foreign, terminal);
+        return located(() -> frame.read(input));
+    }
+
+    @Override
+    public synchronized Scene read(int number) {
+        return located(() -> input.read(Optional.of(number)));
+    }
+
+    private Scene located(Supplier<Scene> reading) {
         try {
-            return frame.read(input);
+            return reading.get();
         } catch (CliException e) {
             throw SceneException.of("", e.getMessage());
         } catch (InvalidValueException e) {

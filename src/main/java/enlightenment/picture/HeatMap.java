@@ -52,6 +52,17 @@ public final class HeatMap {
     }
 
     /**
+     * Any map of numbers, without a scale.
+     *
+     * @param width in pixels
+     * @param height in pixels
+     * @param shares for each pixel, row by row, how far up the scale it is: 0..1, what lies outside gets the colour of the end
+     */
+    public static Image of(int width, int height, float[] shares) {
+        return new Image(width, height, colors(width, height, shares, height));
+    }
+
+    /**
      * The same with a scale below it that runs from 0 to 1 over the picture's width: 15 rows, or 30 from 400 columns on. A
      * picture of less than 32 columns gets none.
      */
@@ -72,18 +83,11 @@ public final class HeatMap {
      * @throws IllegalArgumentException if the labels are too few or have other characters
      */
     public static Image withScale(int width, int height, float[] shares, List<String> labels) {
-        if (shares.length != (long) width * height) {
-            throw new IllegalArgumentException(width + " x " + height + " pixels, but " + shares.length + " numbers");
-        }
         if (labels.size() < 2 || labels.stream().anyMatch(l -> l.chars().anyMatch(c -> SIGNS.indexOf(c) < 0))) {
             throw new IllegalArgumentException("a scale needs two or more numbers, unlike " + labels);
         }
         int rows = Math.addExact(height, scaleRows(width));
-        float[] rgb = new float[Math.multiplyExact(3, Math.multiplyExact(width, rows))];
-        for (int i = 0; i < shares.length; i++) {
-            Magma.write(shares[i], rgb, 3 * i);
-        }
-        return scaled(width, height, rgb, labels);
+        return scaled(width, height, colors(width, height, shares, rows), labels);
     }
 
     private static int scaleRows(int width) {
@@ -140,6 +144,17 @@ public final class HeatMap {
 
     private static int length(String label, int dot) {
         return dot * (label.length() * (DIGIT_WIDTH + 1) - 1);
+    }
+
+    private static float[] colors(int width, int height, float[] shares, int rows) {
+        if (shares.length != (long) width * height) {
+            throw new IllegalArgumentException(width + " x " + height + " pixels, but " + shares.length + " numbers");
+        }
+        float[] rgb = new float[Math.multiplyExact(3, Math.multiplyExact(width, rows))];
+        for (int i = 0; i < shares.length; i++) {
+            Magma.write(shares[i], rgb, 3 * i);
+        }
+        return rgb;
     }
 
     private static float[] colors(Flip flip, int moreRows) {

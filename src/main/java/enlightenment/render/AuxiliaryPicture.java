@@ -14,8 +14,10 @@ import java.util.Locale;
  *
  * @param image the picture: as large as the numbers, but for the scale below the heat maps of error and samples
  * @param explanation what its colours mean, in one line
+ * @param marks the numbers of its scale, spread evenly over it: of error and samples from black to pale yellow, of the depth from white
+ *     to dark grey; empty where there is no scale
  */
-public record AuxiliaryPicture(Image image, String explanation) {
+public record AuxiliaryPicture(Image image, String explanation, List<String> marks) {
     /** The grey of the farthest thing: what is not there is black. */
     private static final double FAR = 0.1;
 
@@ -28,11 +30,29 @@ public record AuxiliaryPicture(Image image, String explanation) {
     private static final double NOTHING_TO_SHOW = 1e-6;
     private static final int MARKS = 4;
 
+    /** Copies the list. */
+    public AuxiliaryPicture {
+        marks = List.copyOf(marks);
+    }
+
+    private AuxiliaryPicture(Image image, String explanation) {
+        this(image, explanation, List.of());
+    }
+
     /** The picture of these numbers. */
     public static AuxiliaryPicture of(Auxiliary kind, Image numbers) {
+        return of(kind, numbers, true);
+    }
+
+    /** As {@link #of}, but without a scale below it: as large as the numbers, for programs that draw a scale of their own. */
+    public static AuxiliaryPicture withoutScale(Auxiliary kind, Image numbers) {
+        return of(kind, numbers, false);
+    }
+
+    private static AuxiliaryPicture of(Auxiliary kind, Image numbers, boolean hasScale) {
         return switch (kind) {
-            case ERROR -> error(numbers);
-            case SAMPLES -> samples(numbers);
+            case ERROR -> error(numbers, hasScale);
+            case SAMPLES -> samples(numbers, hasScale);
             case DEPTH -> depth(numbers);
             case NORMAL -> normal(numbers);
             case POSITION -> position(numbers);
@@ -53,7 +73,15 @@ public record AuxiliaryPicture(Image image, String explanation) {
                 "reflectance of the first surface that is neither mirror nor glass: sRGB, white is 1");
     }
 
-    private static AuxiliaryPicture error(Image numbers) {
+    private static AuxiliaryPicture heat(
+            Image numbers, float[] shares, List<String> marks, String explanation, boolean hasScale) {
+        int width = numbers.width();
+        int height = numbers.height();
+        Image image = hasScale ? HeatMap.withScale(width, height, shares, marks) : HeatMap.of(width, height, shares);
+        return new AuxiliaryPicture(image, explanation, marks);
+    }
+
+    private static AuxiliaryPicture error(Image numbers, boolean hasScale) {
         float[] errors = first(numbers);
         float[] sorted = sortedFinite(errors);
         double most = sorted.length == 0 ? 0 : sorted[sorted.length - 1];
@@ -69,13 +97,12 @@ public record AuxiliaryPicture(Image image, String explanation) {
         for (int i = 0; i < shares.length; i++) {
             shares[i] = Math.min(errors[i] / scale, 1);
         }
-        return new AuxiliaryPicture(
-                HeatMap.withScale(numbers.width(), numbers.height(), shares, labels),
-                String.format(
-                        Locale.ROOT,
-                        "standard deviation, smoothed over 3x3 pixels: magma, 0..%s; largest %.6f",
-                        labels.get(MARKS),
-                        most));
+        String explanation = String.format(
+                Locale.ROOT,
+                "standard deviation, smoothed over 3x3 pixels: magma, 0..%s; largest %.6f",
+                labels.get(MARKS),
+                most);
+        return heat(numbers, shares, labels, explanation, hasScale);
     }
 
     /** The next of 1, 2, 4 times a power of ten: their quarters are short. */
@@ -93,7 +120,7 @@ public record AuxiliaryPicture(Image image, String explanation) {
     }
 
     /** Numbers of samples are powers of two or means between them: so is the scale. */
-    private static AuxiliaryPicture samples(Image numbers) {
+    private static AuxiliaryPicture samples(Image numbers, boolean hasScale) {
         float[] counts = first(numbers);
         float most = 1;
         for (float count : counts) {
@@ -110,10 +137,9 @@ public record AuxiliaryPicture(Image image, String explanation) {
         for (int i = 0; i < shares.length; i++) {
             shares[i] = counts[i] < 1 ? 0 : (float) (log2(counts[i]) / doublings);
         }
-        return new AuxiliaryPicture(
-                HeatMap.withScale(numbers.width(), numbers.height(), shares, labels),
-                "samples per pixel: magma, equal steps for doublings, 1.." + (1L << doublings) + "; most "
-                        + (long) most);
+        String explanation = "samples per pixel: magma, equal steps for doublings, 1.." + (1L << doublings) + "; most "
+                + (long) most;
+        return heat(numbers, shares, labels, explanation, hasScale);
     }
 
     private static double log2(double x) {
@@ -138,7 +164,8 @@ public record AuxiliaryPicture(Image image, String explanation) {
                         + " in the scene's units, linear";
         return new AuxiliaryPicture(
                 new Image(numbers.width(), numbers.height(), rgb),
-                "depth along the ray from the eye: " + range + "; black: nothing there");
+                "depth along the ray from the eye: " + range + "; black: nothing there",
+                sorted.length == 0 ? List.of() : List.of(Float.toString((float) near), Float.toString((float) far)));
     }
 
     private static AuxiliaryPicture normal(Image numbers) {

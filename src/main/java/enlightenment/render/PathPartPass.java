@@ -66,7 +66,11 @@ final class PathPartPass {
 
     /** Follows the paths of a plan, unless it is cancelled: then what is not done stays black. */
     void run(RenderPlan plan, BooleanSupplier cancelled) {
-        double samples = plan.method() == BuiltInMethod.RAYTRACE ? plan.level() : Math.max(plan.samples(), 1);
+        run(plan.method() == BuiltInMethod.RAYTRACE ? plan.level() : Math.max(plan.samples(), 1), cancelled);
+    }
+
+    /** Follows so many paths per pixel, unless it is cancelled: then what is not done stays black. */
+    void run(double samples, BooleanSupplier cancelled) {
         numbers.forEach((part, rgb) -> Workers.run(settings.threads(), grid.tiles(), cancelled, () -> {
             // These rays are no part of the picture, nor of what its report counts.
             RayCounters unread = new RayCounters(scene.kindNames.size());

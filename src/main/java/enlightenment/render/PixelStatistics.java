@@ -2,6 +2,7 @@ package enlightenment.render;
 
 import enlightenment.engine.PictureFilm;
 import enlightenment.image.Image;
+import enlightenment.picture.Neighbourhood;
 import enlightenment.scene.RenderSettings;
 import java.util.Arrays;
 
@@ -30,28 +31,17 @@ final class PixelStatistics {
 
     private Image deviations() {
         float[] variances = film.error().variances();
+        int width = region.width();
+        for (int i = 0; i < variances.length; i++) {
+            if (film.samples(region.x() + i % width, region.y() + i / width) == 0) {
+                variances[i] = Float.NaN;
+            }
+        }
         float[] rgb = new float[3 * variances.length];
-        for (int y = 0; y < region.height(); y++) {
-            for (int x = 0; x < region.width(); x++) {
-                int k = 3 * (y * region.width() + x);
-                Arrays.fill(rgb, k, k + 3, (float) Math.sqrt(meanAround(x, y, variances)));
-            }
+        for (int i = 0; i < variances.length; i++) {
+            double around = Neighbourhood.mean(variances, width, region.height(), i % width, i / width);
+            Arrays.fill(rgb, 3 * i, 3 * i + 3, (float) Math.sqrt(around));
         }
-        return new Image(region.width(), region.height(), rgb);
-    }
-
-    /** The mean variance of the finished pixels among 3×3; infinite where there is none. */
-    private double meanAround(int x, int y, float[] variances) {
-        double sum = 0;
-        int n = 0;
-        for (int row = Math.max(y - 1, 0); row <= Math.min(y + 1, region.height() - 1); row++) {
-            for (int column = Math.max(x - 1, 0); column <= Math.min(x + 1, region.width() - 1); column++) {
-                if (film.samples(region.x() + column, region.y() + row) > 0) {
-                    sum += variances[row * region.width() + column];
-                    n++;
-                }
-            }
-        }
-        return n == 0 ? Double.POSITIVE_INFINITY : sum / n;
+        return new Image(width, region.height(), rgb);
     }
 }

@@ -4,6 +4,7 @@ import enlightenment.engine.FilmPlace;
 import enlightenment.engine.Preview;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
+import enlightenment.math.InvalidValueException;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.MethodDecision;
 import enlightenment.plan.MethodPilot;
@@ -27,6 +28,7 @@ import enlightenment.world.light.SceneImages;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
@@ -122,6 +124,41 @@ public final class Renderer {
                 request.choice().orElseGet(() -> choose(request.scene(), request.settings(), files, cancelled));
         choice.reason().ifPresent(request.progress()::note);
         return render(request.withChoice(choice), choice, files, cancelled);
+    }
+
+    /**
+     * Finds what is requested beside the colours of pixels, without their colours: what takes a ray per pixel, or the beginnings of paths.
+     *
+     * @param request with the number of samples in its budget, which albedo and direct light are the means of, 1 where it has none; archives,
+     *     listener and choice are not used
+     * @return an image for each kind
+     * @throws SceneException if the scene cannot be used
+     * @throws enlightenment.math.InvalidValueException if a setting cannot be used; key {@code auxiliary} if a kind takes the picture, as
+     *     {@link Auxiliary#ERROR}, {@link Auxiliary#SAMPLES} and {@link Auxiliary#INDIRECT} do, or is for other shading
+     * @throws CancellationException if it was cancelled
+     */
+    public static Map<Auxiliary, Image> auxiliary(RenderRequest request) {
+        RenderSettings settings = request.settings();
+        for (Auxiliary kind : request.auxiliary()) {
+            if (kind == Auxiliary.INDIRECT || !kind.needsRays() && !kind.needsPaths()) {
+                throw new InvalidValueException("auxiliary", kind.word() + " is known of rendered pictures only");
+            }
+        }
+        BooleanSupplier cancelled = Cancellation.of(request.cancelled());
+        new FilmChoice(request, request.auxiliary().size()).check();
+        CompiledScene scene = SceneCompiler.compile(request.scene(), settings, new SceneImages(), cancelled);
+        AuxiliaryPass rays = new AuxiliaryPass(scene, settings, request.auxiliary());
+        PathPartPass paths = new PathPartPass(scene, settings, request.auxiliary());
+        rays.run(cancelled);
+        if (paths.isNeeded()) {
+            paths.run(Math.max(settings.budget().samples().orElse(1), 1), cancelled);
+        }
+        if (cancelled.getAsBoolean()) {
+            throw new CancellationException("what pixels show was cancelled");
+        }
+        Map<Auxiliary, Image> images = rays.images();
+        paths.addTo(null, images);
+        return images;
     }
 
     private static RenderResult render(

@@ -10,5 +10,6 @@ import enlightenment.image.Image;
  * @param samples per pixel that it is the mean of
  * @param shrink the side of the squares of pixels that each of its pixels stands for
  * @param isFinal whether there will be no finer one
+ * @param detail what is known of it beside its colours
  */
-record Frame(long generation, Image image, int samples, int shrink, boolean isFinal) {}
+record Frame(long generation, Image image, int samples, int shrink, boolean isFinal, FrameDetail detail) {}

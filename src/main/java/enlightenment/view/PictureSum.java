@@ -1,11 +1,26 @@
 package enlightenment.view;
 
 import enlightenment.image.Image;
+import java.util.Arrays;
+import java.util.Optional;
 
-/** The mean of pictures of one size, each with a weight. For use by one thread. */
+/**
+ * The mean of independent pictures of one size, each with a weight, and how exact it is. For use by one thread.
+ *
+ * <p>The variance of the mean is estimated from the spread of batches: Σ w (x − m)² / ((K − 1) W) for K batches x of weights w, whose sum is
+ * W and whose mean is m. It is unbiased where variances are proportional to 1/w, and for any variances where there are two batches of one
+ * weight. Low-discrepancy samples gain more than that by being many. So a picture as heavy as all before makes these one batch: then all
+ * batches weigh nearly the same, since passes grow by doubling only.
+ */
 final class PictureSum {
     private double[] sums;
     private double weight;
+    private Image mean;
+
+    /** Σ w (x − m)² over the batches, for each component. */
+    private float[] squares;
+
+    private int batches;
 
     /**
      * Adds a picture.
@@ -17,12 +32,38 @@ final class PictureSum {
         float[] rgb = image.toArray();
         if (sums == null) {
             sums = new double[rgb.length];
+            squares = new float[rgb.length];
         }
+        if (samples >= weight) {
+            Arrays.fill(squares, 0);
+            batches = Math.min(batches, 1);
+        }
+        double share = weight * samples / (weight + samples);
+        double before = weight;
         weight += samples;
         for (int i = 0; i < rgb.length; i++) {
+            if (before > 0) {
+                double off = rgb[i] - sums[i] / before;
+                squares[i] += (float) (share * off * off);
+            }
             sums[i] += (double) rgb[i] * samples;
             rgb[i] = (float) (sums[i] / weight);
         }
-        return new Image(image.width(), image.height(), rgb, image.curve());
+        batches++;
+        mean = new Image(image.width(), image.height(), rgb, image.curve());
+        return mean;
+    }
+
+    /** How exact the mean is as it is now; empty with fewer than two pictures. */
+    Optional<PictureNoise> noise() {
+        if (batches < 2) {
+            return Optional.empty();
+        }
+        double factor = 1 / ((batches - 1) * weight);
+        float[] variances = new float[squares.length];
+        for (int i = 0; i < variances.length; i++) {
+            variances[i] = (float) (factor * squares[i]);
+        }
+        return Optional.of(new PictureNoise(mean, variances));
     }
 }

@@ -55,7 +55,8 @@ record PixelProbe(Optional<String> object, Optional<String> material, double dep
         return new Vec3(image.component(0, 0, 0), image.component(0, 0, 1), image.component(0, 0, 2));
     }
 
-    private static Optional<String> object(Scene scene, int index) {
+    /** An object or light by the number that {@link Auxiliary#OBJECT} gives it, in words; empty where there is nothing. */
+    static Optional<String> object(Scene scene, int index) {
         int objects = scene.objects().size();
         if (index < 0 || index >= objects + scene.lights().size()) {
             return Optional.empty();

@@ -1,7 +1,7 @@
 package enlightenment.view;
 
-import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
+import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.SceneException;
@@ -79,24 +79,25 @@ final class Refinement implements Runnable {
     }
 
     private void refine(Shot shot) throws InterruptedException {
-        PictureSum sum = new PictureSum();
+        FrameBuilder builder = new FrameBuilder(shot.generation());
         PassPlan pass = PassPlan.first(secondsPerPixel, shot.size().pixels());
+        long change = clock.getAsLong();
         while (pass != null && session.isCurrent(shot.generation())) {
             session.awaitProcessors(shot.generation());
             RenderRequest request = preparation.request(
-                    shot, shot.settings(pass, threads), () -> !session.isCurrent(shot.generation()));
+                    shot, shot.settings(pass, threads), () -> !session.isCurrent(shot.generation()))
+                    .withAuxiliary(Auxiliary.SAMPLES);
             long start = clock.getAsLong();
             RenderResult result = shot.film().render(request);
             if (!result.complete()) {
                 return;
             }
-            double seconds = (clock.getAsLong() - start) * NANO;
+            long end = clock.getAsLong();
+            double seconds = (end - start) * NANO;
             long pixels = (long) result.image().width() * result.image().height();
             secondsPerPixel = seconds / (pixels * pass.samples());
-            Image image = pass.shrink() > 1 ? result.image() : sum.add(result.image(), pass.samples());
             PassPlan next = pass.next(seconds, samples);
-            session.publish(
-                    new Frame(shot.generation(), image, pass.before() + pass.samples(), pass.shrink(), next == null));
+            session.publish(builder.add(pass, result, next == null, (end - change) * NANO, session.exposure()));
             pass = next;
         }
     }

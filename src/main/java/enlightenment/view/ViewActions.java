@@ -68,6 +68,8 @@ final class ViewActions {
             case "size" ->
                 session.resize((int) number(request, "x", 1, MOST_SIDE), (int) number(request, "y", 1, MOST_SIDE));
             case "aim", "focus" -> pick(action, request);
+            case "keep" -> session.keep();
+            case "forget" -> session.forget();
             case "reset" -> reset();
             case "frame" -> loader.show((int) number(request, "x", 0, Integer.MAX_VALUE));
             case "render" -> renders.start(request);

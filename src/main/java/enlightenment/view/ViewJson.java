@@ -42,6 +42,17 @@ final class ViewJson {
             json.writeBooleanProperty("moved", s.isMoved());
             json.writeStringProperty("refusal", refusal);
             json.writeStringProperty("note", s.note());
+            json.writeBooleanProperty("albedo", s.isLinear());
+            json.writeArrayPropertyStart("layers");
+            for (Layer layer : Layer.values()) {
+                if (LayerPicture.isThere(layer, s)) {
+                    json.writeString(layer.word());
+                }
+            }
+            json.writeEndArray();
+            json.writeNumberProperty("kept", s.kept() == null ? 0 : s.kept().number());
+            json.writeNumberProperty(
+                    "keptSamples", s.kept() == null ? 0 : s.kept().samples());
             json.writeArrayPropertyStart("problems");
             s.problems().forEach(json::writeString);
             json.writeEndArray();
@@ -78,11 +89,12 @@ final class ViewJson {
     /**
      * What a pixel shows.
      *
-     * @param picture the last picture, or null
+     * @param view with the last picture
      * @param x place in the picture, 0..1 from its left
      * @param y place in the picture, 0..1 from its top
      */
-    static String pixel(PixelProbe pixel, Image picture, double x, double y) {
+    static String pixel(PixelProbe pixel, ViewSession.Snapshot view, double x, double y) {
+        Frame frame = view.frame();
         return JsonText.of(json -> {
             json.writeStartObject();
             json.writeStringProperty("object", pixel.object().orElse("nothing"));
@@ -94,18 +106,32 @@ final class ViewJson {
                 vector(json, "point", pixel.point());
                 vector(json, "normal", pixel.normal());
             }
-            if (picture != null) {
+            if (frame != null) {
+                Image picture = frame.image();
                 int column = Math.min((int) (x * picture.width()), picture.width() - 1);
                 int row = Math.min((int) (y * picture.height()), picture.height() - 1);
-                json.writeArrayPropertyStart("value");
-                for (int c = 0; c < 3; c++) {
-                    json.writeNumber(picture.component(column, row, c));
-                }
-                json.writeEndArray();
+                light(json, frame, column, row);
                 json.writeStringProperty("unit", picture.encoding().name().toLowerCase(Locale.ROOT));
             }
             json.writeEndObject();
         });
+    }
+
+    /** What a pixel of the picture is, how exact that is, and how many samples it has. */
+    private static void light(JsonGenerator json, Frame frame, int column, int row) {
+        json.writeArrayPropertyStart("value");
+        for (int c = 0; c < 3; c++) {
+            json.writeNumber(frame.image().component(column, row, c));
+        }
+        json.writeEndArray();
+        frame.detail().noise().ifPresent(noise -> {
+            json.writeArrayPropertyStart("error");
+            for (int c = 0; c < 3; c++) {
+                json.writeNumber((float) noise.deviation(column, row, c));
+            }
+            json.writeEndArray();
+        });
+        json.writeNumberProperty("samples", frame.detail().samples().component(column, row, 0));
     }
 
     /** A vector of floats, with the digits of floats. */

@@ -37,6 +37,7 @@ final class ViewServer implements Closeable {
     private final SceneLoader loader;
     private final ViewActions actions;
     private final RenderPages renders;
+    private final LookPages look;
     private final String title;
     private final byte[] key;
     private final SmallHttp http;
@@ -64,6 +65,7 @@ final class ViewServer implements Closeable {
         this.key = key.getBytes(StandardCharsets.UTF_8);
         this.actions = actions;
         this.renders = renders;
+        look = new LookPages(session);
         http = SmallHttp.start(port, this::answer, Thread::new, log, System::nanoTime);
     }
 
@@ -88,6 +90,7 @@ final class ViewServer implements Closeable {
             case "/":
                 return resource("view.html");
             case "/view.css", "/view.js", "/pointer.js", "/render.css", "/render.js", "/film.js", "/icon.svg":
+            case "/look.css", "/layers.js", "/compare.js", "/convergence.js":
                 return resource(request.path().substring(1));
             default:
                 break;
@@ -121,7 +124,7 @@ final class ViewServer implements Closeable {
                 case "/render.json" -> renders.status(request, PATIENCE_MILLIS);
                 case "/render.png" -> renders.file(ImageFormat.PNG, "image/png");
                 case "/render.exr" -> renders.file(ImageFormat.EXR, "image/x-exr");
-                default -> SmallHttp.Answer.text(404, "there is no such page\n");
+                default -> look.answer(request);
             };
         } catch (BadParameter e) {
             return SmallHttp.Answer.text(400, e.getMessage() + "\n");
@@ -149,6 +152,7 @@ final class ViewServer implements Closeable {
             long after = request.value("after").isEmpty()
                     ? 0
                     : (long) ViewActions.number(request, "after", 0, Long.MAX_VALUE);
+            look.wish(request);
             ViewSession.Snapshot now = session.awaitNewer(after, PATIENCE_MILLIS);
             return json(ViewJson.state(now, title, loader.reasonAgainstSaving(now)));
         } finally {
@@ -179,8 +183,7 @@ final class ViewServer implements Closeable {
         double y = ViewActions.number(request, "y", 0, 1);
         PixelProbe pixel = actions.probe(x, y);
         ViewSession.Snapshot now = session.snapshot();
-        return json(
-                ViewJson.pixel(pixel, now.frame() == null ? null : now.frame().image(), x, y));
+        return json(ViewJson.pixel(pixel, now, x, y));
     }
 
     private SmallHttp.Answer action(SmallHttp.Request request) throws SceneLoader.Refusal {

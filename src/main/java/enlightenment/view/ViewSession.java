@@ -4,6 +4,7 @@ import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Film;
+import enlightenment.render.Auxiliary;
 import enlightenment.scene.Display;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
@@ -12,6 +13,7 @@ import enlightenment.text.Plain;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 
 /** What a view shows now: scene, viewpoint, size, exposure, and the last picture. All members are safe for several threads. */
@@ -67,6 +69,17 @@ final class ViewSession {
     /** When what is to be seen last changed. */
     private long restarted;
 
+    /** What pages look at beside the picture. */
+    private final LayerWishes wishes = new LayerWishes(System::nanoTime);
+
+    /** The picture that others are compared with; null if there is none. */
+    private Kept kept;
+
+    private long keptSoFar;
+
+    /** What was rendered of what pages look at; null if nothing was. */
+    private Layers layers;
+
     /**
      * All that a page shows.
      *
@@ -79,6 +92,8 @@ final class ViewSession {
      * @param note of the last action, or ""
      * @param isMoved whether camera or exposure differ from the file's
      * @param isUpToDate whether the picture shows the camera as it is now
+     * @param kept the picture that others are compared with, or null
+     * @param layers that were rendered last, or null
      */
     record Snapshot(
             long version,
@@ -92,7 +107,9 @@ final class ViewSession {
             List<String> problems,
             String note,
             boolean isMoved,
-            boolean isUpToDate) {
+            boolean isUpToDate,
+            Kept kept,
+            Layers layers) {
         boolean isLinear() {
             return scene != null && scene.shading() instanceof PhysicalShading;
         }
@@ -318,7 +335,72 @@ final class ViewSession {
                 all,
                 note,
                 isMoved,
-                frame != null && frame.generation() == generation);
+                frame != null && frame.generation() == generation,
+                kept,
+                layers);
+    }
+
+    /** A page looks at a layer: renders make what it needs. */
+    synchronized void wish(Layer layer) {
+        wishes.add(layer);
+        notifyAll();
+    }
+
+    /** Ends all wishes, since they cannot be had: pages that still look ask again. */
+    synchronized void clearWishes() {
+        wishes.clear();
+    }
+
+    private Set<Auxiliary> missing() {
+        Set<Auxiliary> wanted = wishes.current();
+        return layers == null || scene == null ? wanted : layers.missing(generation, wanted);
+    }
+
+    /**
+     * Waits until a page looks at something that is not there.
+     *
+     * @return null if the session was closed
+     */
+    synchronized LayerRefinement.Wish awaitWish() throws InterruptedException {
+        while (!closed && (scene == null || missing().isEmpty())) {
+            wait();
+        }
+        return closed ? null : new LayerRefinement.Wish(shot(), missing());
+    }
+
+    /** Shows layers, unless they are out of date. */
+    synchronized void publish(Layers next) {
+        if (isCurrent(next.generation())) {
+            layers = Layers.merged(layers, next);
+            picture++;
+            changed();
+        }
+    }
+
+    /**
+     * Keeps the picture, as it is shown now, for comparison with later ones.
+     *
+     * @throws InvalidValueException if there is none yet
+     */
+    synchronized void keep() {
+        if (frame == null) {
+            throw new InvalidValueException("picture", "is not there yet");
+        }
+        kept = Kept.of(++keptSoFar, frame, shown(snapshot()));
+        note = "";
+        changed();
+    }
+
+    /** Forgets the picture that was kept. */
+    synchronized void forget() {
+        kept = null;
+        note = "";
+        changed();
+    }
+
+    /** At which exposure pictures are shown, in stops. */
+    synchronized double exposure() {
+        return exposure;
     }
 
     /**

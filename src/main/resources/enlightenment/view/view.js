@@ -1,5 +1,8 @@
 import { film } from "./film.js";
 import { listen, motion, sum } from "./pointer.js";
+import * as layers from "./layers.js";
+import * as compare from "./compare.js";
+import * as convergence from "./convergence.js";
 
 const at = id => document.getElementById(id);
 // The key stands behind "#" of the address, which browsers keep to themselves.
@@ -101,31 +104,36 @@ function show(s) {
     say(s.note);
   }
   frames(s);
+  layers.update(s);
   if (s.picture && s.picture !== shown) {
     shown = s.picture;
     load(s.picture);
   }
   fit();
+  compare.update(s);
+  convergence.update(s);
 }
 
 // Pictures are put in place when they are whole, and not before older ones.
 let newest = 0;
 function load(number) {
+  const wanted = layers.current();
   const next = new Image();
   next.onload = () => {
-    if (number > newest) {
+    if (number >= newest && wanted === layers.current()) {
       newest = number;
       at("picture").src = next.src;
       at("picture").hidden = false;
+      compare.arrange();
     }
   };
-  next.src = url("picture.png", { n: number });
+  next.src = layers.address(number);
 }
 
 async function watch() {
   for (let version = 0; ;) {
     try {
-      const answer = await fetch(url("state.json", { after: version }));
+      const answer = await fetch(url("state.json", { after: version, ...layers.query() }));
       if (answer.status === 403) {
         say("The key is missing or wrong: open the address that the command printed.");
         return;
@@ -148,6 +156,7 @@ async function watch() {
 
 async function pick(x, y) {
   chosen = { x, y };
+  layers.read(x, y);
   const answer = await fetch(url("pixel.json", chosen));
   if (!answer.ok) {
     say((await answer.text()).trim());
@@ -157,7 +166,8 @@ async function pick(x, y) {
   const vector = v => v.map(c => Number(c.toPrecision(6))).join(", ");
   const facts = [["object", p.object], ["material", p.material], ["point", p.point && vector(p.point)],
     ["normal", p.normal && vector(p.normal)], ["depth", p.depth && Number(p.depth.toPrecision(6))],
-    [p.unit === "linear" ? "radiance" : "colour", p.value && vector(p.value)]];
+    [p.unit === "linear" ? "radiance" : "colour", p.value && vector(p.value)],
+    ["standard error", p.error && "\u00b1 " + p.error.map(c => Number(c.toPrecision(2))).join(", ")], ["samples", p.samples]];
   at("facts").replaceChildren(...facts.filter(f => f[1] !== undefined).flatMap(([name, value]) => {
     const term = document.createElement("dt");
     term.textContent = name;
@@ -196,6 +206,10 @@ at("save").addEventListener("click", () => send({ action: "save" }));
 at("copy").addEventListener("click", copy);
 at("aim").addEventListener("click", () => chosen && send({ action: "aim", ...chosen, replaces: true }));
 at("focus").addEventListener("click", () => chosen && send({ action: "focus", ...chosen, replaces: true }));
+
+layers.start(url, () => state && state.picture && load(state.picture));
+compare.start(url, send);
+convergence.start(url);
 
 let resized = 0;
 new ResizeObserver(() => {

@@ -1,0 +1,65 @@
+package enlightenment.view;
+
+import enlightenment.color.DisplayCurve;
+import enlightenment.color.Encoding;
+import enlightenment.image.Image;
+import enlightenment.render.Auxiliary;
+import enlightenment.render.RenderResult;
+import java.util.List;
+import java.util.Optional;
+
+/** Makes the pictures of one {@link Shot} from the results of its passes. For use by one thread. */
+final class FrameBuilder {
+    private final long generation;
+    private final PictureSum sum = new PictureSum();
+    private float[] samples;
+    private int shrink;
+    private List<ErrorPoint> errors = List.of();
+
+    /** @param generation of the shot */
+    FrameBuilder(long generation) {
+        this.generation = generation;
+    }
+
+    /**
+     * The picture after a pass.
+     *
+     * @param result with the samples of each pixel
+     * @param isFinal whether it is the last one
+     * @param seconds since the change, greater than 0
+     * @param exposure at which the picture is shown now
+     */
+    Frame add(PassPlan pass, RenderResult result, boolean isFinal, double seconds, double exposure) {
+        if (pass.shrink() != shrink) {
+            shrink = pass.shrink();
+            samples = null;
+        }
+        Image counts = count(result.auxiliary().get(Auxiliary.SAMPLES));
+        Image image = shrink > 1 ? result.image() : sum.add(result.image(), pass.samples());
+        Optional<PictureNoise> noise = shrink > 1 ? Optional.empty() : sum.noise();
+        int all = pass.before() + pass.samples();
+        noise.ifPresent(n -> errors =
+                ErrorPoint.with(errors, new ErrorPoint(seconds, all, n.rmse(curve(image, exposure)), exposure)));
+        FrameDetail detail = new FrameDetail(counts, noise, errors, seconds);
+        return new Frame(generation, image, all, shrink, isFinal, detail);
+    }
+
+    /** The samples of all passes. */
+    private Image count(Image more) {
+        float[] added = more.toArray();
+        if (samples != null) {
+            for (int i = 0; i < added.length; i++) {
+                added[i] += samples[i];
+            }
+        }
+        samples = added;
+        return new Image(more.width(), more.height(), added);
+    }
+
+    /** How a screen shows a picture at an exposure. */
+    static DisplayCurve curve(Image image, double exposure) {
+        return image.encoding() == Encoding.DISPLAY
+                ? image.curve()
+                : image.curve().withExposure(exposure);
+    }
+}

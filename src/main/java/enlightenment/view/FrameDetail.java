@@ -1,0 +1,19 @@
+package enlightenment.view;
+
+import enlightenment.image.Image;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What is known of a picture beside its colours.
+ *
+ * @param samples of each pixel so far, as {@link enlightenment.render.Auxiliary#SAMPLES} has them
+ * @param noise how exact it is; empty before the second pass
+ * @param errors how exact it was after each pass, by time
+ * @param seconds since the change that it shows
+ */
+record FrameDetail(Image samples, Optional<PictureNoise> noise, List<ErrorPoint> errors, double seconds) {
+    FrameDetail {
+        errors = List.copyOf(errors);
+    }
+}

@@ -1,0 +1,69 @@
+package enlightenment.view;
+
+import enlightenment.render.Auxiliary;
+import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Scene;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** What a page can show of each pixel. */
+enum Layer {
+    /** The picture itself. */
+    PICTURE(null),
+
+    /** Reflectance of the first surface that is neither mirror nor glass; physical shading only. */
+    ALBEDO(Auxiliary.ALBEDO),
+
+    /** Unit normal of the first surface, on the viewer's side. */
+    NORMAL(Auxiliary.NORMAL),
+
+    /** Distance from the eye along the ray, in scene units. */
+    DEPTH(Auxiliary.DEPTH),
+
+    /** Objects and lights in false colours. */
+    OBJECT(Auxiliary.OBJECT),
+
+    /** Materials in false colours. */
+    MATERIAL(Auxiliary.OBJECT),
+
+    /** Standard error of the displayed colour, as the passes' spread shows it. */
+    ERROR(null),
+
+    /** Number of samples. */
+    SAMPLES(null),
+
+    /** Root mean square of the components' displayed difference from the picture that was kept. */
+    DIFFERENCE(null);
+
+    private final Auxiliary source;
+
+    Layer(Auxiliary source) {
+        this.source = source;
+    }
+
+    /** What renders make for it beside the picture; empty where the picture and its passes suffice. */
+    Optional<Auxiliary> source() {
+        return Optional.ofNullable(source);
+    }
+
+    /** Its name in small letters, as in requests. */
+    String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Whether a scene has it. */
+    boolean isOf(Scene scene) {
+        return this != ALBEDO || scene.shading() instanceof PhysicalShading;
+    }
+
+    /** @throws BadParameter if there is none of this name */
+    static Layer of(String word) {
+        return Arrays.stream(values())
+                .filter(layer -> layer.word().equals(word))
+                .findFirst()
+                .orElseThrow(() -> new BadParameter("layer must be one of "
+                        + Arrays.stream(values()).map(Layer::word).collect(Collectors.joining(", "))));
+    }
+}

@@ -1,0 +1,171 @@
+package enlightenment.view;
+
+import enlightenment.image.Image;
+import enlightenment.render.Auxiliary;
+import enlightenment.render.AuxiliaryPicture;
+import enlightenment.scene.Scene;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.IntFunction;
+
+/**
+ * A layer of a picture as a page shows it.
+ *
+ * @param numbers of each pixel: all components alike, but of albedo and normals
+ * @param image as large as the picture
+ * @param explanation what its colours mean
+ * @param marks the numbers of its scale, spread evenly; empty where there is none
+ * @param names of the objects or materials that the numbers stand for; of other layers null
+ * @param legend what false colours stand for
+ * @param rmse of all pixels, in displayed units: of the error estimated, of a difference measured; else empty
+ * @param noise what the estimated errors of both pictures let a difference come to; else empty
+ */
+record LayerPicture(
+        Image numbers,
+        Image image,
+        String explanation,
+        List<String> marks,
+        IntFunction<String> names,
+        Legend legend,
+        OptionalDouble rmse,
+        OptionalDouble noise) {
+
+    /** A layer that is not there, with the reason in words. */
+    static final class Missing extends Exception {
+        private static final long serialVersionUID = 1;
+
+        Missing(String message) {
+            super(message);
+        }
+    }
+
+    /** Whether {@link #of} has it. */
+    static boolean isThere(Layer layer, ViewSession.Snapshot view) {
+        Frame frame = view.frame();
+        return switch (layer) {
+            case PICTURE, SAMPLES -> frame != null;
+            case ALBEDO, NORMAL, DEPTH, OBJECT, MATERIAL ->
+                view.layers() != null
+                        && view.layers().image(layer.source().orElseThrow()).isPresent();
+            case ERROR -> frame != null && frame.detail().noise().isPresent();
+            case DIFFERENCE ->
+                frame != null && view.kept() != null && view.kept().isComparable(frame.image());
+        };
+    }
+
+    /**
+     * A layer as it was rendered last.
+     *
+     * @param layer any but the picture itself
+     * @param materials of the scene of the layers; used by {@link Layer#MATERIAL} alone
+     * @throws Missing if it is not there, or not yet
+     */
+    static LayerPicture of(Layer layer, ViewSession.Snapshot view, MaterialIndex materials) throws Missing {
+        if (!isThere(layer, view)) {
+            throw new Missing(layer.word() + " is not there yet");
+        }
+        return switch (layer) {
+            case PICTURE -> throw new IllegalArgumentException("the picture is no layer of itself");
+            case ALBEDO, NORMAL, DEPTH -> plain(layer.source().orElseThrow(), numbers(layer, view));
+            case OBJECT -> {
+                Scene scene = view.layers().scene();
+                yield named(layer, numbers(layer, view), n -> PixelProbe.object(scene, n)
+                        .orElseThrow());
+            }
+            case MATERIAL -> named(layer, materials(numbers(layer, view), materials), materials::name);
+            case SAMPLES -> plain(Auxiliary.SAMPLES, view.frame().detail().samples());
+            case ERROR -> error(view.frame(), view.exposure());
+            case DIFFERENCE -> difference(view);
+        };
+    }
+
+    private static Image numbers(Layer layer, ViewSession.Snapshot view) {
+        return view.layers().image(layer.source().orElseThrow()).orElseThrow();
+    }
+
+    private static LayerPicture plain(Auxiliary kind, Image numbers) {
+        AuxiliaryPicture shown = AuxiliaryPicture.withoutScale(kind, numbers);
+        return new LayerPicture(
+                numbers,
+                shown.image(),
+                shown.explanation(),
+                shown.marks(),
+                null,
+                Legend.NONE,
+                OptionalDouble.empty(),
+                OptionalDouble.empty());
+    }
+
+    private static LayerPicture named(Layer layer, Image numbers, IntFunction<String> names) {
+        Image image = AuxiliaryPicture.withoutScale(Auxiliary.OBJECT, numbers).image();
+        return new LayerPicture(
+                numbers,
+                image,
+                "one colour for each " + layer.word() + "; black: nothing there",
+                List.of(),
+                names,
+                Legend.of(numbers, image, names),
+                OptionalDouble.empty(),
+                OptionalDouble.empty());
+    }
+
+    private static Image materials(Image objects, MaterialIndex materials) {
+        float[] numbers = objects.toArray();
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = materials.of((int) numbers[i]);
+        }
+        return new Image(objects.width(), objects.height(), numbers);
+    }
+
+    private static LayerPicture error(Frame frame, double exposure) {
+        PictureNoise noise = frame.detail().noise().orElseThrow();
+        Image numbers = noise.map(FrameBuilder.curve(frame.image(), exposure));
+        double rmse = noise.rmse(FrameBuilder.curve(frame.image(), exposure));
+        AuxiliaryPicture shown = AuxiliaryPicture.withoutScale(Auxiliary.ERROR, numbers);
+        return new LayerPicture(
+                numbers,
+                shown.image(),
+                "estimated standard error, as displayed, over 3 x 3 pixels",
+                shown.marks(),
+                null,
+                Legend.NONE,
+                OptionalDouble.of(rmse),
+                OptionalDouble.empty());
+    }
+
+    private static LayerPicture difference(ViewSession.Snapshot view) {
+        Kept kept = view.kept();
+        Image now = ViewSession.shown(view);
+        Image numbers = kept.difference(now);
+        AuxiliaryPicture shown = AuxiliaryPicture.withoutScale(Auxiliary.ERROR, numbers);
+        OptionalDouble noise = view.frame()
+                .detail()
+                .noise()
+                .filter(n -> kept.rmse().isPresent())
+                .map(n -> OptionalDouble.of(
+                        Math.hypot(n.rmse(now.curve()), kept.rmse().getAsDouble())))
+                .orElse(OptionalDouble.empty());
+        return new LayerPicture(
+                numbers,
+                shown.image(),
+                "difference from A, as displayed, each pixel's mean over its components",
+                shown.marks(),
+                null,
+                Legend.NONE,
+                OptionalDouble.of(rootMeanSquare(numbers)),
+                noise);
+    }
+
+    private static double rootMeanSquare(Image numbers) {
+        double sum = 0;
+        for (int y = 0; y < numbers.height(); y++) {
+            double row = 0;
+            for (int x = 0; x < numbers.width(); x++) {
+                double value = numbers.component(x, y, 0);
+                row += value * value;
+            }
+            sum += row;
+        }
+        return Math.sqrt(sum / ((double) numbers.width() * numbers.height()));
+    }
+}

@@ -1,0 +1,86 @@
+package enlightenment.view;
+
+import enlightenment.image.Image;
+import enlightenment.math.InvalidValueException;
+import enlightenment.render.Auxiliary;
+import enlightenment.render.RenderRequest;
+import enlightenment.render.Renderer;
+import enlightenment.scene.SceneException;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+
+/**
+ * Renders the layers that pages look at, beside the picture, so that they need not wait for its passes: at a quarter of the resolution, then
+ * whole. Runs on a thread of its own.
+ */
+final class LayerRefinement implements Runnable {
+    /** Sides of squares of pixels, in their order. */
+    private static final int[] SHRINKS = {4, 1};
+
+    /** Of albedo: the mean over a pixel with an edge or a texture in it. */
+    private static final int SAMPLES = 4;
+
+    private final ViewSession session;
+    private final SceneSource source;
+    private final int threads;
+
+    /**
+     * @param source finds the lines of problems
+     * @param threads that share a render
+     */
+    LayerRefinement(ViewSession session, SceneSource source, int threads) {
+        this.session = session;
+        this.source = source;
+        this.threads = threads;
+    }
+
+    /** Layers of a view that are to be rendered. */
+    record Wish(Shot shot, Set<Auxiliary> kinds) {}
+
+    @Override
+    public void run() {
+        try {
+            for (Wish wish = session.awaitWish(); wish != null; wish = session.awaitWish()) {
+                refineSafely(wish);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Pages that still look ask again: what fails is not tried without end. */
+    private void refineSafely(Wish wish) {
+        long generation = wish.shot().generation();
+        List<String> problems;
+        try {
+            refine(wish);
+            return;
+        } catch (CancellationException e) {
+            return;
+        } catch (SceneException e) {
+            problems = ViewSession.lines(source.located(e));
+        } catch (InvalidValueException e) {
+            problems = List.of(e.getMessage());
+        } catch (OutOfMemoryError e) {
+            problems = List.of("out of memory: a smaller window, or java -Xmx, may help");
+        } catch (RuntimeException e) {
+            problems = List.of("internal error: " + e);
+        }
+        session.clearWishes();
+        session.failed(generation, problems);
+    }
+
+    private void refine(Wish wish) {
+        Shot shot = wish.shot();
+        for (int shrink : SHRINKS) {
+            RenderRequest request = RenderRequest.of(
+                            shot.scene(), shot.settings(new PassPlan(shrink, 0, SAMPLES, 0), threads))
+                    .withCancelled(() -> !session.isCurrent(shot.generation()))
+                    .withAuxiliary(wish.kinds());
+            Map<Auxiliary, Image> images = Renderer.auxiliary(request);
+            session.publish(new Layers(shot.generation(), shot.scene(), shrink, images));
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package enlightenment.view;
+
+import enlightenment.image.Image;
+import enlightenment.json.JsonText;
+import java.util.List;
+
+/** What {@link LookPages} answers, as JSON; docs/view.md describes it. */
+final class LookJson {
+    private LookJson() {}
+
+    /** What a layer shows. */
+    static String layer(Layer layer, LayerPicture picture) {
+        return JsonText.of(json -> {
+            json.writeStartObject();
+            json.writeStringProperty("layer", layer.word());
+            json.writeStringProperty("explanation", picture.explanation());
+            json.writeArrayPropertyStart("marks");
+            picture.marks().forEach(json::writeString);
+            json.writeEndArray();
+            json.writeArrayPropertyStart("legend");
+            for (Legend.Entry entry : picture.legend().entries()) {
+                json.writeStartObject();
+                json.writeStringProperty("name", entry.name());
+                json.writeStringProperty("color", entry.color());
+                json.writeNumberProperty("share", entry.share());
+                json.writeEndObject();
+            }
+            json.writeEndArray();
+            json.writeNumberProperty("more", picture.legend().more());
+            picture.rmse().ifPresent(v -> json.writeNumberProperty("rmse", v));
+            picture.noise().ifPresent(v -> json.writeNumberProperty("noise", v));
+            json.writeEndObject();
+        });
+    }
+
+    /** What is at a place, by its name. */
+    static String name(String name) {
+        return JsonText.of(json -> {
+            json.writeStartObject();
+            json.writeStringProperty("name", name);
+            json.writeEndObject();
+        });
+    }
+
+    /** The numbers at a place; none where one is not finite. */
+    static String values(Image numbers, int components, int x, int y) {
+        return JsonText.of(json -> {
+            json.writeStartObject();
+            json.writeArrayPropertyStart("values");
+            for (int c = 0; c < components && Float.isFinite(numbers.component(x, y, c)); c++) {
+                json.writeNumber(numbers.component(x, y, c));
+            }
+            json.writeEndArray();
+            json.writeEndObject();
+        });
+    }
+
+    /** How exact the picture was, by time. */
+    static String convergence(List<ErrorPoint> points) {
+        return JsonText.of(json -> {
+            json.writeStartObject();
+            json.writeArrayPropertyStart("points");
+            for (ErrorPoint p : points) {
+                json.writeStartObject();
+                json.writeNumberProperty("seconds", p.seconds());
+                json.writeNumberProperty("samples", p.samples());
+                json.writeNumberProperty("error", p.rmse());
+                json.writeEndObject();
+            }
+            json.writeEndArray();
+            json.writeEndObject();
+        });
+    }
+}

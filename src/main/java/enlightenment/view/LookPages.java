@@ -1,0 +1,158 @@
+package enlightenment.view;
+
+import enlightenment.image.Image;
+import enlightenment.listen.SmallHttp;
+import enlightenment.scene.Scene;
+import enlightenment.status.QuickPng;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+
+/** Answers about what a picture shows beside its colours: layers, the picture that was kept, how exact it is. Safe for several threads. */
+final class LookPages {
+    private final ViewSession session;
+
+    /** The layers of the last picture that were asked for. */
+    private final Map<Layer, LayerPicture> made = new EnumMap<>(Layer.class);
+
+    /** What they were made of. */
+    private long madeOf;
+
+    private Kept comparedWith;
+
+    private MaterialIndex materials;
+
+    /** The scene whose materials they are. */
+    private Scene indexed;
+
+    LookPages(ViewSession session) {
+        this.session = session;
+    }
+
+    /**
+     * An answer.
+     *
+     * @throws BadParameter if the request says no layer or place
+     */
+    SmallHttp.Answer answer(SmallHttp.Request request) throws IOException {
+        try {
+            return switch (request.path()) {
+                case "/layer.png" -> png(layer(request).image());
+                case "/layer.json" -> json(LookJson.layer(wanted(request), layer(request)));
+                case "/value.json" -> value(request);
+                case "/kept.png" -> kept();
+                case "/convergence.json" -> convergence();
+                default -> SmallHttp.Answer.text(404, "there is no such page\n");
+            };
+        } catch (LayerPicture.Missing e) {
+            return SmallHttp.Answer.text(404, e.getMessage() + "\n");
+        }
+    }
+
+    /** Notes what a page looks at, if its request says so. */
+    void wish(SmallHttp.Request request) {
+        if (request.value("layer").isPresent()) {
+            Layer layer = Layer.of(request.value("layer").get());
+            ViewSession.Snapshot now = session.snapshot();
+            if (now.scene() != null && layer.isOf(now.scene())) {
+                session.wish(layer);
+            }
+        }
+    }
+
+    private static Layer wanted(SmallHttp.Request request) {
+        Layer layer = Layer.of(request.value("layer").orElse(""));
+        if (layer == Layer.PICTURE) {
+            throw new BadParameter("the picture is at picture.png");
+        }
+        return layer;
+    }
+
+    private LayerPicture layer(SmallHttp.Request request) throws LayerPicture.Missing {
+        return layer(wanted(request), session.snapshot());
+    }
+
+    private LayerPicture layer(Layer layer, ViewSession.Snapshot now) throws LayerPicture.Missing {
+        if (now.scene() != null && !layer.isOf(now.scene())) {
+            throw new LayerPicture.Missing(layer.word() + " is for physical shading");
+        }
+        session.wish(layer);
+        return made(layer, now);
+    }
+
+    /** One thread at a time: the others then find what it has made. */
+    private synchronized LayerPicture made(Layer layer, ViewSession.Snapshot now) throws LayerPicture.Missing {
+        if (madeOf != now.picture() || comparedWith != now.kept()) {
+            made.clear();
+            madeOf = now.picture();
+            comparedWith = now.kept();
+        }
+        if (layer == Layer.MATERIAL
+                && now.layers() != null
+                && indexed != now.layers().scene()) {
+            indexed = now.layers().scene();
+            materials = new MaterialIndex(indexed);
+        }
+        LayerPicture picture = made.get(layer);
+        if (picture == null) {
+            picture = LayerPicture.of(layer, now, materials);
+            made.put(layer, picture);
+        }
+        return picture;
+    }
+
+    private SmallHttp.Answer value(SmallHttp.Request request) throws LayerPicture.Missing {
+        double x = ViewActions.number(request, "x", 0, 1);
+        double y = ViewActions.number(request, "y", 0, 1);
+        Layer layer = wanted(request);
+        ViewSession.Snapshot now = session.snapshot();
+        LayerPicture picture = layer(layer, now);
+        Image numbers = picture.numbers();
+        int column = Math.min((int) (x * numbers.width()), numbers.width() - 1);
+        int row = Math.min((int) (y * numbers.height()), numbers.height() - 1);
+        if (picture.names() != null) {
+            int number = (int) numbers.component(column, row, 0);
+            return json(LookJson.name(number < 0 ? "nothing" : picture.names().apply(number)));
+        }
+        return json(LookJson.values(numbers, layer == Layer.ALBEDO || layer == Layer.NORMAL ? 3 : 1, column, row));
+    }
+
+    private SmallHttp.Answer kept() throws IOException, LayerPicture.Missing {
+        Kept kept = session.snapshot().kept();
+        if (kept == null) {
+            throw new LayerPicture.Missing("there is no picture A");
+        }
+        return png(kept.image());
+    }
+
+    /** Errors are for an exposure: after a change of it, of the picture as it is only. */
+    private SmallHttp.Answer convergence() {
+        ViewSession.Snapshot now = session.snapshot();
+        List<ErrorPoint> points = new ArrayList<>();
+        if (now.frame() != null) {
+            FrameDetail detail = now.frame().detail();
+            detail.errors().stream().filter(p -> p.exposure() == now.exposure()).forEach(points::add);
+            int last = detail.errors().size() - 1;
+            if (last >= 0 && detail.errors().get(last).exposure() != now.exposure()) {
+                detail.noise()
+                        .ifPresent(n -> points.add(new ErrorPoint(
+                                detail.seconds(),
+                                now.frame().samples(),
+                                n.rmse(FrameBuilder.curve(now.frame().image(), now.exposure())),
+                                now.exposure())));
+            }
+        }
+        return json(LookJson.convergence(points));
+    }
+
+    private static SmallHttp.Answer png(Image image) throws IOException {
+        return new SmallHttp.Answer(200, "image/png", QuickPng.of(image));
+    }
+
+    private static SmallHttp.Answer json(String text) {
+        return new SmallHttp.Answer(200, "application/json", text.getBytes(StandardCharsets.UTF_8));
+    }
+}

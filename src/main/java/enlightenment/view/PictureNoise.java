@@ -1,0 +1,92 @@
+package enlightenment.view;
+
+import enlightenment.color.DisplayCurve;
+import enlightenment.image.Image;
+import enlightenment.picture.Neighbourhood;
+import java.util.Arrays;
+
+/**
+ * How exact the mean of several passes is, estimated from their spread. A component's standard error s is that of its mean m; what a screen
+ * shows of it is half of what the display curve makes of m + s less what it makes of m − s.
+ */
+final class PictureNoise {
+    private final Image mean;
+
+    /** Estimated variance of each component of the mean. */
+    private final float[] variances;
+
+    /**
+     * @param mean of all passes
+     * @param variances estimated, of each component of the mean; taken over, not copied
+     */
+    PictureNoise(Image mean, float[] variances) {
+        this.mean = mean;
+        this.variances = variances;
+    }
+
+    int width() {
+        return mean.width();
+    }
+
+    int height() {
+        return mean.height();
+    }
+
+    /** The standard error of a component, in the picture's own units: the root of the mean variance of the 3×3 pixels around it. */
+    double deviation(int x, int y, int c) {
+        double sum = 0;
+        int n = 0;
+        for (int row = Math.max(y - 1, 0); row <= Math.min(y + 1, height() - 1); row++) {
+            for (int column = Math.max(x - 1, 0); column <= Math.min(x + 1, width() - 1); column++) {
+                sum += variances[3 * (row * width() + column) + c];
+                n++;
+            }
+        }
+        return Math.sqrt(sum / n);
+    }
+
+    /** The estimated root mean square error over all pixels and components, in displayed units 0..1. */
+    double rmse(DisplayCurve curve) {
+        double sum = 0;
+        for (int y = 0; y < height(); y++) {
+            double row = 0;
+            for (int x = 0; x < width(); x++) {
+                row += displayedVariance(x, y, curve);
+            }
+            sum += row;
+        }
+        return Math.sqrt(sum / ((double) width() * height()));
+    }
+
+    /**
+     * The standard error of each pixel in displayed units, as {@link enlightenment.render.Auxiliary#ERROR} has it: the root of the mean
+     * variance over the components of the 3×3 pixels around it.
+     */
+    Image map(DisplayCurve curve) {
+        int n = width() * height();
+        float[] displayed = new float[n];
+        for (int i = 0; i < n; i++) {
+            displayed[i] = (float) displayedVariance(i % width(), i / width(), curve);
+        }
+        float[] rgb = new float[3 * n];
+        for (int i = 0; i < n; i++) {
+            double around = Neighbourhood.mean(displayed, width(), height(), i % width(), i / width());
+            Arrays.fill(rgb, 3 * i, 3 * i + 3, (float) Math.sqrt(around));
+        }
+        return new Image(width(), height(), rgb);
+    }
+
+    /** The mean over the components of a pixel. */
+    private double displayedVariance(int x, int y, DisplayCurve curve) {
+        double sum = 0;
+        for (int c = 0; c < 3; c++) {
+            double m = mean.component(x, y, c);
+            double s = Math.sqrt(variances[3 * (y * width() + x) + c]);
+            if (s > 0) {
+                double shown = (curve.nearly(m + s) - curve.nearly(m - s)) / 2;
+                sum += shown * shown;
+            }
+        }
+        return sum / 3;
+    }
+}

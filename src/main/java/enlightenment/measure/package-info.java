@@ -1,5 +1,5 @@
 /**
  * Measures speed: {@link enlightenment.measure.Bench} of one setting, {@link enlightenment.measure.Trade} against accuracy, for each
- * method over a series of budgets and against a converged reference. {@code docs/guide/trade.md} explains how.
+ * method over a series of budgets and against a converged reference. {@code docs/notes/trade.md} explains how.
  */
 package enlightenment.measure;

@@ -22,7 +22,7 @@ import java.util.Locale;
 import java.util.Optional;
 import tools.jackson.core.JsonGenerator;
 
-/** A trade as JSON; docs/guide/trade.md lists the keys. The single runs are in {@code trade.csv}. */
+/** A trade as JSON; docs/notes/trade.md lists the keys. The single runs are in {@code trade.csv}. */
 final class TradeJson {
     private TradeJson() {}
 

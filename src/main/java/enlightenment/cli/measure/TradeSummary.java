@@ -8,7 +8,7 @@ import java.util.Locale;
 
 /**
  * The errors at which at least two methods were measured, and the time that each of them took, as comma-separated values: a line for each.
- * docs/guide/trade.md lists the columns.
+ * docs/notes/trade.md lists the columns.
  */
 final class TradeSummary {
     private static final String HEADER =

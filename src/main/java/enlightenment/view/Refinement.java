@@ -84,8 +84,8 @@ final class Refinement implements Runnable {
         long change = clock.getAsLong();
         while (pass != null && session.isCurrent(shot.generation())) {
             session.awaitProcessors(shot.generation());
-            RenderRequest request = preparation.request(
-                    shot, shot.settings(pass, threads), () -> !session.isCurrent(shot.generation()))
+            RenderRequest request = preparation
+                    .request(shot, shot.settings(pass, threads), () -> !session.isCurrent(shot.generation()))
                     .withAuxiliary(Auxiliary.SAMPLES);
             long start = clock.getAsLong();
             RenderResult result = shot.film().render(request);

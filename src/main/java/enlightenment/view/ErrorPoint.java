@@ -19,9 +19,10 @@ record ErrorPoint(double seconds, int samples, double rmse, double exposure) {
     static List<ErrorPoint> with(List<ErrorPoint> points, ErrorPoint next) {
         List<ErrorPoint> all = new ArrayList<>(points);
         int last = all.size() - 1;
+        // The last point is always kept, and gives way to the next where it was too near to the one before it.
         if (last >= 1
                 && all.get(last).exposure() == next.exposure()
-                && next.seconds() < DISTINCT * all.get(last - 1).seconds()) {
+                && all.get(last).seconds() < DISTINCT * all.get(last - 1).seconds()) {
             all.remove(last);
         }
         all.add(next);

@@ -45,8 +45,7 @@ record LayerPicture(
         return switch (layer) {
             case PICTURE, SAMPLES -> frame != null;
             case ALBEDO, NORMAL, DEPTH, OBJECT, MATERIAL ->
-                view.layers() != null
-                        && view.layers().image(layer.source().orElseThrow()).isPresent();
+                view.layers().of(layer.source().orElseThrow()).isPresent();
             case ERROR -> frame != null && frame.detail().noise().isPresent();
             case DIFFERENCE ->
                 frame != null && view.kept() != null && view.kept().isComparable(frame.image());
@@ -68,7 +67,7 @@ record LayerPicture(
             case PICTURE -> throw new IllegalArgumentException("the picture is no layer of itself");
             case ALBEDO, NORMAL, DEPTH -> plain(layer.source().orElseThrow(), numbers(layer, view));
             case OBJECT -> {
-                Scene scene = view.layers().scene();
+                Scene scene = view.layers().of(Auxiliary.OBJECT).orElseThrow().scene();
                 yield named(layer, numbers(layer, view), n -> PixelProbe.object(scene, n)
                         .orElseThrow());
             }
@@ -80,7 +79,7 @@ record LayerPicture(
     }
 
     private static Image numbers(Layer layer, ViewSession.Snapshot view) {
-        return view.layers().image(layer.source().orElseThrow()).orElseThrow();
+        return view.layers().of(layer.source().orElseThrow()).orElseThrow().image();
     }
 
     private static LayerPicture plain(Auxiliary kind, Image numbers) {

@@ -1,11 +1,11 @@
 package enlightenment.view;
 
-import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
 import enlightenment.scene.SceneException;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -79,8 +79,11 @@ final class LayerRefinement implements Runnable {
                             shot.scene(), shot.settings(new PassPlan(shrink, 0, SAMPLES, 0), threads))
                     .withCancelled(() -> !session.isCurrent(shot.generation()))
                     .withAuxiliary(wish.kinds());
-            Map<Auxiliary, Image> images = Renderer.auxiliary(request);
-            session.publish(new Layers(shot.generation(), shot.scene(), shrink, images));
+            Map<Auxiliary, Layers.Numbers> found = new EnumMap<>(Auxiliary.class);
+            Renderer.auxiliary(request)
+                    .forEach((kind, image) ->
+                            found.put(kind, new Layers.Numbers(shot.generation(), shot.scene(), shrink, image)));
+            session.publish(shot.generation(), found);
         }
     }
 }

@@ -10,40 +10,48 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What the rays of a view meet, as raw numbers of each pixel.
+ * What rays of a view meet, each kind as it was rendered last: it may be of a view before.
  *
- * @param generation of the {@link Shot} that they show
- * @param scene of it
- * @param shrink the side of the squares of pixels that each number stands for
- * @param images as large as a picture of that resolution
+ * @param all by what they are
  */
-record Layers(long generation, Scene scene, int shrink, Map<Auxiliary, Image> images) {
+record Layers(Map<Auxiliary, Numbers> all) {
+    static final Layers NONE = new Layers(Map.of());
+
     Layers {
-        images = Map.copyOf(images);
+        all = Map.copyOf(all);
     }
 
-    /** Which of some wishes are not there at full resolution. */
-    Set<Auxiliary> missing(long ofGeneration, Set<Auxiliary> wishes) {
-        EnumSet<Auxiliary> all = EnumSet.noneOf(Auxiliary.class);
-        all.addAll(wishes);
-        if (generation == ofGeneration && shrink == 1) {
-            all.removeAll(images.keySet());
+    /**
+     * Raw numbers of each pixel.
+     *
+     * @param generation of the {@link Shot} that they show
+     * @param scene of it
+     * @param shrink the side of the squares of pixels that each number stands for
+     * @param image as large as a picture of that resolution
+     */
+    record Numbers(long generation, Scene scene, int shrink, Image image) {}
+
+    /** Which of some wishes are not there at full resolution, of a view as it is now. */
+    Set<Auxiliary> missing(long generation, Set<Auxiliary> wishes) {
+        EnumSet<Auxiliary> missing = EnumSet.noneOf(Auxiliary.class);
+        for (Auxiliary wish : wishes) {
+            Numbers there = all.get(wish);
+            if (there == null || there.generation != generation || there.shrink != 1) {
+                missing.add(wish);
+            }
         }
-        return all;
+        return missing;
     }
 
-    /** These layers and others; where they are of another view or resolution, only the others. */
-    static Layers merged(Layers before, Layers next) {
-        if (before == null || before.generation != next.generation || before.shrink != next.shrink) {
-            return next;
-        }
-        Map<Auxiliary, Image> all = new EnumMap<>(Auxiliary.class);
-        all.putAll(before.images);
-        all.putAll(next.images);
-        return new Layers(next.generation, next.scene, next.shrink, all);
+    /** These layers, but for those that were rendered anew. */
+    Layers with(Map<Auxiliary, Numbers> next) {
+        Map<Auxiliary, Numbers> merged = new EnumMap<>(Auxiliary.class);
+        merged.putAll(all);
+        merged.putAll(next);
+        return new Layers(merged);
     }
 
-    Optional<Image> image(Auxiliary kind) {
-        return Optional.ofNullable(images.get(kind));
+    Optional<Numbers> of(Auxiliary kind) {
+        return Optional.ofNullable(all.get(kind));
     }
 }

@@ -13,6 +13,8 @@ final class LookJson {
         return JsonText.of(json -> {
             json.writeStartObject();
             json.writeStringProperty("layer", layer.word());
+            json.writeNumberProperty("width", picture.image().width());
+            json.writeNumberProperty("height", picture.image().height());
             json.writeStringProperty("explanation", picture.explanation());
             json.writeArrayPropertyStart("marks");
             picture.marks().forEach(json::writeString);

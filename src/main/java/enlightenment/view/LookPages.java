@@ -2,6 +2,7 @@ package enlightenment.view;
 
 import enlightenment.image.Image;
 import enlightenment.listen.SmallHttp;
+import enlightenment.render.Auxiliary;
 import enlightenment.scene.Scene;
 import enlightenment.status.QuickPng;
 import java.io.IOException;
@@ -90,11 +91,8 @@ final class LookPages {
             madeOf = now.picture();
             comparedWith = now.kept();
         }
-        if (layer == Layer.MATERIAL
-                && now.layers() != null
-                && indexed != now.layers().scene()) {
-            indexed = now.layers().scene();
-            materials = new MaterialIndex(indexed);
+        if (layer == Layer.MATERIAL) {
+            now.layers().of(Auxiliary.OBJECT).ifPresent(objects -> index(objects.scene()));
         }
         LayerPicture picture = made.get(layer);
         if (picture == null) {
@@ -102,6 +100,13 @@ final class LookPages {
             made.put(layer, picture);
         }
         return picture;
+    }
+
+    private void index(Scene scene) {
+        if (indexed != scene) {
+            indexed = scene;
+            materials = new MaterialIndex(scene);
+        }
     }
 
     private SmallHttp.Answer value(SmallHttp.Request request) throws LayerPicture.Missing {

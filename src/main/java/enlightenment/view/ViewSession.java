@@ -13,6 +13,7 @@ import enlightenment.text.Plain;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 
@@ -77,8 +78,8 @@ final class ViewSession {
 
     private long keptSoFar;
 
-    /** What was rendered of what pages look at; null if nothing was. */
-    private Layers layers;
+    /** What was rendered of what pages look at. */
+    private Layers layers = Layers.NONE;
 
     /**
      * All that a page shows.
@@ -93,7 +94,7 @@ final class ViewSession {
      * @param isMoved whether camera or exposure differ from the file's
      * @param isUpToDate whether the picture shows the camera as it is now
      * @param kept the picture that others are compared with, or null
-     * @param layers that were rendered last, or null
+     * @param layers as they were rendered last
      */
     record Snapshot(
             long version,
@@ -352,8 +353,7 @@ final class ViewSession {
     }
 
     private Set<Auxiliary> missing() {
-        Set<Auxiliary> wanted = wishes.current();
-        return layers == null || scene == null ? wanted : layers.missing(generation, wanted);
+        return layers.missing(generation, wishes.current());
     }
 
     /**
@@ -369,9 +369,9 @@ final class ViewSession {
     }
 
     /** Shows layers, unless they are out of date. */
-    synchronized void publish(Layers next) {
-        if (isCurrent(next.generation())) {
-            layers = Layers.merged(layers, next);
+    synchronized void publish(long which, Map<Auxiliary, Layers.Numbers> next) {
+        if (isCurrent(which)) {
+            layers = layers.with(next);
             picture++;
             changed();
         }

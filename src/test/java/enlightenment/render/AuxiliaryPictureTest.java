@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -111,5 +112,27 @@ class AuxiliaryPictureTest {
                 Auxiliary.words());
         assertEquals(Optional.of(Auxiliary.DEPTH), Auxiliary.of("depth"));
         assertEquals(Optional.empty(), Auxiliary.of("DEPTH"));
+    }
+
+    @Test
+    void withoutScaleThePictureIsAsLargeAsTheNumbers() {
+        float[] values = new float[64];
+        Arrays.fill(values, 0.013f);
+        Image numbers = grey(64, values);
+        AuxiliaryPicture scaled = AuxiliaryPicture.of(Auxiliary.ERROR, numbers);
+        AuxiliaryPicture plain = AuxiliaryPicture.withoutScale(Auxiliary.ERROR, numbers);
+        assertTrue(scaled.image().height() > 1);
+        assertEquals(1, plain.image().height());
+        assertEquals(scaled.image().component(5, 0, 0), plain.image().component(5, 0, 0));
+        assertEquals(List.of("0", "0.005", "0.01", "0.015", "0.02"), plain.marks());
+        assertEquals(
+                List.of("1", "2", "4"),
+                AuxiliaryPicture.withoutScale(Auxiliary.SAMPLES, grey(2, 1, 3)).marks());
+        assertEquals(
+                List.of("2.0", "4.0"),
+                AuxiliaryPicture.withoutScale(Auxiliary.DEPTH, grey(2, 4, 2)).marks());
+        assertEquals(
+                List.of(),
+                AuxiliaryPicture.withoutScale(Auxiliary.OBJECT, grey(2, 4, 2)).marks());
     }
 }

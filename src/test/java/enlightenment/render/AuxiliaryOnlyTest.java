@@ -1,0 +1,72 @@
+package enlightenment.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.image.Image;
+import enlightenment.math.InvalidValueException;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import org.junit.jupiter.api.Test;
+
+/** What pixels show beside their colours, without a picture. */
+class AuxiliaryOnlyTest {
+    private static final Set<Auxiliary> RAYS =
+            EnumSet.of(Auxiliary.DEPTH, Auxiliary.NORMAL, Auxiliary.POSITION, Auxiliary.OBJECT);
+
+    private static RenderRequest of(String scene) {
+        Scene read = SceneReader.read(Path.of("scenes", scene));
+        RenderSettings usual = RenderSettings.of(read);
+        return RenderRequest.of(
+                read, usual.withSize(24, 24).withBudget(usual.budget().withSamples(1)));
+    }
+
+    @Test
+    void itIsWhatARenderFindsBesideItsPicture() {
+        EnumSet<Auxiliary> kinds = EnumSet.copyOf(RAYS);
+        kinds.add(Auxiliary.ALBEDO);
+        RenderRequest request = of("cornell-box.json").withAuxiliary(kinds);
+        Map<Auxiliary, Image> beside = Renderer.render(request).auxiliary();
+        Map<Auxiliary, Image> alone = Renderer.auxiliary(request);
+        assertEquals(kinds, alone.keySet());
+        for (Auxiliary kind : RAYS) {
+            assertArrayEquals(beside.get(kind).toArray(), alone.get(kind).toArray(), kind.word());
+        }
+        // The walls' colours have no noise: only pixels on an edge depend on the samples.
+        float[] a = beside.get(Auxiliary.ALBEDO).toArray();
+        float[] b = alone.get(Auxiliary.ALBEDO).toArray();
+        int alike = 0;
+        for (int i = 0; i < a.length; i++) {
+            alike += a[i] == b[i] ? 1 : 0;
+        }
+        assertTrue(alike > 0.8 * a.length, alike + " of " + a.length);
+    }
+
+    @Test
+    void whatTakesAPictureIsRefused() {
+        for (Auxiliary kind : new Auxiliary[] {Auxiliary.ERROR, Auxiliary.SAMPLES, Auxiliary.INDIRECT}) {
+            RenderRequest request = of("cornell-box.json").withAuxiliary(kind);
+            assertEquals(
+                    "auxiliary",
+                    assertThrows(InvalidValueException.class, () -> Renderer.auxiliary(request))
+                            .key());
+        }
+        RenderRequest classic = of("fire-and-ice.json").withAuxiliary(Auxiliary.ALBEDO);
+        assertThrows(InvalidValueException.class, () -> Renderer.auxiliary(classic));
+    }
+
+    @Test
+    void itCanBeStopped() {
+        RenderRequest request =
+                of("cornell-box.json").withAuxiliary(Auxiliary.DEPTH).withCancelled(() -> true);
+        assertThrows(CancellationException.class, () -> Renderer.auxiliary(request));
+    }
+}

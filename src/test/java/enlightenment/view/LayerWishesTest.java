@@ -1,0 +1,36 @@
+package enlightenment.view;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import enlightenment.render.Auxiliary;
+import java.util.EnumSet;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+
+class LayerWishesTest {
+    private final AtomicLong clock = new AtomicLong(-5);
+    private final LayerWishes wishes = new LayerWishes(clock::get);
+
+    @Test
+    void aWishEndsUnlessItIsRenewed() {
+        wishes.add(Layer.NORMAL);
+        wishes.add(Layer.DEPTH);
+        clock.addAndGet(LayerWishes.WISH_NANOS);
+        wishes.add(Layer.DEPTH);
+        assertEquals(EnumSet.of(Auxiliary.NORMAL, Auxiliary.DEPTH), wishes.current());
+        clock.addAndGet(1);
+        assertEquals(Set.of(Auxiliary.DEPTH), wishes.current());
+        wishes.clear();
+        assertEquals(Set.of(), wishes.current());
+    }
+
+    @Test
+    void objectsAndMaterialsAreMadeOfTheSameNumbers() {
+        wishes.add(Layer.OBJECT);
+        wishes.add(Layer.MATERIAL);
+        wishes.add(Layer.PICTURE);
+        wishes.add(Layer.ERROR);
+        assertEquals(Set.of(Auxiliary.OBJECT), wishes.current());
+    }
+}

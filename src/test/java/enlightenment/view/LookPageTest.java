@@ -1,0 +1,255 @@
+package enlightenment.view;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.browser.Browser;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Layers, comparison and error by time on the page of a view, in a real browser. */
+@Timeout(600)
+class LookPageTest {
+    @RegisterExtension
+    static final Browser browser = new Browser();
+
+    private static final String SCENE =
+            """
+            {
+              "image": { "width": 24, "height": 16 },
+              "camera": { "type": "perspective", "eye": [0, 0, -5], "lookAt": [0, 0, 0], "fieldOfView": 40 },
+              "shading": { "model": "physical" },
+              "lights": [ { "type": "sphere", "center": [2, 3, -2], "radius": 0.5, "color": "#ffffff", "power": 100 } ],
+              "objects": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "name": "ball",
+                             "material": { "type": "matte", "color": "#bc0000" } } ]
+            }
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private ServedView client;
+
+    @BeforeEach
+    void open() throws Exception {
+        client = new ServedView(Files.writeString(folder.resolve("scene.json"), SCENE), 4);
+        browser.open(client.view.address());
+        untilFinished();
+    }
+
+    private static void untilFinished() throws Exception {
+        browser.until("document.readyState == 'complete' && !document.querySelector('#picture').hidden"
+                + " && document.querySelector('#progress').textContent.endsWith('finished')");
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        client.close();
+    }
+
+    /** Problems of this page: the one before may still complain that its view has ended. */
+    private List<String> problems() {
+        String origin = client.view.address().split("#")[0];
+        return browser.problems().stream()
+                .filter(problem -> problem.contains(origin))
+                .toList();
+    }
+
+    private static void press(String selector, String key) throws Exception {
+        browser.value("document.querySelector('" + selector + "').dispatchEvent(new KeyboardEvent('keydown', { key: '"
+                + key + "', bubbles: true })); 0");
+    }
+
+    private static void click(String selector) throws Exception {
+        browser.value("document.querySelector('" + selector + "').click(); 0");
+    }
+
+    /** What the picture's element shows, as the browser has decoded it. */
+    private static String pixels() throws Exception {
+        return browser.value(
+                        "(() => { const i = document.querySelector('#picture'), c = document.createElement('canvas');"
+                                + "c.width = 24; c.height = 16; const g = c.getContext('2d'); g.drawImage(i, 0, 0, 24, 16);"
+                                + "return g.getImageData(0, 0, 24, 16).data.join(); })()")
+                .asString();
+    }
+
+    private static void untilShown(String layer) throws Exception {
+        browser.until("document.querySelector('#picture').src.includes('layer=" + layer
+                + "') && document.querySelector('#picture').complete && document.querySelector('#meaning').textContent"
+                + " != '' && document.querySelector('#meaning').textContent != 'It is being rendered.'");
+    }
+
+    @Test
+    void keysChooseWhatIsShown() throws Exception {
+        Set<String> all = new HashSet<>(Set.of(pixels()));
+        String[] layers = {"albedo", "normal", "depth", "object", "material", "error", "samples"};
+        for (int i = 0; i < layers.length; i++) {
+            press("#stage", String.valueOf(i + 2));
+            untilShown(layers[i]);
+            assertEquals(
+                    layers[i],
+                    browser.value("document.querySelector('#layer').value").asString());
+            all.add(pixels());
+        }
+        // One object of one material: these two are alike.
+        assertEquals(layers.length, all.size());
+        press("#stage", "1");
+        browser.until("document.querySelector('#picture').src.includes('picture.png')");
+        assertEquals(List.of(), problems());
+    }
+
+    @Test
+    void whatIsUnderThePointerIsNamed() throws Exception {
+        press("#stage", "5");
+        untilShown("object");
+        assertTrue(browser.text("#legend").contains("ball, object 0 (sphere)"));
+        int[] middle = middle();
+        browser.call("Input.dispatchMouseEvent", mouse("mouseMoved", middle[0], middle[1], 0));
+        browser.until("document.querySelector('#reading').textContent == 'object: ball, object 0 (sphere)'");
+        assertEquals(
+                1,
+                browser.value("document.querySelectorAll('#legend .here').length")
+                        .asInt());
+        press("#stage", "4");
+        untilShown("depth");
+        assertEquals(
+                2,
+                browser.value("document.querySelectorAll('#marks li').length").asInt());
+        assertTrue(browser.value("document.querySelector('#scale').offsetHeight > 0")
+                .asBoolean());
+    }
+
+    private static int[] middle() throws Exception {
+        String box =
+                "(b => [b.left + b.width / 2, b.top + b.height / 2])(document.querySelector('#picture').getBoundingClientRect())";
+        return new int[] {
+            browser.value(box + "[0]").asInt(), browser.value(box + "[1]").asInt()
+        };
+    }
+
+    private static String mouse(String type, int x, int y, int buttons) {
+        return "{\"type\":\"" + type + "\",\"x\":" + x + ",\"y\":" + y + ",\"button\":\""
+                + (buttons == 0 ? "none" : "left") + "\",\"buttons\":" + buttons + ",\"clickCount\":1}";
+    }
+
+    private static int divider() throws Exception {
+        return browser.value("Number(document.querySelector('#divider').getAttribute('aria-valuenow'))")
+                .asInt();
+    }
+
+    private static void keep() throws Exception {
+        click("#keep");
+        browser.until("!document.querySelector('#divider').hidden && document.querySelector('#kept').naturalWidth > 0");
+    }
+
+    @Test
+    void theDividerFollowsKeysMouseAndFingers() throws Exception {
+        String eye = browser.text("#progress");
+        keep();
+        assertEquals(50, divider());
+        press("#divider", "ArrowLeft");
+        assertEquals(48, divider());
+        press("#stage", ">");
+        press("#stage", ">");
+        assertEquals(52, divider());
+        int[] middle = middle();
+        int width =
+                browser.value("document.querySelector('#picture').clientWidth").asInt();
+        int from = middle[0] + width / 50;
+        browser.call("Input.dispatchMouseEvent", mouse("mousePressed", from, middle[1], 1));
+        browser.call("Input.dispatchMouseEvent", mouse("mouseMoved", middle[0] + width / 4, middle[1], 1));
+        browser.call("Input.dispatchMouseEvent", mouse("mouseReleased", middle[0] + width / 4, middle[1], 1));
+        browser.until("Math.abs(document.querySelector('#divider').getAttribute('aria-valuenow') - 75) <= 1");
+        touch("touchStart", middle[0] + width / 4, middle[1]);
+        touch("touchMove", middle[0] - width / 4, middle[1]);
+        browser.call("Input.dispatchTouchEvent", "{\"type\":\"touchEnd\",\"touchPoints\":[]}");
+        browser.until("Math.abs(document.querySelector('#divider').getAttribute('aria-valuenow') - 25) <= 1");
+        assertTrue(browser.value("document.querySelector('#kept').style.clipPath")
+                .asString()
+                .contains("75"));
+        // Nothing of this turned the camera.
+        assertTrue(browser.value("document.querySelector('#save').disabled").asBoolean());
+        assertEquals(eye, browser.text("#progress"));
+        press("#stage", "s");
+        assertTrue(browser.value("document.querySelector('#divider').hidden").asBoolean());
+        click("#forget");
+        browser.until("document.querySelector('#comparing').hidden");
+    }
+
+    private static void touch(String type, int x, int y) throws Exception {
+        browser.call(
+                "Input.dispatchTouchEvent",
+                "{\"type\":\"" + type + "\",\"touchPoints\":[{\"x\":" + x + ",\"y\":" + y + "}]}");
+    }
+
+    @Test
+    void aChangeIsComparedWithThePictureThatWasKept() throws Exception {
+        assertTrue(browser.value("document.querySelector('#layer option[value=difference]').disabled")
+                .asBoolean());
+        press("#stage", "a");
+        browser.until("!document.querySelector('#divider').hidden");
+        String before = pixels();
+        client.act("action=exposure&x=-2");
+        browser.until("document.querySelector('#stops').textContent == '-2 stops'");
+        press("#stage", "9");
+        untilShown("difference");
+        browser.until("/RMSE 0\\.[0-9]+; the noise/.test(document.querySelector('#meaning').textContent)");
+        assertTrue(!before.equals(pixels()));
+        assertTrue(browser.value("document.querySelector('#divider').hidden").asBoolean());
+    }
+
+    @Test
+    void theErrorIsDrawnByTime() throws Exception {
+        click("#accuracy summary");
+        // Passes of 1, 1 and 2 samples; the error is known from the second on.
+        browser.until("document.querySelectorAll('#curve .point').length == 2");
+        assertTrue(browser.value("document.querySelector('#curve').getBoundingClientRect().height > 80")
+                .asBoolean());
+        assertEquals(
+                1,
+                browser.value("document.querySelectorAll('#curve .expected').length")
+                        .asInt());
+        assertTrue(
+                browser.text("#curveText").contains("4 samples per pixel, estimated. Dashed:"),
+                browser.text("#curveText"));
+        String x = "Number(document.querySelectorAll('#curve .point')[%d].getAttribute('cx'))";
+        assertTrue(
+                browser.value(String.format(x, 0) + "<" + String.format(x, 1)).asBoolean());
+        assertEquals(List.of(), problems());
+    }
+
+    @Test
+    void theChosenPixelSaysHowExactItIs() throws Exception {
+        press("#stage", "Enter");
+        browser.until("/standard error± [0-9.e-]+, 0, 0samples4$/.test(document.querySelector('#facts').textContent)");
+    }
+
+    @Test
+    void allOfItFitsOnAPhone() throws Exception {
+        browser.call(
+                "Emulation.setDeviceMetricsOverride",
+                "{\"width\":320,\"height\":600,\"deviceScaleFactor\":1,\"mobile\":true}");
+        try {
+            browser.open(client.view.address().replace("/#", "/?phone#"));
+            untilFinished();
+            keep();
+            press("#stage", "5");
+            untilShown("object");
+            click("#accuracy summary");
+            browser.until("document.querySelectorAll('#curve .point').length > 0");
+            assertEquals(
+                    320, browser.value("document.scrollingElement.scrollWidth").asInt());
+        } finally {
+            browser.call("Emulation.clearDeviceMetricsOverride", "{}");
+        }
+    }
+}

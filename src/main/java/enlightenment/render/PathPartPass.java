@@ -69,7 +69,11 @@ final class PathPartPass {
         run(plan.method() == BuiltInMethod.RAYTRACE ? plan.level() : Math.max(plan.samples(), 1), cancelled);
     }
 
-    /** Follows so many paths per pixel, unless it is cancelled: then what is not done stays black. */
+    /**
+     * Follows paths of all pixels, unless it is cancelled: then what is not done stays black.
+     *
+     * @param samples per pixel
+     */
     void run(double samples, BooleanSupplier cancelled) {
         numbers.forEach((part, rgb) -> Workers.run(settings.threads(), grid.tiles(), cancelled, () -> {
             // These rays are no part of the picture, nor of what its report counts.

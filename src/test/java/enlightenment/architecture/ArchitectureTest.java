@@ -308,7 +308,7 @@ class ArchitectureTest {
             .whereLayer("surroundings")
             .mayOnlyBeAccessedByLayers("classic shading", "probe", "classic cluster", "world", "transport")
             .whereLayer("picture")
-            .mayOnlyBeAccessedByLayers("plan", "render", "engine", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("plan", "render", "engine", "measure", "view", "cli")
             .whereLayer("texture")
             .mayOnlyBeAccessedByLayers("world")
             .whereLayer("image")

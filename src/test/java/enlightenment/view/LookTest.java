@@ -258,7 +258,9 @@ class LookTest {
         long picture = state.get("picture").asLong();
         assertEquals(
                 picture,
-                client.json("state.json", "layer=depth&after=" + state.get("version").asLong())
+                client.json(
+                                "state.json",
+                                "layer=depth&after=" + state.get("version").asLong())
                         .get("picture")
                         .asLong());
     }

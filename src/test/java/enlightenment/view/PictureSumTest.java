@@ -115,6 +115,22 @@ class PictureSumTest {
         assertEquals(0.3 / 5, noise.rmse(DisplayCurve.NONE), 1e-6);
     }
 
+    /** Every other row and column of it: components of variance 0.1²/2. */
+    @Test
+    void theErrorOfALargePictureIsThatOfItsGrid() {
+        Random random = new Random(9);
+        PictureSum sum = new PictureSum();
+        for (int pass = 0; pass < 2; pass++) {
+            float[] rgb = new float[3 * 512 * 400];
+            for (int i = 0; i < rgb.length; i++) {
+                rgb[i] = (float) (0.5 + 0.1 * random.nextGaussian());
+            }
+            sum.add(new Image(512, 400, rgb), 1);
+        }
+        double found = sum.noise().orElseThrow().rmse(DisplayCurve.NONE);
+        assertEquals(1, found * found / 0.005, 0.02);
+    }
+
     /** The estimate against what is measured from a picture of many samples, over several seeds. */
     @Test
     void theEstimateIsNearTheErrorOfRealPasses() {

@@ -1,7 +1,21 @@
 #!/usr/bin/env bash
-# Renders the pictures of the gallery: docs/gallery/make.sh, after a build.
+# Renders the pictures of the gallery, after a build: docs/gallery/make.sh for all, docs/gallery/make.sh NAME... for large ones by name.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+
+# Samples per pixel of the large pictures; SAMPLES=N in the environment takes N for all of them.
+declare -A samples=([watchmaker]=24)
+# The picture without grain is kept; its figures are in the report of the picture as rendered.
+large() {
+    java -jar target/enlightenment.jar render "scenes/$1.json" -o "target/$1-rendered.png" --denoised "docs/gallery/$1.png" \
+        --samples "${SAMPLES:-${samples[$1]}}" --report "target/$1-report.json" --progress none
+}
+if [ $# -gt 0 ]; then
+    for scene in "$@"; do large "$scene"; done
+    exit
+fi
+for scene in "${!samples[@]}"; do large "$scene"; done
+
 run() { java -jar target/enlightenment.jar render "scenes/$1.json" -o "docs/gallery/$2.png" --progress none "${@:3}"; }
 run fire-and-ice fire-and-ice --antialias 6 --shadow-samples 32
 run bounce blur --frame 5 --size 400x200 --antialias 6

@@ -165,23 +165,29 @@ final class Documents {
     }
 
     /** The folders in {@code scenes}, of files that scenes name. */
-    private static final List<String> FOLDERS = List.of("meshes", "luminaires");
+    private static final List<String> FOLDERS = List.of("meshes", "luminaires", "models");
 
     private static List<Path> shippedFiles(String folder) throws IOException {
         try (var files = Files.list(projectFolder().resolve("scenes").resolve(folder))) {
-            return files.toList();
+            return files.filter(Files::isRegularFile).toList();
+        }
+    }
+
+    private static List<String> shippedImages() throws IOException {
+        try (var files = Files.list(projectFolder().resolve("textures"))) {
+            return files.map(f -> f.getFileName().toString())
+                    .filter(n -> n.endsWith(".png"))
+                    .toList();
         }
     }
 
     /** Copies the shipped scenes to {@code folder/scenes}, with images of no content in {@code folder/textures}. */
     static Path shippedScenes(Path folder) {
-        List<String> images =
-                List.of("ice", "fire", "wall-back", "wall-right", "wall-left", "floor", "sky", "earth", "orientation");
         try {
             Path scenes = Files.createDirectories(folder.resolve("scenes"));
             Path textures = Files.createDirectories(folder.resolve("textures"));
-            for (String image : images) {
-                Files.write(textures.resolve(image + ".png"), PNG_START);
+            for (String image : shippedImages()) {
+                Files.write(textures.resolve(image), PNG_START);
             }
             for (String of : FOLDERS) {
                 Path copies = Files.createDirectories(scenes.resolve(of));

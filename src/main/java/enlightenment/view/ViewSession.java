@@ -12,8 +12,8 @@ import enlightenment.scene.SceneException;
 import enlightenment.text.Plain;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 

@@ -14,6 +14,7 @@ import enlightenment.bsdf.Reradiation;
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
+import enlightenment.geometry.Mesh;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
@@ -22,6 +23,8 @@ import enlightenment.material.Medium;
 import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.Vec3;
+import enlightenment.mesh.TestMeshes;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
@@ -221,6 +224,29 @@ class FluorescenceTest {
             double known = expected[band];
             assertTrue(Math.abs(s.mean() - known) <= tolerance, () -> s + " instead of " + known);
             assertTrue(s.error() <= 0.1 * known, () -> s + " is noisy");
+        }
+    }
+
+    /** A square that faces the light from everywhere, whose vertices have the normals that it has anyway. */
+    @ParameterizedTest
+    @EnumSource(
+            value = BuiltInMethod.class,
+            names = {"RAYTRACE", "CLUSTER", "BIDIRECTIONAL", "METROPOLIS"})
+    void meshesWithNormalsShineAsMeshesWithout(BuiltInMethod method) {
+        Material.Fluorescent dye = new Material.Fluorescent(
+                linear(0.9, 0.9, 0.1), new WavelengthBand(400, 490), new WavelengthBand(490, 580), 1);
+        double green = matrix(dye).element(1, 1, new double[] {0.9, 0.9, 0.1})
+                + matrix(dye).element(1, 2, new double[] {0.9, 0.9, 0.1});
+        for (TriangleMesh square :
+                List.of(TestMeshes.grid(1), TestMeshes.grid(1).smooth())) {
+            Scene scene = Scene.builder()
+                    .size(4, 4)
+                    .camera(new Camera.Perspective(at(0, 0, 3), at(0, 0, 0), Vec3.Y, 10))
+                    .shading(shading(1))
+                    .object(Mesh.of(square), dye)
+                    .build();
+            Image picture = Renderer.render(scene, settings(scene, method, 4));
+            assertEquals(green, picture.component(2, 2, 1), 0.02, square.hasNormals() ? "with normals" : "without");
         }
     }
 

@@ -253,7 +253,8 @@ class LookTest {
         client.awaitLayer(Layer.NORMAL);
         JsonNode state = client.json("state.json", "layer=depth");
         assertTrue(ServedView.has(state, Layer.DEPTH) && ServedView.has(state, Layer.NORMAL));
-        assertEquals(WIDTH, client.json("layer.json", "layer=depth").get("width").asInt());
+        assertEquals(
+                WIDTH, client.json("layer.json", "layer=depth").get("width").asInt());
         // Nothing is rendered any more: the next news is none.
         long picture = state.get("picture").asLong();
         assertEquals(

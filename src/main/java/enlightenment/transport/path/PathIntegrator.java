@@ -195,7 +195,7 @@ public final class PathIntegrator extends EyePathTracer {
         }
         return path.at.bsdf == Lambert.INSTANCE
                 ? matte(ray, material.reradiation, sampler)
-                : rough(ray, path.at.bsdf, sampler);
+                : rough(ray, path.at.bsdf, material.reradiation, sampler);
     }
 
     /** Adds what the surface emits, by the share of it that no other strategy finds. */
@@ -259,8 +259,15 @@ public final class PathIntegrator extends EyePathTracer {
         return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
-    /** Any other lobes. */
-    private boolean rough(Ray ray, Bsdf bsdf, Sampler sampler) {
+    /**
+     * Any other lobes.
+     *
+     * @param dye what makes the surface fluorescent, as one with normals of its vertices may be; null for none
+     */
+    private boolean rough(Ray ray, Bsdf bsdf, Reradiation dye, Sampler sampler) {
+        if (dye != null && !value.scatter(dye, surface)) {
+            return false;
+        }
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
         boolean isNarrow = causticPass != null && causticPass.isNarrow(bsdf);

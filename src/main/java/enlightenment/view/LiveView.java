@@ -30,6 +30,9 @@ public final class LiveView implements Closeable {
 
     private LiveView(SceneSource source, PictureFiles files, Options options, ServerLog log) throws IOException {
         loader = new SceneLoader(source, session);
+        if (options.threads() > 1) {
+            start("view warm-up", new WarmUp());
+        }
         loader.load();
         ScenePreparation preparation = new ScenePreparation();
         // The first picture takes longest: it is begun before anything else.

@@ -73,11 +73,12 @@ final class SceneLoader {
         OptionalInt frame = frameOf(scene);
         Scene shown = frame.equals(source.frame()) ? scene : source.read(frame.getAsInt());
         isLoaded = true;
-        session.loaded(shown, filmOf(scene), frame);
         List<FileStamp> all = new ArrayList<>(stamps.subList(0, 1));
         files = filesOf(scene);
         all.addAll(FileStamp.of(files.subList(1, files.size())));
         stamps = all;
+        // Last: once the scene is seen, its files may change at once.
+        session.loaded(shown, filmOf(scene), frame);
     }
 
     /** The frame that was chosen, if the scene still has it; else the one of the source. */

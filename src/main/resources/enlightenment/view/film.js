@@ -71,7 +71,7 @@ export function film(stage, send) {
   }
 
   at("frames").addEventListener("input", e => {
-    pause();
+    playing = null;
     go(Number(e.target.value));
   });
   at("earlier").addEventListener("click", () => step(-1));

@@ -127,6 +127,8 @@ function load(number) {
       compare.arrange();
     }
   };
+  // There may be no other picture that would come instead.
+  next.onerror = () => setTimeout(() => number === shown && load(number), 1000);
   next.src = layers.address(number);
 }
 

@@ -128,11 +128,11 @@ class RenderPageTest {
 
     @Test
     void playingShowsOneFrameAfterAnotherUntilItIsPaused() throws Exception {
-        run("window.frames = new Set();"
-                + "new MutationObserver(() => window.frames.add(document.querySelector('#frame').textContent))"
+        run("window.shown = new Set();"
+                + "new MutationObserver(() => window.shown.add(document.querySelector('#frame').textContent))"
                 + ".observe(document.querySelector('#frame'), { childList: true })");
         press(" ");
-        browser.until("window.frames.size >= 3 && document.querySelector('#play').textContent == 'Pause'");
+        browser.until("window.shown.size >= 3 && document.querySelector('#play').textContent == 'Pause'");
         press(" ");
         browser.until("document.querySelector('#play').textContent == 'Play'");
     }

@@ -33,7 +33,7 @@ class RestingThreadsTest {
     }
 
     @Test
-    void nobodyRestsWhileTheViewIsNotInUse() {
+    void threadsDoNotRestWhileTheViewIsNotInUse() {
         work(1);
         isInUse = false;
         work(5);

@@ -58,7 +58,10 @@ public final class Preview {
             }
         },
 
-        /** As many as a fiftieth of the samples suffices for, for those who look at a render. No result of it keeps what they show. */
+        /**
+         * For those who look at a render: up to one sample per pixel, as far as a fiftieth of the samples suffices. No result of it keeps what
+         * they show, so they must not take long.
+         */
         COARSE {
             private static final double SHARE = 1.0 / 50;
 
@@ -69,7 +72,7 @@ public final class Preview {
             List<Double> passes(double samples) {
                 List<Double> passes = new ArrayList<>();
                 double sum = FIRST;
-                for (double next = STEP * FIRST; sum + next <= SHARE * samples; next *= STEP) {
+                for (double next = STEP * FIRST; next <= 1 && sum + next <= SHARE * samples; next *= STEP) {
                     passes.add(next);
                     sum += next;
                 }

@@ -85,6 +85,13 @@ class WatchTest extends SceneFixture {
         }
     }
 
+    /** Until some of it is finished, and not only shown coarsely. */
+    private static void untilBegun(String address) throws Exception {
+        while (json(address + "status.json").get("done").asLong() == 0) {
+            Thread.sleep(5);
+        }
+    }
+
     /** Whether somebody listens there. */
     private static boolean isHeard(int port) throws IOException {
         try {
@@ -119,6 +126,7 @@ class WatchTest extends SceneFixture {
                 1000,
                 ImageIO.read(new ByteArrayInputStream(get(address + "picture.png")))
                         .getWidth());
+        untilBegun(address);
         run.stop.request();
         assertEquals(1, run.code.get());
         assertTrue(run.err.readLine().startsWith("enlightenment: stopped: " + picture + " holds "));

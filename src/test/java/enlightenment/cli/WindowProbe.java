@@ -35,7 +35,8 @@ final class WindowProbe {
             untilTitled(frame, "finished");
             untilTheScreenShows(frame, ImageIO.read(new File(args[1])));
         } else {
-            untilTitled(frame, " %");
+            // Not only coarse passes, of which a stopped render keeps nothing.
+            untilTitled(frame, " s left");
             untilSomethingIsLit(frame);
         }
         ImageIO.write(

@@ -22,7 +22,8 @@ class PreviewTest {
         assertTrue(sum(passes) <= samples / 50, passes.toString());
         // One pass more would have four times the samples of the last.
         double next = 4 * (passes.isEmpty() ? FIRST : passes.get(passes.size() - 1));
-        assertTrue(sum(passes) + next > samples / 50, passes.toString());
+        assertTrue(next > 1 || sum(passes) + next > samples / 50, passes.toString());
+        assertTrue(next <= 4, passes.toString());
     }
 
     @Test
@@ -30,6 +31,7 @@ class PreviewTest {
         assertEquals(List.of(), Preview.Kind.COARSE.passes(1));
         assertEquals(List.of(1.0 / 16), Preview.Kind.COARSE.passes(4));
         assertEquals(List.of(1.0 / 16, 1.0 / 4, 1.0), Preview.Kind.COARSE.passes(100));
+        assertEquals(List.of(1.0 / 16, 1.0 / 4, 1.0), Preview.Kind.COARSE.passes(1e6));
     }
 
     @ParameterizedTest

@@ -4,7 +4,7 @@
 @SuppressWarnings(
         "requires-automatic") // Of the charting libraries none names itself a module; nothing exported shows them.
 module enlightenment {
-    requires java.desktop; // javax.imageio, for JPEG and BMP textures
+    requires transitive java.desktop; // javax.imageio, for JPEG and BMP textures; BufferedImage of finished pictures
     requires tools.jackson.core;
     requires jdk.jfr; // renders can be watched in Java Flight Recorder
     // Tell processor time and load best; without them there is less to tell.
@@ -31,15 +31,12 @@ module enlightenment {
     exports enlightenment.light;
     exports enlightenment.camera;
     exports enlightenment.scene;
-    exports enlightenment.nff;
     exports enlightenment.importer;
     exports enlightenment.scene.json;
     exports enlightenment.image;
     exports enlightenment.report;
     exports enlightenment.render;
     exports enlightenment.net;
-    exports enlightenment.measure;
-    exports enlightenment.measure.trade;
 
     // Methods of rendering from outside.
     uses enlightenment.scene.MethodExtension;

@@ -4,6 +4,8 @@ package enlightenment.color;
  * How the index of refraction of a glass depends on the wavelength: n(λ) = A + B/λ² (A.-L. Cauchy, 1836), with A and B such that the index
  * is n_d in the yellow light of helium and that the difference between blue and red light of hydrogen gives the Abbe number
  * V_d = (n_d − 1)/(n_F − n_C). Wavelengths in vacuum, in nanometres; a place is 1/λ² − 1/λ_d², in 1/µm².
+ *
+ * <p>All methods may be called by several threads at once.
  */
 public final class CauchyFormula {
     /** The line d of helium, at which indices of refraction are given. */

@@ -3,7 +3,7 @@ package enlightenment.color;
 import enlightenment.check.Check;
 import java.util.Objects;
 
-/** How much light there may be. */
+/** How much light there may be. All methods may be called by several threads at once. */
 public final class Radiance {
     /**
      * The most that a surface or the surroundings may emit, in any band, in the unit of lights: squares and sums of it stay far within the

@@ -3,6 +3,8 @@ package enlightenment.color;
 /**
  * The sRGB transfer curve (IEC 61966-2-1), component by component: the one place that knows how linear light becomes what a screen
  * takes, and back. By {@link StrictMath}: the same bits on every machine.
+ *
+ * <p>All methods may be called by several threads at once.
  */
 public final class TransferCurve {
     private TransferCurve() {}

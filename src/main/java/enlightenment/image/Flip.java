@@ -11,6 +11,8 @@ import enlightenment.math.InvalidValueException;
  * Evaluator for Alternating Images", Proceedings of the ACM on Computer Graphics and Interactive Techniques 3 (2020), number
  * 2, article 15: the form for pictures of low dynamic range. The computation is in doubles and uses no function that differs
  * between machines; the same images give the same bits everywhere, in either order.
+ *
+ * <p>Immutable.
  */
 public final class Flip {
     /** On a screen of 3840 pixels and 0.7 m of width, seen from 0.7 m: 3840·π/180, about 67.02. */

@@ -3,6 +3,7 @@ package enlightenment.image;
 import enlightenment.codec.PngWriter;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
+import java.awt.image.BufferedImage;
 import java.util.Objects;
 
 /**
@@ -247,5 +248,17 @@ public final class Image {
             argb[i] = 0xff000000 | red << 16 | green << 8 | blue;
         }
         return argb;
+    }
+
+    /**
+     * The picture for AWT, Swing and {@code javax.imageio}: of {@link BufferedImage#TYPE_INT_RGB}, the caller's own, with the pixels of
+     * {@link #toArgb}. Needs no display.
+     *
+     * @throws IllegalStateException if no array can hold them
+     */
+    public BufferedImage toBufferedImage() {
+        BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        picture.setRGB(0, 0, width, height, toArgb(), 0, width);
+        return picture;
     }
 }

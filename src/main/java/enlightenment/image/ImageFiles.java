@@ -18,6 +18,8 @@ import java.util.Optional;
  * read, by its extension when it is written.
  *
  * <p>All methods that read or write a file fail with an {@link IOException} whose message names the file and the reason.
+ *
+ * <p>All methods may be called by several threads at once. Two that write one file leave the whole of one of them.
  */
 public final class ImageFiles {
     private ImageFiles() {}

@@ -31,6 +31,8 @@ import java.util.TreeSet;
  * soft light. That lights a file, too, whose lights are all left out; a note says so.
  *
  * <p>Files are not trusted: files that they name must lie in their folder or below it, and what is broken is refused with its place.
+ *
+ * <p>All methods may be called by several threads at once.
  */
 public final class SceneImporter {
     private static final Map<String, Format> FORMATS = Map.of(

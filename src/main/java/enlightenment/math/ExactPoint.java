@@ -14,6 +14,8 @@ import java.util.Arrays;
  *
  * <p>A coordinate of up to 17 digits is kept in 8 bytes, because a scene may have a million points. What is equal is kept
  * equally.
+ *
+ * <p>Immutable.
  */
 public final class ExactPoint {
     /** Beyond this binary exponent, components of a difference may have lost digits to the limits of doubles. */

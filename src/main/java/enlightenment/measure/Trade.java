@@ -19,7 +19,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
-/** Measures the trade-off of speed against accuracy for a scene, and advises what to render with. */
+/**
+ * Measures the trade-off of speed against accuracy for a scene, and advises what to render with.
+ *
+ * <p>All methods may be called by several threads at once. One that measures times needs the machine for itself.
+ */
 public final class Trade {
     private Trade() {}
 

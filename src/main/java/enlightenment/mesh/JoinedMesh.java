@@ -3,7 +3,7 @@ package enlightenment.mesh;
 import enlightenment.math.Vec3;
 import java.util.List;
 
-/** Makes one mesh of several. */
+/** Makes one mesh of several. All methods may be called by several threads at once. */
 public final class JoinedMesh {
     private JoinedMesh() {}
 

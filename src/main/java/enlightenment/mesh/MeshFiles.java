@@ -18,6 +18,8 @@ import java.util.Locale;
  * data to what they inflate to. Triangles without an area are left out and counted ({@link TriangleMesh#dropped()}).
  *
  * <p>Coordinates in text are rounded correctly: to floats in OBJ, STL and where a PLY file says {@code float}, else to doubles.
+ *
+ * <p>All methods may be called by several threads at once.
  */
 public final class MeshFiles {
     /** The default limit of triangles in one file. */

@@ -11,7 +11,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 
-/** Reads the material libraries of OBJ files (MTL). What they say is passed on as it is; what they do not say is empty. */
+/**
+ * Reads the material libraries of OBJ files (MTL). What they say is passed on as it is; what they do not say is empty.
+ *
+ * <p>All methods may be called by several threads at once.
+ */
 public final class MtlFile {
     private static final int MOST_MATERIALS = 1 << 16;
 

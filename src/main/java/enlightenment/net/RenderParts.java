@@ -25,6 +25,8 @@ import java.util.stream.IntStream;
 /**
  * A render in parts that know nothing of each other: for job arrays of whatever scheduler there is. Part i of n has every
  * n-th tile, so that the parts take about equally long.
+ *
+ * <p>All methods may be called by several threads at once.
  */
 public final class RenderParts {
     private RenderParts() {}

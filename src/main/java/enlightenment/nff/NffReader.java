@@ -17,6 +17,8 @@ import java.util.Objects;
  * one-sided surfaces, Kd, Ks and Shine of surfaces that are not what they describe) is noted in the result. Decimals are
  * kept exactly as written, and so are coordinates: the file's right-handed axes are served by a window camera whose
  * corners say what is left and right.
+ *
+ * <p>All methods may be called by several threads at once.
  */
 public final class NffReader {
     private static final int MAX_PROBLEMS = 50;

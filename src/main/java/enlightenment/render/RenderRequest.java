@@ -147,7 +147,7 @@ public record RenderRequest(
         return with(c -> c.progressive = value);
     }
 
-    /** This request for a render that somebody may look at, or that nobody looks at. */
+    /** This request with or without coarse passes for those who look. */
     public RenderRequest withWatched(boolean value) {
         return with(c -> c.watched = value);
     }

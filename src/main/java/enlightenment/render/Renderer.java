@@ -32,6 +32,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -40,7 +42,7 @@ import java.util.function.BooleanSupplier;
  * <p>The picture is a pure function of the scene and of those settings that say they influence it: the same bytes on any
  * number of threads, on any machine.
  *
- * <p><b>Threads.</b> A render uses the calling thread and, with more than one thread in its settings, helpers of its own that
+ * <p><b>Threads.</b> All methods may be called by any number of threads at once, platform or virtual. A render uses the calling thread and, with more than one thread in its settings, helpers of its own that
  * end before it returns. {@code cancelled} is asked from all of them, by several at once: between any two units of work (a tile,
  * a pass over one, a batch of paths), now and then within one, and between the phases. The listener is called from any of them, too,
  * but by one at a time; while it runs, threads that finish a unit wait for it. Neither should block. What they throw ends the render, which
@@ -115,6 +117,34 @@ public final class Renderer {
      */
     public static RenderResult render(RenderRequest request) {
         return render(request, new SceneImages());
+    }
+
+    /**
+     * Renders what is requested on a thread of an executor, and returns at once. That thread may be a virtual one; it is busy until the render
+     * ends. With one thread in the settings the render uses that thread alone, as suits many renders side by side.
+     *
+     * <p>Cancelling the future, or completing it in any other way, ends the render within a unit of work, and keeps one that has not begun
+     * from beginning; so does {@code cancelled} of the request, and an interrupt of the executor's thread: then {@link
+     * RenderResult#complete} is false. The future fails with what {@link #render(RenderRequest)} throws.
+     *
+     * @throws java.util.concurrent.RejectedExecutionException if the executor takes no more work
+     */
+    public static CompletableFuture<RenderResult> submit(RenderRequest request, Executor executor) {
+        CompletableFuture<RenderResult> future = new CompletableFuture<>();
+        BooleanSupplier asked = request.cancelled();
+        RenderRequest stoppable = request.withCancelled(() -> future.isDone() || asked.getAsBoolean());
+        executor.execute(() -> {
+            if (future.isDone()) {
+                return;
+            }
+            try {
+                future.complete(render(stoppable));
+            } catch (Throwable t) {
+                // Errors, too: those who wait for the future must hear of them.
+                future.completeExceptionally(t);
+            }
+        });
+        return future;
     }
 
     /** The same with image files that renders before may have needed too. */

@@ -5,6 +5,8 @@ import java.io.IOException;
 /**
  * An archive that may want to hear of camera samples one by one, beside the results of units. Only methods that can tell of them do
  * ({@link Renderer#recordsSamples}).
+ *
+ * <p>Called by one thread at a time, as every {@link ResultArchive}.
  */
 public interface SampleArchive extends ResultArchive {
     /** Whether samples are wanted. Units without them are rendered again. */

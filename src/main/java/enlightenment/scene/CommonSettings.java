@@ -5,6 +5,8 @@ import java.util.List;
 /**
  * The settings that all methods have in common, beside the number of positions per pixel; pictures depend on each. Scene files,
  * their schema, the command line, reports, protocols and the identity of a picture take them from here.
+ *
+ * <p>All methods may be called by several threads at once.
  */
 public final class CommonSettings {
     /** {@link RenderSettings#seed}. */

@@ -620,6 +620,8 @@ class ArchitectureTest {
     static final ArchRule onlyReadingImagesChartsAndTheWindowUseAwt = noClasses()
             .that()
             .resideOutsideOfPackages("enlightenment.codec", "enlightenment.measure.chart", "enlightenment.window")
+            .and()
+            .doNotHaveFullyQualifiedName("enlightenment.image.Image")
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("java.awt..", "javax.imageio..");

@@ -81,8 +81,7 @@ class JavaPageTest {
     void aSceneInCodeIsShownInAnApplication() {
         Scene scene = ball();
         Image image = Renderer.render(scene);
-        BufferedImage picture = new BufferedImage(image.width(), image.height(), BufferedImage.TYPE_INT_RGB);
-        picture.setRGB(0, 0, image.width(), image.height(), image.toArgb(), 0, image.width());
+        BufferedImage picture = image.toBufferedImage();
         assertTrue(red(picture, 80, 55) > 1.5 * blue(picture, 80, 55), "the middle is red");
         assertTrue(red(picture, 5, 110) < 1.2 * blue(picture, 5, 110), "the floor is grey");
     }

@@ -4,7 +4,7 @@ import enlightenment.mesh.TriangleMesh;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** How the text of a scene calls the files that belong to it. */
+/** How the text of a scene calls the files that belong to it. Called by the thread that writes the scene. */
 public interface FileNames {
     /** The name of a file of an image or of intensities, or of one that a mesh was read from. */
     String of(Path file);

@@ -8,6 +8,8 @@ import java.util.Map;
 
 /**
  * Changes single values in the text of a scene file. All other characters stay as they are: comments, order, layout, spelling of numbers.
+ *
+ * <p>All methods may be called by several threads at once.
  */
 public final class SceneEdit {
     private SceneEdit() {}

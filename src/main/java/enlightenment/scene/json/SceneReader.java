@@ -25,6 +25,8 @@ import java.util.OptionalInt;
  * <p>The reader is strict, and tells all that is wrong with a file at once: whatever it cannot take as it stands becomes
  * a {@link SceneException.Problem} with line, column and JSON pointer. Coordinates are read exactly; other numbers become
  * the nearest double. Image files of textures are looked at (they exist and begin like an image), not read.
+ *
+ * <p>All methods may be called by several threads at once.
  */
 public final class SceneReader {
     private static final int BYTE_ORDER_MARK = 0xfeff;

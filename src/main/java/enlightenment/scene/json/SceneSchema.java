@@ -10,7 +10,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** The JSON Schema of the scene format, for editors and other programs. */
+/**
+ * The JSON Schema of the scene format, for editors and other programs.
+ *
+ * <p>All methods may be called by several threads at once.
+ */
 public final class SceneSchema {
     /** Where the resource has the methods' words and settings. */
     private static final String WORDS = "\"@methods\"";

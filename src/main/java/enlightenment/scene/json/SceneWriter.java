@@ -17,6 +17,8 @@ import java.nio.file.Path;
  *
  * <p>A scene with {@link Scene#instants} is refused, which a frame of an animation with an open shutter is: the format can say how things
  * move over frames, but not what stands where at each moment of one.
+ *
+ * <p>All methods may be called by several threads at once.
  */
 public final class SceneWriter {
     private SceneWriter() {}

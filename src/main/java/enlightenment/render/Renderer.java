@@ -130,21 +130,7 @@ public final class Renderer {
      * @throws java.util.concurrent.RejectedExecutionException if the executor takes no more work
      */
     public static CompletableFuture<RenderResult> submit(RenderRequest request, Executor executor) {
-        CompletableFuture<RenderResult> future = new CompletableFuture<>();
-        BooleanSupplier asked = request.cancelled();
-        RenderRequest stoppable = request.withCancelled(() -> future.isDone() || asked.getAsBoolean());
-        executor.execute(() -> {
-            if (future.isDone()) {
-                return;
-            }
-            try {
-                future.complete(render(stoppable));
-            } catch (Throwable t) {
-                // Errors, too: those who wait for the future must hear of them.
-                future.completeExceptionally(t);
-            }
-        });
-        return future;
+        return SubmittedRender.begin(request, executor);
     }
 
     /** The same with image files that renders before may have needed too. */

@@ -54,7 +54,7 @@ def write_scene():
         "meshes": {"sweep": {"file": "models/sweep.ply", "normals": "smooth"}},
         "lights": [
             {"type": "rectangle", "corners": [[-20, 9, -13], [-18, 22, -3], [-5, 22, -9], [-7, 9, -19]], "color": "#fff3e0", "radiance": 6},
-            {"type": "rectangle", "corners": [[15, 8, 8], [15, 18, 8], [20, 18, 0], [20, 8, 0]], "color": "#d5e4ff", "radiance": 5},
+            {"type": "rectangle", "corners": [[19, 8, 8], [19, 18, 8], [24, 18, 0], [24, 8, 0]], "color": "#d5e4ff", "radiance": 5},
         ],
         "objects": objects,
         "render": {"method": "raytrace", "antialias": 8},

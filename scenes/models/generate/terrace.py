@@ -112,6 +112,12 @@ def write_scene():
         return of
 
     groups = {"vine": leaves(520, along, 0.62, -70), "bush": leaves(170, bush(0, 1.2, 0, 2.2), 0.5, 0)}
+    # Hills and the sea before them, from the scene of dandelions.
+    objects += [
+        {"type": "rectangle", "corners": [[-60000, -60, 60000], [60000, -60, 60000], [4000, -60, 60], [-4000, -60, 60]], "material": "sea"},
+        {"type": "mesh", "mesh": "far-hills", "material": "hill", "transform": [{"scale": [1.4, 1.6, 1]}, {"translate": [180, -60, 620]}]},
+        {"type": "mesh", "mesh": "far-hills", "material": "far hill", "transform": [{"scale": [-2.6, 3.4, 1]}, {"translate": [-260, -60, 1100]}]},
+    ]
     objects += [{"type": "group", "group": "vine"}]
     for x, y, z, s in ((-8.6, 3.2, 10.2, 1.1), (-5.2, 2.4, 8.6, 0.8), (14.0, 3.6, 10, 1.3)):
         objects.append({"type": "group", "group": "bush", "transform": [{"scale": s}, {"rotate": [0, 90 * x, 0]}, {"translate": [x, y, z]}]})
@@ -120,7 +126,7 @@ def write_scene():
         "name": "A terrace at a low sun",
         "image": {"width": 1280, "height": 720},
         "camera": {"type": "perspective", "eye": [7.0, 9.2, -23], "lookAt": [0.8, 6.0, 0], "fieldOfView": 33},
-        "shading": {"model": "physical", "background": {"type": "sky", "elevation": 16, "azimuth": 118, "turbidity": 3.2, "groundAlbedo": [0.16, 0.17, 0.1]}},
+        "shading": {"model": "physical", "background": {"type": "sky", "elevation": 16, "azimuth": 118, "turbidity": 3.2, "groundAlbedo": [0.06, 0.08, 0.09]}},
         "display": {"exposure": 0.9, "tone": "filmic"},
         "textures": {
             "leaf": {"file": "../textures/leaf.png"},
@@ -131,6 +137,9 @@ def write_scene():
             "stone": {"type": "matte", "color": {"texture": "stone"}, "roughness": 0.4},
             "marble": {"type": "matte", "color": linear(0.62, 0.58, 0.52)},
             "plaster": {"type": "matte", "color": linear(0.58, 0.44, 0.33), "roughness": 0.5},
+            "sea": {"type": "coated", "color": linear(0.02, 0.05, 0.06), "roughness": 0.45},
+            "hill": {"type": "matte", "color": linear(0.08, 0.11, 0.07)},
+            "far hill": {"type": "matte", "color": linear(0.18, 0.23, 0.26)},
             "beam": {"type": "matte", "color": linear(0.20, 0.13, 0.08)},
             "terracotta": {"type": "matte", "color": linear(0.42, 0.17, 0.09), "roughness": 0.4},
             "iron": {"type": "coated", "color": linear(0.03, 0.06, 0.05), "roughness": 0.4},
@@ -143,6 +152,7 @@ def write_scene():
             "leaf light": {"type": "mask", "of": "leaf matte", "map": {"texture": "leaf shape"}},
         },
         "meshes": {**models("pot", "baluster", "bistro-table", "carafe", "lemonade", "orange"), "vine-leaf": {"file": "models/vine-leaf.ply", "normals": "smooth"},
+                   "far-hills": {"file": "models/far-hills.ply", "normals": "smooth"},
                    "floor": {"file": "models/terrace-floor.ply", "normals": "flat"}},
         "groups": groups,
         "objects": objects,

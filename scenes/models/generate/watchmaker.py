@@ -210,7 +210,7 @@ def write_scene():
         x, z = random.between(1.6, 4.2), random.between(-6.6, -5.0)
         objects.append({"type": "mesh", "mesh": "screw", "material": "blued steel" if random.next() < 0.5 else "steel plain",
                         "transform": [{"scale": 0.7}, {"rotate": [90 + random.between(-3, 12), 0, 0]}, {"rotate": [0, random.between(0, 360), 0]}, {"translate": [x, top + 0.15, z]}]})
-    path = spline([(3.2, 5.4, 0.6), (3.9, 4.3, 0.9), (4.3, 2.2, 0.3), (4.7, 0.55, -1.2), (4.4, 0.42, -2.6), (5.6, 0.42, -3.9), (7.6, 0.42, -4.6), (9.0, 0.42, -3.6), (10.6, 0.2, -3.0)], 60)
+    path = spline([(2.0, 5.45, 0.35), (2.5, 5.3, 0.75), (3.3, 4.9, 1.0), (4.0, 4.0, 0.9), (4.3, 2.2, 0.3), (4.7, 0.55, -1.2), (4.4, 0.42, -2.6), (5.6, 0.42, -3.9), (7.6, 0.42, -4.6), (9.0, 0.42, -3.6), (10.6, 0.2, -3.0)], 60)
     since, k = 0.0, 0
     for a, b in zip(path, path[1:]):
         since += math.dist(a, b)
@@ -227,7 +227,7 @@ def write_scene():
           "Models and textures: scenes/models/generate/watchmaker.py.", {
         "name": "A watchmaker's table",
         "image": {"width": 1280, "height": 720},
-        "camera": {"type": "perspective", "eye": [1.2, 11.5, -25], "lookAt": [0.1, 3.75, 0], "fieldOfView": 28, "lens": {"radius": 0.22, "focusDistance": 25.0}},
+        "camera": {"type": "perspective", "eye": [1.2, 11.5, -25], "lookAt": [0.1, 4.3, 0], "fieldOfView": 29.5, "lens": {"radius": 0.22, "focusDistance": 25.0}},
         "shading": {"model": "physical", "background": linear(0.14, 0.125, 0.11)},
         "display": {"exposure": 0.75, "tone": "filmic"},
         "textures": {

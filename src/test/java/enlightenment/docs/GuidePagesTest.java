@@ -67,7 +67,7 @@ class GuidePagesTest {
             boolean begins = Files.readAllLines(page).stream()
                     .skip(1)
                     .limit(5)
-                    .anyMatch(l -> l.startsWith("```") || l.startsWith("![") || l.startsWith("|"));
+                    .anyMatch(l -> l.matches("(```|\\[?!\\[|\\|).*"));
             if (!begins) {
                 wrong.add(page.toString());
             }

@@ -1,15 +1,10 @@
 package enlightenment.view;
 
 import enlightenment.image.ImageFormat;
-import enlightenment.json.JsonText;
 import enlightenment.listen.SmallHttp;
 import enlightenment.math.InvalidValueException;
-import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
-import enlightenment.scene.Scene;
 import java.nio.charset.StandardCharsets;
-import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.Semaphore;
 
 /** What pages ask of final renders. */
@@ -55,46 +50,13 @@ final class RenderPages {
             return SmallHttp.Answer.text(503, "there are " + ViewServer.MOST_VIEWERS + " pages already\n");
         }
         try {
-            byte[] text = json(render.awaitNewer(after, millis)).getBytes(StandardCharsets.UTF_8);
+            byte[] text = RenderJson.of(
+                            render.awaitNewer(after, millis), session.snapshot().scene())
+                    .getBytes(StandardCharsets.UTF_8);
             return new SmallHttp.Answer(200, "application/json", text);
         } finally {
             waiting.release();
         }
-    }
-
-    private String json(RenderStatus s) {
-        Scene scene = session.snapshot().scene();
-        return JsonText.of(json -> {
-            json.writeStartObject();
-            json.writeNumberProperty("version", s.version());
-            json.writeStringProperty("state", s.state().name().toLowerCase(Locale.ROOT));
-            json.writeNumberProperty("done", s.done());
-            json.writeNumberProperty("seconds", s.seconds());
-            json.writeNumberProperty("width", s.width());
-            json.writeNumberProperty("height", s.height());
-            json.writeArrayPropertyStart("notes");
-            s.notes().forEach(json::writeString);
-            json.writeEndArray();
-            json.writeObjectPropertyStart("scene");
-            json.writeNumberProperty("width", scene == null ? 0 : scene.width());
-            json.writeNumberProperty("height", scene == null ? 0 : scene.height());
-            json.writeStringProperty(
-                    "method",
-                    scene == null ? "" : RenderSettings.of(scene).method().word());
-            json.writeArrayPropertyStart("methods");
-            methods(scene).forEach(m -> json.writeString(m.word()));
-            json.writeEndArray();
-            json.writeEndObject();
-            json.writeEndObject();
-        });
-    }
-
-    private static List<Method> methods(Scene scene) {
-        return scene == null
-                ? List.of()
-                : Method.selectable().stream()
-                        .filter(m -> Method.supports(m, scene))
-                        .toList();
     }
 
     /** A file of the last render. */

@@ -10,6 +10,7 @@ def navigation(pages):
     """The guide in the order of its index, and the other shelves beside it."""
     return [
         {"Start": "README.md"},
+        {"Gallery": "docs/gallery/README.md"},
         {"Guide": guide(pages)},
         {"Scenes": "scenes/README.md"},
         {"Java": "api/index.html"},

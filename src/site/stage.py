@@ -68,10 +68,14 @@ def write_index(shelf):
 
 
 def copy_what_it_names(page, pages):
-    """Files elsewhere in the repository that a page links to, such as an example of source."""
+    """Files elsewhere in the repository that a page links to, such as an example of source, and lists of folders without a page."""
     for _, link in LINK.findall(page.read_text(encoding="utf-8")):
         target = (page.parent / link).resolve()
-        if target.is_relative_to(pages.resolve()) and not target.exists():
+        if target.is_dir() and not (target / "README.md").exists():
+            files = sorted(file.name for file in target.iterdir() if file.is_file())
+            text = ["# " + target.name.capitalize(), "", *(f"- [{name}]({name})" for name in files), ""]
+            (target / "README.md").write_text("\n".join(text), encoding="utf-8")
+        elif target.is_relative_to(pages.resolve()) and not target.exists():
             source = target.relative_to(pages.resolve())
             if source.is_file():
                 target.parent.mkdir(parents=True, exist_ok=True)
@@ -82,7 +86,7 @@ def settings_of(address):
     """Pages that stand alone have no menu beside them, and what is found in the guide comes before what is found elsewhere."""
     name = address.as_posix()
     settings = {"search": {"boost": 2 if name.startswith("docs/guide/") else 0.2 if name == "docs/changes.md" else 1}}
-    if name in ("README.md", "scenes/README.md"):
+    if name in ("README.md", "docs/gallery/README.md", "scenes/README.md"):
         settings["hide"] = ["navigation", "toc"]
     return "---\n" + json.dumps(settings) + "\n---\n\n"
 

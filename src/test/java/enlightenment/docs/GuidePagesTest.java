@@ -64,10 +64,8 @@ class GuidePagesTest {
     void everyPageOfTheGuideBeginsWithACommandAPictureOrATable() throws IOException {
         List<String> wrong = new ArrayList<>();
         for (Path page : pages()) {
-            boolean begins = Files.readAllLines(page).stream()
-                    .skip(1)
-                    .limit(5)
-                    .anyMatch(l -> l.matches("(```|\\[?!\\[|\\|).*"));
+            boolean begins =
+                    Files.readAllLines(page).stream().skip(1).limit(5).anyMatch(l -> l.matches("(```|\\[?!\\[|\\|).*"));
             if (!begins) {
                 wrong.add(page.toString());
             }

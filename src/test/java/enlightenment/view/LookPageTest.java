@@ -100,8 +100,8 @@ class LookPageTest {
                     browser.value("document.querySelector('#layer').value").asString());
             all.add(pixels());
         }
-        // One object of one material: these two are alike.
-        assertEquals(layers.length, all.size());
+        // One object of one material: these two are alike, unless one was seen while it was coarse.
+        assertTrue(all.size() >= layers.length, () -> all.size() + " pictures");
         press("#stage", "1");
         browser.until("document.querySelector('#picture').src.includes('picture.png')");
         assertEquals(List.of(), problems());
@@ -210,8 +210,11 @@ class LookPageTest {
     @Test
     void theErrorIsDrawnByTime() throws Exception {
         click("#accuracy summary");
-        // Passes of 1, 1 and 2 samples; the error is known from the second on.
-        browser.until("document.querySelectorAll('#curve .point').length == 2");
+        // Passes of 1, 1 and 2 samples, or of 1 on a slow machine; the error is known from the second on.
+        browser.until("document.querySelector('#curveText').textContent.includes('4 samples per pixel')");
+        int points = browser.value("document.querySelectorAll('#curve .point').length")
+                .asInt();
+        assertTrue(points == 2 || points == 3, () -> points + " points");
         assertTrue(browser.value("document.querySelector('#curve').getBoundingClientRect().height > 80")
                 .asBoolean());
         assertEquals(

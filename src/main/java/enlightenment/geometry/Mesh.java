@@ -96,6 +96,12 @@ public record Mesh(TriangleMesh triangles, Optional<MeshOrigin> origin, Transfor
         return 1.01 * size() + Scale.gamma(8) * 3 * largest;
     }
 
+    /** This mesh with the front of its triangles outside, if it is closed: what is inside of a solid must not depend on how they run. */
+    public Mesh outwards() {
+        TriangleMesh outer = triangles.outwards();
+        return outer == triangles ? this : new Mesh(outer, origin, transform);
+    }
+
     @Override
     public boolean enclosesVolume() {
         return triangles.isClosed();

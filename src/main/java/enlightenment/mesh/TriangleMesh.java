@@ -30,6 +30,9 @@ public final class TriangleMesh {
     private volatile double volume = Double.NaN;
     private volatile TriangleTree tree;
 
+    /** This mesh with its front outside; null until it is asked for. */
+    private volatile TriangleMesh outwards;
+
     /** Other meshes, how this one and they are placed, and the mesh of this one's triangles and then theirs. */
     private record Union(List<TriangleMesh> others, List<?> placings, TriangleMesh all) {}
 
@@ -219,8 +222,26 @@ public final class TriangleMesh {
                         && coordinate(v, 2) == coordinate(w, 2);
     }
 
+    /**
+     * This mesh with its front outside: {@link #turned} if it is closed and its triangles face inwards, that is, if it encloses a negative volume;
+     * else the mesh itself. Of a mesh with cavities the outer shell decides, as the larger one.
+     */
+    public TriangleMesh outwards() {
+        TriangleMesh known = outwards;
+        if (known == null) {
+            known = isClosed() && signedVolume() < 0 ? turned() : this;
+            outwards = known;
+        }
+        return known;
+    }
+
     /** The volume that a closed mesh encloses, by the divergence theorem. */
     public double volume() {
+        return Math.abs(signedVolume());
+    }
+
+    /** The same; negative if its triangles face inwards. */
+    private double signedVolume() {
         double known = volume;
         if (Double.isNaN(known)) {
             Vec3 middle = min().plus(max()).times(0.5);
@@ -228,7 +249,7 @@ public final class TriangleMesh {
             for (int t = 0; t < triangles(); t++) {
                 sum += areaNormal(t).dot(position(vertex(t, 0)).minus(middle));
             }
-            known = Math.abs(sum) / 6;
+            known = sum / 6;
             volume = known;
         }
         return known;

@@ -54,13 +54,20 @@ public record CompiledPrimitives(
                 poll.run();
             }
             SceneObject o = objects.get(i);
-            boolean isGlowingMesh = o.shape() instanceof Mesh && surfaces.get(o.material()).glows;
-            placed.add(
-                    i,
-                    o,
-                    isGlowingMesh ? Primitives.triangles((Mesh) o.shape(), frame) : placement.place(o.shape(), frame));
+            placed.add(i, o, place(o, surfaces.get(o.material()), frame, placement));
         }
         return of(placed, placed.canonicalOrder(), objects.size());
+    }
+
+    private static List<Primitive> place(
+            SceneObject object, SurfaceMaterial surface, SceneFrame frame, Placement placement) {
+        if (!(object.shape() instanceof Mesh mesh)) {
+            return placement.place(object.shape(), frame);
+        }
+        if (surface.glows) {
+            return Primitives.triangles(mesh, frame);
+        }
+        return placement.place(surface.any(m -> m.isGlass) ? mesh.outwards() : mesh, frame);
     }
 
     private static CompiledPrimitives of(PlacedObjects placed, int[] order, int objects) {

@@ -141,12 +141,16 @@ public final class PictureOutput {
 
     /** Bits per component, of a format that has a choice. */
     private int depth() {
-        return hasDepth() ? depth : format().depths().get(0);
+        return hasDepth() ? depth : usualDepth(format());
+    }
+
+    private static int usualDepth(ImageFormat of) {
+        return of.depths().isEmpty() ? USUAL_DEPTH : of.depths().get(0);
     }
 
     /** Bits per component of another picture beside this one: as many, if it has this format. */
     int depthFor(ImageFormat other) {
-        return other == format() ? depth() : other.depths().get(0);
+        return other == format() ? depth() : usualDepth(other);
     }
 
     /** Bits per component of what is written; 0 for floats. */

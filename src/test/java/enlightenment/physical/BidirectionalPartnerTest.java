@@ -47,6 +47,8 @@ class BidirectionalPartnerTest {
                 "glowing mirror and metal",
                 "glowing tubes",
                 "half of glass",
+                "half of glass, half of metal or of lacquer",
+                "half of rough glass, half of plastic",
                 "lights of all kinds",
                 "many lights of all kinds",
                 "metals",

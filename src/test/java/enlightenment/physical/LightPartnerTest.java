@@ -38,6 +38,8 @@ class LightPartnerTest {
                 "at most 2",
                 "background and lights",
                 "coated, mirror and glass",
+                "half of glass, half of metal or of lacquer",
+                "half of rough glass, half of plastic",
                 "lights of all kinds",
                 "meshes whose normals are bent",
                 "pane",

@@ -49,6 +49,8 @@ class NaivePartnerTest {
                 "glowing tubes",
                 "fog with a mirror and glass",
                 "half of glass",
+                "half of glass, half of metal or of lacquer",
+                "half of rough glass, half of plastic",
                 "lights of all kinds",
                 "many lights of all kinds",
                 "metals",

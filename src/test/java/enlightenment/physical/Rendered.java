@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
+import enlightenment.render.Film;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
 import enlightenment.render.Welch;
 import enlightenment.scene.Budget;
@@ -20,9 +22,13 @@ final class Rendered {
 
     /** Pictures of a scene with one seed after the other. */
     static List<Image> seeds(Scene scene, RenderSettings settings, int first, int count) {
+        // A film makes tables of materials once for all of them.
+        Film film = Film.of(1, 1, frame -> scene);
         return IntStream.range(first, first + count)
                 .parallel()
-                .mapToObj(seed -> Renderer.render(scene, settings.withThreads(1).withSeed(seed)))
+                .mapToObj(seed -> film.render(
+                                RenderRequest.of(scene, settings.withThreads(1).withSeed(seed)))
+                        .image())
                 .toList();
     }
 

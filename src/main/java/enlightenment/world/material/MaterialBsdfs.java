@@ -57,6 +57,11 @@ public final class MaterialBsdfs {
         if (material instanceof Material.Matte matte) {
             return matte.roughness() == 0 ? Lambert.INSTANCE : new RoughDiffuse(matte.roughness());
         }
+        if (material instanceof Glass glass) {
+            return glass.smoothRefraction()
+                    ? SmoothRefraction.INSTANCE
+                    : border(glass.roughness(), glass.multipleScattering());
+        }
         if (material instanceof Material.Fluorescent || !material.parts().isEmpty()) {
             return Lambert.INSTANCE;
         }
@@ -79,11 +84,6 @@ public final class MaterialBsdfs {
                             && p.clearcoat().roughness() instanceof Amount.Constant clear
                     ? principled(metallic.value(), roughness.value(), clear.value(), p)
                     : Lambert.INSTANCE;
-        }
-        if (material instanceof Glass glass) {
-            return glass.smoothRefraction()
-                    ? SmoothRefraction.INSTANCE
-                    : border(glass.roughness(), glass.multipleScattering());
         }
         if (material instanceof Material.Scattering scattering) {
             return border(Amount.of(scattering.roughness()), true);

@@ -240,7 +240,7 @@ public final class TriangleMesh {
         return Math.abs(signedVolume());
     }
 
-    /** The same; negative if its triangles face inwards. */
+    /** The volume, negative if its triangles face inwards. */
     private double signedVolume() {
         double known = volume;
         if (Double.isNaN(known)) {

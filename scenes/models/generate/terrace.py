@@ -114,7 +114,7 @@ def write_scene():
     groups = {"vine": leaves(520, along, 0.62, -70), "bush": leaves(170, bush(0, 1.2, 0, 2.2), 0.5, 0)}
     # Hills and the sea before them, from the scene of dandelions.
     objects += [
-        {"type": "rectangle", "corners": [[-60000, -60, 60000], [60000, -60, 60000], [4000, -60, 60], [-4000, -60, 60]], "material": "sea"},
+        {"type": "rectangle", "corners": [[-60000, -60, 60000], [60000, -60, 60000], [60000, -60, 60], [-60000, -60, 60]], "material": "sea"},
         {"type": "mesh", "mesh": "far-hills", "material": "hill", "transform": [{"scale": [1.4, 1.6, 1]}, {"translate": [180, -60, 620]}]},
         {"type": "mesh", "mesh": "far-hills", "material": "far hill", "transform": [{"scale": [-2.6, 3.4, 1]}, {"translate": [-260, -60, 1100]}]},
     ]

@@ -9,6 +9,7 @@ let described = "";
 let isDescribing = false;
 let isReading = false;
 let nextPlace = null;
+let lastPlace = null;
 
 /** The layer that is chosen, as requests name it. */
 export function current() {
@@ -44,6 +45,7 @@ function choose(layer) {
 
 function switched() {
   described = "";
+  lastPlace = null;
   at("reading").textContent = "";
   at("picture").classList.toggle("flat", ["object", "material"].includes(current()));
   clear("");
@@ -140,6 +142,10 @@ function explain(d) {
     entries.push(item);
   }
   at("legend").replaceChildren(...entries);
+  // What is under a pointer that rests may be another thing now.
+  if (lastPlace) {
+    read(lastPlace.x, lastPlace.y);
+  }
 }
 
 /** Shows what a layer is at a place, 0..1 from the left and from the top. One request at a time: the last place counts. */
@@ -148,6 +154,7 @@ export async function read(x, y) {
     return;
   }
   nextPlace = { x, y };
+  lastPlace = nextPlace;
   if (isReading) {
     return;
   }

@@ -32,7 +32,7 @@ import tools.jackson.databind.ObjectMapper;
  */
 public final class Browser implements BeforeAllCallback, AfterAllCallback {
     private static final ObjectMapper JSON = new ObjectMapper();
-    private static final long PATIENCE_SECONDS = 300;
+    private static final long PATIENCE_SECONDS = 50;
 
     private Path profile;
     private Process process;
@@ -146,8 +146,10 @@ public final class Browser implements BeforeAllCallback, AfterAllCallback {
         return message.get("result");
     }
 
-    /** Goes to a page, and forgets what was noted of those before. */
+    /** Goes to a page, and forgets what was noted of those before: they have ended when it begins. */
     public void open(String url) throws Exception {
+        call("Page.navigate", "{\"url\":\"about:blank\"}");
+        until("location.href == 'about:blank' && document.readyState == 'complete'");
         requests.clear();
         problems.clear();
         call("Page.navigate", "{\"url\":" + JSON.writeValueAsString(url) + "}");

@@ -24,7 +24,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.ObjectMapper;
 
 /** Final renders of a view, and the frames of an animation, over HTTP on loopback. */
-@Timeout(600)
+@Timeout(60)
 class FinalRenderTest {
     /** A ball that moves, with its shutter open, and a camera that does not. */
     private static final String SCENE =

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
 /** What a view shows of its pixels beside their colours, over HTTP and against closed forms. */
-@Timeout(600)
+@Timeout(60)
 class LookTest {
     private static final String SCENE =
             """
@@ -159,24 +159,22 @@ class LookTest {
         assertEquals(0, value(Layer.ERROR, CORNER).get("values").get(0).asDouble());
         assertTrue(value(Layer.ERROR, MIDDLE).get("values").get(0).asDouble() > 0);
         JsonNode points = client.json("convergence.json", "").get("points");
-        // Passes of 1, 1 and 2 samples.
-        assertEquals(2, points.size());
+        // Passes of 1, 1 and 2 samples, or of 1 on a slow machine; the error is known from the second on.
+        int last = points.size() - 1;
+        assertTrue(last == 1 || last == 2, points::toString);
         assertEquals(2, points.get(0).get("samples").asInt());
-        assertEquals(SAMPLES, points.get(1).get("samples").asInt());
+        assertEquals(SAMPLES, points.get(last).get("samples").asInt());
         assertTrue(points.get(0).get("seconds").asDouble() > 0);
         assertTrue(points.get(0).get("seconds").asDouble()
                 < points.get(1).get("seconds").asDouble());
-        assertEquals(layer.get("rmse").asDouble(), points.get(1).get("error").asDouble());
+        assertEquals(layer.get("rmse").asDouble(), points.get(last).get("error").asDouble());
     }
 
     /** Errors are those of what is shown: after a change of the exposure the old ones are not comparable. */
     @Test
     void theCurveIsThatOfTheExposure() throws Exception {
-        double before = client.json("convergence.json", "")
-                .get("points")
-                .get(1)
-                .get("error")
-                .asDouble();
+        JsonNode all = client.json("convergence.json", "").get("points");
+        double before = all.get(all.size() - 1).get("error").asDouble();
         client.act("action=exposure&x=-6");
         JsonNode points = client.json("convergence.json", "").get("points");
         assertEquals(1, points.size());
@@ -238,8 +236,10 @@ class LookTest {
         client.act("action=dolly&x=2");
         client.awaitFinished();
         double depth = 0;
+        Deadline deadline = new Deadline();
         // Now and then, as a page does: what is there is that of before until it is rendered.
         while (Math.abs(depth - 9) > 0.1) {
+            deadline.check(() -> "of the view before");
             client.awaitLayer(Layer.DEPTH);
             depth = value(Layer.DEPTH, MIDDLE).get("values").get(0).asDouble();
         }

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Final renders and frames on the page of a view, in a real browser. */
-@Timeout(600)
+@Timeout(60)
 class RenderPageTest {
     @RegisterExtension
     static final Browser browser = new Browser();
@@ -47,7 +47,7 @@ class RenderPageTest {
         LiveView.Options options = new LiveView.Options("ball.json", 0, 2, 2);
         view = LiveView.start(
                 new FileSource(file), FileSource.FILES, options, new ServerLog(line -> {}, System::nanoTime));
-        browser.open(view.address());
+        ViewedPage.open(browser, view.address());
         browser.until("document.readyState == 'complete' && !document.querySelector('#film').hidden"
                 + " && document.querySelector('#width').value == '24' && !document.querySelector('#picture').hidden");
     }

@@ -56,8 +56,10 @@ final class ServedView implements Closeable {
 
     /** Waits, by the long poll of pages, until a state is as expected. */
     JsonNode await(String query, Predicate<JsonNode> expected) throws IOException {
+        Deadline deadline = new Deadline();
         JsonNode state = json("state.json", "after=0&" + query);
         while (!expected.test(state)) {
+            deadline.check(state::toString);
             state = json("state.json", "after=" + state.get("version").asLong() + "&" + query);
         }
         return state;
@@ -70,8 +72,10 @@ final class ServedView implements Closeable {
     /** Waits until a layer is there at full resolution. */
     JsonNode awaitLayer(Layer layer) throws IOException, InterruptedException {
         await("layer=" + layer.word(), s -> has(s, layer));
+        Deadline deadline = new Deadline();
         JsonNode found = json("layer.json", "layer=" + layer.word());
         while (found.get("width").asInt() < json("state.json", "").get("width").asInt()) {
+            deadline.check(found::toString);
             Thread.sleep(5);
             found = json("layer.json", "layer=" + layer.word());
         }

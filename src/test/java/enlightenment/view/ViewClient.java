@@ -49,12 +49,14 @@ public final class ViewClient {
 
     /** Waits, by the long poll of pages, until what a path says is as expected. */
     public JsonNode await(String path, Predicate<JsonNode> expected) throws IOException {
+        Deadline deadline = new Deadline();
         for (long after = 0; ; ) {
             JsonNode news =
                     new ObjectMapper().readTree(get(path, "after=" + after).body());
             if (expected.test(news)) {
                 return news;
             }
+            deadline.check(news::toString);
             after = news.get("version").asLong();
         }
     }

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The page of a view in a real browser. */
-@Timeout(600)
+@Timeout(60)
 class ViewPageTest {
     @RegisterExtension
     static final Browser browser = new Browser();
@@ -48,18 +48,13 @@ class ViewPageTest {
         SceneSource source = new FileSource(file);
         LiveView.Options options = new LiveView.Options("<b>scene</b>", 0, 2, 2);
         view = LiveView.start(source, FileSource.FILES, options, new ServerLog(line -> {}, System::nanoTime));
-        browser.open(view.address());
-        untilFinished();
+        ViewedPage.open(browser, view.address());
+        ViewedPage.untilFinished(browser);
     }
 
     @AfterEach
     void close() throws Exception {
         view.close();
-    }
-
-    private void untilFinished() throws Exception {
-        browser.until("document.readyState == 'complete' && !document.querySelector('#picture').hidden"
-                + " && document.querySelector('#progress').textContent.endsWith('finished')");
     }
 
     private static void press(String key, boolean withShift) throws Exception {
@@ -147,7 +142,7 @@ class ViewPageTest {
                 "{\"width\":320,\"height\":600,\"deviceScaleFactor\":1,\"mobile\":true}");
         try {
             browser.open(view.address().replace("/#", "/?phone#"));
-            untilFinished();
+            ViewedPage.untilFinished(browser);
             assertEquals(
                     320, browser.value("document.scrollingElement.scrollWidth").asInt());
         } finally {

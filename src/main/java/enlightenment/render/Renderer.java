@@ -145,8 +145,8 @@ public final class Renderer {
     /**
      * Finds what is requested beside the colours of pixels, without their colours: what takes a ray per pixel, or the beginnings of paths.
      *
-     * @param request with the number of samples in its budget, which albedo and direct light are the means of, 1 where it has none; archives,
-     *     listener and choice are not used
+     * @param request with the number of samples in its budget, which albedo and direct light are the means of, 1 where it has none; of a
+     *     choice the scene that it has prepared, if it has; archives and listener are not used
      * @return an image for each kind
      * @throws SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used; key {@code auxiliary} if a kind takes the picture, as
@@ -162,7 +162,9 @@ public final class Renderer {
         }
         BooleanSupplier cancelled = Cancellation.of(request.cancelled());
         new FilmChoice(request, request.auxiliary().size()).check();
-        CompiledScene scene = SceneCompiler.compile(request.scene(), settings, new SceneImages(), cancelled);
+        CompiledScene scene = request.choice()
+                .flatMap(MethodChoice::compiled)
+                .orElseGet(() -> SceneCompiler.compile(request.scene(), settings, new SceneImages(), cancelled));
         AuxiliaryPass rays = new AuxiliaryPass(scene, settings, request.auxiliary());
         PathPartPass paths = new PathPartPass(scene, settings, request.auxiliary());
         rays.run(cancelled);

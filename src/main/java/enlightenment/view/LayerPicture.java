@@ -40,7 +40,7 @@ record LayerPicture(
     }
 
     /** Whether {@link #of} has it. */
-    static boolean isThere(Layer layer, ViewSession.Snapshot view) {
+    static boolean isThere(Layer layer, Snapshot view) {
         Frame frame = view.frame();
         return switch (layer) {
             case PICTURE, SAMPLES -> frame != null;
@@ -59,7 +59,7 @@ record LayerPicture(
      * @param materials of the scene of the layers; used by {@link Layer#MATERIAL} alone
      * @throws Missing if it is not there, or not yet
      */
-    static LayerPicture of(Layer layer, ViewSession.Snapshot view, MaterialIndex materials) throws Missing {
+    static LayerPicture of(Layer layer, Snapshot view, MaterialIndex materials) throws Missing {
         if (!isThere(layer, view)) {
             throw new Missing(layer.word() + " is not there yet");
         }
@@ -78,7 +78,7 @@ record LayerPicture(
         };
     }
 
-    private static Image numbers(Layer layer, ViewSession.Snapshot view) {
+    private static Image numbers(Layer layer, Snapshot view) {
         return view.layers().of(layer.source().orElseThrow()).orElseThrow().image();
     }
 
@@ -132,9 +132,9 @@ record LayerPicture(
                 OptionalDouble.empty());
     }
 
-    private static LayerPicture difference(ViewSession.Snapshot view) {
+    private static LayerPicture difference(Snapshot view) {
         Kept kept = view.kept();
-        Image now = ViewSession.shown(view);
+        Image now = view.shown();
         Image numbers = kept.difference(now);
         AuxiliaryPicture shown = AuxiliaryPicture.withoutScale(Auxiliary.ERROR, numbers);
         OptionalDouble noise = view.frame()

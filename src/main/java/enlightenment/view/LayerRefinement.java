@@ -4,6 +4,7 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.SceneException;
 import java.util.EnumMap;
 import java.util.List;
@@ -23,15 +24,18 @@ final class LayerRefinement implements Runnable {
     private static final int SAMPLES = 4;
 
     private final ViewSession session;
+    private final ScenePreparation preparation;
     private final SceneSource source;
     private final int threads;
 
     /**
+     * @param preparation prepares the scene
      * @param source finds the lines of problems
      * @param threads that share a render
      */
-    LayerRefinement(ViewSession session, SceneSource source, int threads) {
+    LayerRefinement(ViewSession session, ScenePreparation preparation, SceneSource source, int threads) {
         this.session = session;
+        this.preparation = preparation;
         this.source = source;
         this.threads = threads;
     }
@@ -75,9 +79,9 @@ final class LayerRefinement implements Runnable {
     private void refine(Wish wish) {
         Shot shot = wish.shot();
         for (int shrink : SHRINKS) {
-            RenderRequest request = RenderRequest.of(
-                            shot.scene(), shot.settings(new PassPlan(shrink, 0, SAMPLES, 0), threads))
-                    .withCancelled(() -> !session.isCurrent(shot.generation()))
+            RenderSettings settings = shot.settings(new PassPlan(shrink, 0, SAMPLES, 0), threads);
+            RenderRequest request = preparation
+                    .request(shot, settings, () -> !session.isCurrent(shot.generation()))
                     .withAuxiliary(wish.kinds());
             Map<Auxiliary, Layers.Numbers> found = new EnumMap<>(Auxiliary.class);
             Renderer.auxiliary(request)

@@ -45,7 +45,7 @@ public final class LiveView implements Closeable {
         RenderPages renders =
                 new RenderPages(session, new BackgroundRender(session, files, System::nanoTime), options.threads());
         server = served(new ViewActions(session, loader, preparation, renders), renders, options, log);
-        start("view layers", new LayerRefinement(session, source, options.threads()));
+        start("view layers", new LayerRefinement(session, preparation, source, options.threads()));
         start("view watch", () -> repeat(WATCH_MILLIS, loader::check));
         start("view tick", () -> repeat(TICK_MILLIS, server::check));
     }

@@ -57,7 +57,7 @@ final class LookPages {
     void wish(SmallHttp.Request request) {
         if (request.value("layer").isPresent()) {
             Layer layer = Layer.of(request.value("layer").get());
-            ViewSession.Snapshot now = session.snapshot();
+            Snapshot now = session.snapshot();
             if (now.scene() != null && layer.isOf(now.scene())) {
                 session.wish(layer);
             }
@@ -76,7 +76,7 @@ final class LookPages {
         return layer(wanted(request), session.snapshot());
     }
 
-    private LayerPicture layer(Layer layer, ViewSession.Snapshot now) throws LayerPicture.Missing {
+    private LayerPicture layer(Layer layer, Snapshot now) throws LayerPicture.Missing {
         if (now.scene() != null && !layer.isOf(now.scene())) {
             throw new LayerPicture.Missing(layer.word() + " is for physical shading");
         }
@@ -85,7 +85,7 @@ final class LookPages {
     }
 
     /** One thread at a time: the others then find what it has made. */
-    private synchronized LayerPicture made(Layer layer, ViewSession.Snapshot now) throws LayerPicture.Missing {
+    private synchronized LayerPicture made(Layer layer, Snapshot now) throws LayerPicture.Missing {
         if (madeOf != now.picture() || comparedWith != now.kept()) {
             made.clear();
             madeOf = now.picture();
@@ -113,7 +113,7 @@ final class LookPages {
         double x = ViewActions.number(request, "x", 0, 1);
         double y = ViewActions.number(request, "y", 0, 1);
         Layer layer = wanted(request);
-        ViewSession.Snapshot now = session.snapshot();
+        Snapshot now = session.snapshot();
         LayerPicture picture = layer(layer, now);
         Image numbers = picture.numbers();
         int column = Math.min((int) (x * numbers.width()), numbers.width() - 1);
@@ -135,7 +135,7 @@ final class LookPages {
 
     /** Errors are for an exposure: after a change of it, of the picture as it is only. */
     private SmallHttp.Answer convergence() {
-        ViewSession.Snapshot now = session.snapshot();
+        Snapshot now = session.snapshot();
         List<ErrorPoint> points = new ArrayList<>();
         if (now.frame() != null) {
             FrameDetail detail = now.frame().detail();

@@ -155,7 +155,7 @@ final class SceneLoader {
     }
 
     /** Why this view cannot be saved; "" if it can. */
-    String reasonAgainstSaving(ViewSession.Snapshot view) {
+    String reasonAgainstSaving(Snapshot view) {
         if (!source.isNative()) {
             return "this is a file of another program: 'enlightenment convert' makes a scene file of it";
         }
@@ -177,7 +177,7 @@ final class SceneLoader {
      * @throws Refusal if it cannot be done, or the file has changed meanwhile; it is as it was
      */
     synchronized void save() throws Refusal {
-        ViewSession.Snapshot view = session.snapshot();
+        Snapshot view = session.snapshot();
         String reason = reasonAgainstSaving(view);
         if (!reason.isEmpty()) {
             throw new Refusal(reason);
@@ -199,7 +199,7 @@ final class SceneLoader {
         check();
     }
 
-    private static String edited(String text, ViewSession.Snapshot view) {
+    private static String edited(String text, Snapshot view) {
         Scene scene = view.scene();
         String edited =
                 SceneEdit.withCamera(text, scene.camera(), view.viewpoint().camera());
@@ -207,7 +207,7 @@ final class SceneLoader {
     }
 
     /** What is written must be read as what is seen. */
-    private void requireReadable(String edited, ViewSession.Snapshot view) {
+    private void requireReadable(String edited, Snapshot view) {
         Path folder = source.file().toAbsolutePath().getParent();
         byte[] bytes = edited.getBytes(StandardCharsets.UTF_8);
         Scene scene = SceneReader.readBytes(bytes, folder, source.file().toString(), OptionalInt.empty());

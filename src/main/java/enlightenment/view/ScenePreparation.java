@@ -4,15 +4,19 @@ import enlightenment.render.MethodChoice;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.scene.RenderSettings;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 
 /**
- * The scene of a view, prepared for rendering once for all passes and pixels of the same camera and size. Holds one at a time. Safe for several
- * threads.
+ * The scene of a view, prepared for rendering once for all passes, layers and pixels of the same camera and size. Holds at most two sizes at a
+ * time, so that picture and layers do not take it from each other. Safe for several threads: two that want the same at once may both make it.
  */
 final class ScenePreparation {
-    private Key key;
-    private MethodChoice prepared;
+    private static final int MOST = 2;
+
+    /** Those of one shot, the one that was asked for last at the end. */
+    private final Map<Key, MethodChoice> prepared = new LinkedHashMap<>(MOST, 1, true);
 
     /** What is prepared: a shot's scene at a size. */
     private record Key(long generation, int width, int height) {}
@@ -37,17 +41,28 @@ final class ScenePreparation {
                 .withCancelled(cancelled);
     }
 
-    /** What is prepared so; null if nothing is. What is of no use any more is let go before the next is made. */
+    /** What is prepared so; null if nothing is: then what is of no use any more is let go, and room is made, before it is. */
     private synchronized MethodChoice known(Key wanted) {
-        if (!wanted.equals(key)) {
-            key = null;
-            prepared = null;
+        MethodChoice known = prepared.get(wanted);
+        if (known == null) {
+            prepared.keySet().removeIf(key -> key.generation() < wanted.generation());
+            makeRoom();
         }
-        return prepared;
+        return known;
     }
 
     private synchronized void keep(Key made, MethodChoice choice) {
-        key = made;
-        prepared = choice;
+        if (prepared.keySet().stream().anyMatch(key -> key.generation() > made.generation())) {
+            return;
+        }
+        prepared.keySet().removeIf(key -> key.generation() < made.generation() || key.equals(made));
+        makeRoom();
+        prepared.put(made, choice);
+    }
+
+    private void makeRoom() {
+        while (prepared.size() >= MOST) {
+            prepared.remove(prepared.keySet().iterator().next());
+        }
     }
 }

@@ -121,7 +121,7 @@ final class ViewActions {
 
     /** A window says nothing about how far away what it shows is: the first motion around it finds out. */
     private synchronized void aimWindow() {
-        ViewSession.Snapshot now = session.snapshot();
+        Snapshot now = session.snapshot();
         if (now.viewpoint() == null || !(now.viewpoint().camera() instanceof Camera.Window) || now.scene() == aimed) {
             return;
         }

@@ -19,7 +19,7 @@ final class ViewJson {
      * @param title of the page
      * @param refusal why the view cannot be saved, or ""
      */
-    static String state(ViewSession.Snapshot s, String title, String refusal) {
+    static String state(Snapshot s, String title, String refusal) {
         return JsonText.of(json -> {
             json.writeStartObject();
             json.writeStringProperty("title", title);
@@ -60,7 +60,7 @@ final class ViewJson {
         });
     }
 
-    private static void animation(JsonGenerator json, ViewSession.Snapshot s) {
+    private static void animation(JsonGenerator json, Snapshot s) {
         Optional<Animation> animation =
                 s.scene() == null ? Optional.empty() : s.scene().animation();
         json.writeNumberProperty("frames", animation.map(Animation::frames).orElse(0));
@@ -73,7 +73,7 @@ final class ViewJson {
         }
     }
 
-    private static void camera(JsonGenerator json, ViewSession.Snapshot s) {
+    private static void camera(JsonGenerator json, Snapshot s) {
         Camera camera = s.viewpoint() == null ? null : s.viewpoint().camera();
         json.writeStringProperty("camera", camera == null ? "" : camera.type());
         json.writeBooleanProperty("turns", !(camera instanceof Camera.Isometric));
@@ -93,7 +93,7 @@ final class ViewJson {
      * @param x place in the picture, 0..1 from its left
      * @param y place in the picture, 0..1 from its top
      */
-    static String pixel(PixelProbe pixel, ViewSession.Snapshot view, double x, double y) {
+    static String pixel(PixelProbe pixel, Snapshot view, double x, double y) {
         Frame frame = view.frame();
         return JsonText.of(json -> {
             json.writeStartObject();

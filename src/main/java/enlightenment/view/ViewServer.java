@@ -153,7 +153,7 @@ final class ViewServer implements Closeable {
                     ? 0
                     : (long) ViewActions.number(request, "after", 0, Long.MAX_VALUE);
             look.wish(request);
-            ViewSession.Snapshot now = session.awaitNewer(after, PATIENCE_MILLIS);
+            Snapshot now = session.awaitNewer(after, PATIENCE_MILLIS);
             return json(ViewJson.state(now, title, loader.reasonAgainstSaving(now)));
         } finally {
             viewers.release();
@@ -169,8 +169,8 @@ final class ViewServer implements Closeable {
 
     /** One thread at a time: the others then find what it has made. */
     private synchronized byte[] encoded() throws IOException {
-        ViewSession.Snapshot now = session.snapshot();
-        Image image = ViewSession.shown(now);
+        Snapshot now = session.snapshot();
+        Image image = now.shown();
         if (image != null && (png == null || pngOf != now.picture())) {
             png = QuickPng.of(image);
             pngOf = now.picture();
@@ -182,7 +182,7 @@ final class ViewServer implements Closeable {
         double x = ViewActions.number(request, "x", 0, 1);
         double y = ViewActions.number(request, "y", 0, 1);
         PixelProbe pixel = actions.probe(x, y);
-        ViewSession.Snapshot now = session.snapshot();
+        Snapshot now = session.snapshot();
         return json(ViewJson.pixel(pixel, now, x, y));
     }
 

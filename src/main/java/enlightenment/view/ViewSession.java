@@ -1,7 +1,5 @@
 package enlightenment.view;
 
-import enlightenment.color.Encoding;
-import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.Film;
@@ -14,7 +12,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
-import java.util.Set;
 import java.util.function.UnaryOperator;
 
 /** What a view shows now: scene, viewpoint, size, exposure, and the last picture. All members are safe for several threads. */
@@ -71,50 +68,7 @@ final class ViewSession {
     private long restarted;
 
     /** What pages look at beside the picture. */
-    private final LayerWishes wishes = new LayerWishes(System::nanoTime);
-
-    /** The picture that others are compared with; null if there is none. */
-    private Kept kept;
-
-    private long keptSoFar;
-
-    /** What was rendered of what pages look at. */
-    private Layers layers = Layers.NONE;
-
-    /**
-     * All that a page shows.
-     *
-     * @param version counts changes of any of this
-     * @param picture counts changes of what is to be seen
-     * @param frame the last picture, or null
-     * @param size of the view; null until there is a scene
-     * @param moment the frame of the scene's animation that is shown; empty if it is the scene as its file's own numbers say
-     * @param problems of the file or of the render, one in a line; the picture is then the last one that could be made
-     * @param note of the last action, or ""
-     * @param isMoved whether camera or exposure differ from the file's
-     * @param isUpToDate whether the picture shows the camera as it is now
-     * @param kept the picture that others are compared with, or null
-     * @param layers as they were rendered last
-     */
-    record Snapshot(
-            long version,
-            long picture,
-            Frame frame,
-            Scene scene,
-            Viewpoint viewpoint,
-            ViewSize size,
-            double exposure,
-            OptionalInt moment,
-            List<String> problems,
-            String note,
-            boolean isMoved,
-            boolean isUpToDate,
-            Kept kept,
-            Layers layers) {
-        boolean isLinear() {
-            return scene != null && scene.shading() instanceof PhysicalShading;
-        }
-    }
+    private final Looks looks = new Looks(new LayerWishes(System::nanoTime));
 
     /**
      * The scene as it is seen now, with motion blur.
@@ -337,23 +291,19 @@ final class ViewSession {
                 note,
                 isMoved,
                 frame != null && frame.generation() == generation,
-                kept,
-                layers);
+                looks.kept(),
+                looks.layers());
     }
 
     /** A page looks at a layer: renders make what it needs. */
     synchronized void wish(Layer layer) {
-        wishes.add(layer);
+        looks.wish(layer);
         notifyAll();
     }
 
     /** Ends all wishes, since they cannot be had: pages that still look ask again. */
     synchronized void clearWishes() {
-        wishes.clear();
-    }
-
-    private Set<Auxiliary> missing() {
-        return layers.missing(generation, wishes.current());
+        looks.clearWishes();
     }
 
     /**
@@ -362,16 +312,16 @@ final class ViewSession {
      * @return null if the session was closed
      */
     synchronized LayerRefinement.Wish awaitWish() throws InterruptedException {
-        while (!closed && (scene == null || missing().isEmpty())) {
+        while (!closed && (scene == null || looks.missing(generation).isEmpty())) {
             wait();
         }
-        return closed ? null : new LayerRefinement.Wish(shot(), missing());
+        return closed ? null : new LayerRefinement.Wish(shot(), looks.missing(generation));
     }
 
     /** Shows layers, unless they are out of date. */
     synchronized void publish(long which, Map<Auxiliary, Layers.Numbers> next) {
         if (isCurrent(which)) {
-            layers = layers.with(next);
+            looks.add(next);
             picture++;
             changed();
         }
@@ -386,14 +336,14 @@ final class ViewSession {
         if (frame == null) {
             throw new InvalidValueException("picture", "is not there yet");
         }
-        kept = Kept.of(++keptSoFar, frame, shown(snapshot()));
+        looks.keep(frame, snapshot().shown());
         note = "";
         changed();
     }
 
     /** Forgets the picture that was kept. */
     synchronized void forget() {
-        kept = null;
+        looks.forget();
         note = "";
         changed();
     }
@@ -416,14 +366,6 @@ final class ViewSession {
             left = (end - System.nanoTime()) / 1_000_000;
         }
         return snapshot();
-    }
-
-    /** The last picture as it is shown; null if there is none. */
-    static Image shown(Snapshot s) {
-        Image image = s.frame() == null ? null : s.frame().image();
-        return image == null || image.encoding() == Encoding.DISPLAY
-                ? image
-                : image.withCurve(image.curve().withExposure(s.exposure()));
     }
 
     synchronized boolean isClosed() {

@@ -45,8 +45,10 @@ import java.util.function.BooleanSupplier;
  * <p><b>Threads.</b> All methods may be called by any number of threads at once, platform or virtual. A render uses the calling thread and, with more than one thread in its settings, helpers of its own that
  * end before it returns. {@code cancelled} is asked from all of them, by several at once: between any two units of work (a tile,
  * a pass over one, a batch of paths), now and then within one, and between the phases. The listener is called from any of them, too,
- * but by one at a time; while it runs, threads that finish a unit wait for it. Neither should block. What they throw ends the render, which
- * throws it on.
+ * but by one at a time; while it runs, threads that finish a unit wait for it, so that it should not block. {@code cancelled} may: a pause
+ * there is one of the thread that asks, between two pieces of its work, with the same picture in the end. That is how a render leaves
+ * processors to others for a while. It should be short: it delays the end of a render that is cancelled. What they throw ends the render,
+ * which throws it on.
  *
  * <p><b>Stopping.</b> Once {@code cancelled} is true, or the calling thread is interrupted, the units under way are given up
  * and the render returns with what it has: {@link RenderResult#complete} is false. While it is planned that is nothing, and no archive

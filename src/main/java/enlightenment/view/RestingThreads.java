@@ -6,7 +6,8 @@ import java.util.function.LongSupplier;
 
 /**
  * The cancellation check of a render in the background, at which its threads rest while the view is in use: three times as long as they have
- * worked, so that a motion of the camera finds the processors nearly free. What is rendered is the same.
+ * worked, so that a motion of the camera finds the processors nearly free. What is rendered is the same. {@link enlightenment.render.Renderer}
+ * allows pauses there: priorities of threads would be simpler, but Java on Linux ignores them, and a smaller number of threads holds until the end.
  */
 final class RestingThreads implements BooleanSupplier {
     private static final int RESTS_PER_WORK = 3;

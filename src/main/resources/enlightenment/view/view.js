@@ -56,6 +56,8 @@ function fit() {
     return;
   }
   const stage = at("stage");
+  // On a phone the stage is no higher than the picture needs.
+  stage.style.setProperty("--shape", state.height / state.width);
   const scale = Math.min(stage.clientWidth / state.width, stage.clientHeight / state.height);
   at("picture").style.width = Math.round(state.width * scale) + "px";
   at("picture").style.height = Math.round(state.height * scale) + "px";

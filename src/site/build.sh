@@ -18,6 +18,6 @@ fi
 mvn -B -q "$@" -Dspotless.check.skip compile javadoc:javadoc
 "$tools/bin/python" src/site/stage.py target/site-source target/reports/apidocs
 # Not quiet: that would silence the warnings by which it ends.
-NO_MKDOCS_2_WARNING=1 "$tools/bin/mkdocs" build --strict --clean --config-file src/site/mkdocs.yml
+NO_MKDOCS_2_WARNING=1 "$tools/bin/mkdocs" build --strict --clean --config-file target/site-source/mkdocs.yml
 "$tools/bin/python" src/site/check.py target/site
 du -sh target/site

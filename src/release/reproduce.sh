@@ -3,7 +3,7 @@
 #
 #   src/release/reproduce.sh [OPTIONS OF MAVEN]
 #
-# Needs git, a JDK 17 or newer and Maven. Ends with 0 if both builds are equal, with 1 if not or if one failed.
+# Needs git, a JDK 17 or newer and Maven with a network, for the bill of materials. Ends with 0 if both builds are equal, with 1 if not or if one failed.
 set -eu
 cd "$(dirname "$0")/../.."
 
@@ -25,7 +25,10 @@ build() {
     (cd "$folder" && TZ=$zone LC_ALL=$locale mvn -B -q -Prelease -DskipTests -Dspotless.check.skip -Dgpg.skip -Denforcer.skip "$@" verify)
     (cd "$folder/target" && find . -maxdepth 1 -type f \( -name '*.jar' -o -name '*.zip' -o -name '*.json' \) ! -name 'original-*' |
         LC_ALL=C sort | while read -r file; do sha256sum "$file"; done) > "$sums"
-    [ -s "$sums" ] || { echo "reproduce.sh: a build made no artifacts" >&2; exit 1; }
+    # Maven leaves the bill out without a word where it is offline.
+    for made in .jar -app.zip -sources.jar -javadoc.jar bom.json; do
+        grep -q -F -e "$made" "$sums" || { echo "reproduce.sh: a build made no *$made; is Maven online?" >&2; exit 1; }
+    done
 }
 
 build one UTC C "$@"

@@ -24,9 +24,9 @@ SAMPLES = 4
 STILL_SAMPLES = 8
 # Of the drag to either side, in pixels of a page of this size.
 REACH = 42
-PAGE = (960, 540)
-SHOWN = (640, 360)
-COLOURS = 96
+PAGE = (960, 456)
+SHOWN = (640, 304)
+COLOURS = 192
 
 
 class Page:

@@ -21,7 +21,7 @@ import time
 PATIENCE_SECONDS = 240
 STEPS = 16
 SAMPLES = 4
-STILL_SAMPLES = 8
+STILL_SAMPLES = 6
 # Of the drag to either side, in pixels of a page of this size.
 REACH = 42
 PAGE = (960, 456)

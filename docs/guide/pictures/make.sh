@@ -8,7 +8,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 java -jar target/enlightenment.jar new "$work/first" > "$work/said"
 render "$work/first.json" first --size 640x360 --method cluster --samples 64
-render "$here/example.json" example --method cluster --samples 256
+render "$here/example.json" example --method cluster --samples 64
 render "$here/lens.json" lens --size 480x270 --samples 128
 render "$here/swatches.json" swatches --samples 128
 render "$here/panorama.json" panorama --size 400x200 --samples 64 --method cluster

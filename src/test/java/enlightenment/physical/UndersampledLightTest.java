@@ -160,7 +160,7 @@ class UndersampledLightTest {
         return SceneReader.read(Path.of("src/test/resources/physical/" + name + ".json"));
     }
 
-    /** Six have small lamps or the sun, and mirrors or glass in which they are seen; none has narrow chains. */
+    /** These have small lamps or the sun, and mirrors or glass in which they are seen; none has narrow chains. */
     @Test
     void onlyShippedScenesThatShowCausticsOfSmallLampsAreSaidToHaveSuchLight() throws IOException {
         Set<String> said = new TreeSet<>();
@@ -179,7 +179,17 @@ class UndersampledLightTest {
             }
         }
         assertEquals(
-                Set.of("caustics", "fire-and-ice-physical", "fluorescent-poster", "knot", "lamp-room", "prism", "sky"),
+                Set.of(
+                        "caustics",
+                        "fire-and-ice-physical",
+                        "fluorescent-poster",
+                        "glass-and-prism",
+                        "knot",
+                        "lamp-room",
+                        "panorama",
+                        "prism",
+                        "sky",
+                        "terrace"),
                 said);
     }
 }

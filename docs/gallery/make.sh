@@ -4,13 +4,15 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 # Samples per pixel of the large pictures, some hours of one processor for all; SAMPLES=N in the environment takes N for each of them.
-declare -A samples=([watchmaker]=256 [breakfast]=256 [glass-and-prism]=512 [minerals]=128 [terrace]=128 [dandelions]=96 [serpents]=128
-    [chess]=128 [lanterns]=256 [shapes]=192 [candle]=512 [panorama]=256)
+declare -A samples=([watchmaker]=96 [breakfast]=256 [glass-and-prism]=512 [minerals]=32 [terrace]=32 [dandelions]=96 [serpents]=24
+    [chess]=48 [lanterns]=96 [shapes]=48 [candle]=512 [panorama]=256)
+# Chosen by `auto`, or by trial.
+declare -A method=([watchmaker]=raytrace [lanterns]=raytrace [chess]=raytrace [shapes]=cluster [serpents]=raytrace [terrace]=raytrace [minerals]=cluster)
 declare -A frame=([chess]="--frame 3")
 # The picture without grain is kept; its figures are in the report of the picture as rendered.
 large() {
     java -jar target/enlightenment.jar render "scenes/$1.json" -o "target/$1-rendered.png" --denoised "docs/gallery/$1.png" \
-        --samples "${SAMPLES:-${samples[$1]}}" --report "target/$1-report.json" --progress none ${frame[$1]:-}
+        --method "${method[$1]:-raytrace}" --samples "${SAMPLES:-${samples[$1]}}" --report "target/$1-report.json" --progress none ${frame[$1]:-}
 }
 if [ $# -gt 0 ]; then
     for scene in "$@"; do large "$scene"; done

@@ -91,6 +91,11 @@ public final class SmallHttp implements Closeable {
         public static Answer text(int code, String text) {
             return new Answer(code, "text/plain; charset=utf-8", text.getBytes(StandardCharsets.UTF_8));
         }
+
+        /** What was asked for, as JSON. */
+        public static Answer json(String text) {
+            return new Answer(200, "application/json", text.getBytes(StandardCharsets.UTF_8));
+        }
     }
 
     /** Answers requests; on several threads at once. */

@@ -1,16 +1,13 @@
 package enlightenment.view;
 
-import enlightenment.math.InvalidValueException;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
-import enlightenment.scene.SceneException;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.CancellationException;
 
 /**
  * Renders the layers that pages look at, beside the picture, so that they need not wait for its passes: at a quarter of the resolution, then
@@ -55,25 +52,12 @@ final class LayerRefinement implements Runnable {
     }
 
     /** Pages that still look ask again: what fails is not tried without end. */
-    private void refineSafely(Wish wish) {
-        long generation = wish.shot().generation();
-        List<String> problems;
-        try {
-            refine(wish);
-            return;
-        } catch (CancellationException e) {
-            return;
-        } catch (SceneException e) {
-            problems = ViewSession.lines(source.located(e));
-        } catch (InvalidValueException e) {
-            problems = List.of(e.getMessage());
-        } catch (OutOfMemoryError e) {
-            problems = List.of("out of memory: a smaller window, or java -Xmx, may help");
-        } catch (RuntimeException e) {
-            problems = List.of("internal error: " + e);
+    private void refineSafely(Wish wish) throws InterruptedException {
+        List<String> problems = RefinementProblems.of(() -> refine(wish), source);
+        if (!problems.isEmpty()) {
+            session.clearWishes();
+            session.failed(wish.shot().generation(), problems);
         }
-        session.clearWishes();
-        session.failed(generation, problems);
     }
 
     private void refine(Wish wish) {

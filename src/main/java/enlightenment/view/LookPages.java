@@ -6,7 +6,6 @@ import enlightenment.render.Auxiliary;
 import enlightenment.scene.Scene;
 import enlightenment.status.QuickPng;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -42,7 +41,7 @@ final class LookPages {
         try {
             return switch (request.path()) {
                 case "/layer.png" -> png(layer(request).image());
-                case "/layer.json" -> json(LookJson.layer(wanted(request), layer(request)));
+                case "/layer.json" -> SmallHttp.Answer.json(LookJson.layer(wanted(request), layer(request)));
                 case "/value.json" -> value(request);
                 case "/kept.png" -> kept();
                 case "/convergence.json" -> convergence();
@@ -120,9 +119,11 @@ final class LookPages {
         int row = Math.min((int) (y * numbers.height()), numbers.height() - 1);
         if (picture.names() != null) {
             int number = (int) numbers.component(column, row, 0);
-            return json(LookJson.name(number < 0 ? "nothing" : picture.names().apply(number)));
+            return SmallHttp.Answer.json(
+                    LookJson.name(number < 0 ? "nothing" : picture.names().apply(number)));
         }
-        return json(LookJson.values(numbers, layer == Layer.ALBEDO || layer == Layer.NORMAL ? 3 : 1, column, row));
+        return SmallHttp.Answer.json(
+                LookJson.values(numbers, layer == Layer.ALBEDO || layer == Layer.NORMAL ? 3 : 1, column, row));
     }
 
     private SmallHttp.Answer kept() throws IOException, LayerPicture.Missing {
@@ -150,14 +151,10 @@ final class LookPages {
                                 now.exposure())));
             }
         }
-        return json(LookJson.convergence(points));
+        return SmallHttp.Answer.json(LookJson.convergence(points));
     }
 
     private static SmallHttp.Answer png(Image image) throws IOException {
         return new SmallHttp.Answer(200, "image/png", QuickPng.of(image));
-    }
-
-    private static SmallHttp.Answer json(String text) {
-        return new SmallHttp.Answer(200, "application/json", text.getBytes(StandardCharsets.UTF_8));
     }
 }

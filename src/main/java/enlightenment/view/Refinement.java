@@ -1,12 +1,9 @@
 package enlightenment.view;
 
-import enlightenment.math.InvalidValueException;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
-import enlightenment.scene.SceneException;
 import java.util.List;
-import java.util.concurrent.CancellationException;
 import java.util.function.LongSupplier;
 
 /** Renders what a view asks for, pass by pass, until the view changes or there are enough samples. Runs on a thread of its own. */
@@ -61,20 +58,10 @@ final class Refinement implements Runnable {
         }
     }
 
-    /** A scene that cannot be rendered must not end the view: the next change may mend it. */
     private void refineSafely(Shot shot) throws InterruptedException {
-        try {
-            refine(shot);
-        } catch (CancellationException e) {
-            return;
-        } catch (SceneException e) {
-            session.failed(shot.generation(), ViewSession.lines(source.located(e)));
-        } catch (InvalidValueException e) {
-            session.failed(shot.generation(), List.of(e.getMessage()));
-        } catch (OutOfMemoryError e) {
-            session.failed(shot.generation(), List.of("out of memory: a smaller window, or java -Xmx, may help"));
-        } catch (RuntimeException e) {
-            session.failed(shot.generation(), List.of("internal error: " + e));
+        List<String> problems = RefinementProblems.of(() -> refine(shot), source);
+        if (!problems.isEmpty()) {
+            session.failed(shot.generation(), problems);
         }
     }
 

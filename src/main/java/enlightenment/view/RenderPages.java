@@ -4,7 +4,6 @@ import enlightenment.image.ImageFormat;
 import enlightenment.listen.SmallHttp;
 import enlightenment.math.InvalidValueException;
 import enlightenment.scene.RenderSettings;
-import java.nio.charset.StandardCharsets;
 import java.util.concurrent.Semaphore;
 
 /** What pages ask of final renders. */
@@ -50,10 +49,8 @@ final class RenderPages {
             return SmallHttp.Answer.text(503, "there are " + ViewServer.MOST_VIEWERS + " pages already\n");
         }
         try {
-            byte[] text = RenderJson.of(
-                            render.awaitNewer(after, millis), session.snapshot().scene())
-                    .getBytes(StandardCharsets.UTF_8);
-            return new SmallHttp.Answer(200, "application/json", text);
+            return SmallHttp.Answer.json(RenderJson.of(
+                    render.awaitNewer(after, millis), session.snapshot().scene()));
         } finally {
             waiting.release();
         }

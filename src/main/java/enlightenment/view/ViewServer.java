@@ -119,7 +119,7 @@ final class ViewServer implements Closeable {
                 case "/state.json" -> state(request);
                 case "/picture.png" -> picture();
                 case "/pixel.json" -> pixel(request);
-                case "/camera.json" -> json(actions.camera());
+                case "/camera.json" -> SmallHttp.Answer.json(actions.camera());
                 case "/do" -> action(request);
                 case "/render.json" -> renders.status(request, PATIENCE_MILLIS);
                 case "/render.png" -> renders.file(ImageFormat.PNG, "image/png");
@@ -140,10 +140,6 @@ final class ViewServer implements Closeable {
         }
     }
 
-    private static SmallHttp.Answer json(String text) {
-        return new SmallHttp.Answer(200, "application/json", text.getBytes(StandardCharsets.UTF_8));
-    }
-
     private SmallHttp.Answer state(SmallHttp.Request request) throws InterruptedException {
         if (!viewers.tryAcquire()) {
             return SmallHttp.Answer.text(503, "there are " + MOST_VIEWERS + " pages already\n");
@@ -154,7 +150,7 @@ final class ViewServer implements Closeable {
                     : (long) ViewActions.number(request, "after", 0, Long.MAX_VALUE);
             look.wish(request);
             Snapshot now = session.awaitNewer(after, PATIENCE_MILLIS);
-            return json(ViewJson.state(now, title, loader.reasonAgainstSaving(now)));
+            return SmallHttp.Answer.json(ViewJson.state(now, title, loader.reasonAgainstSaving(now)));
         } finally {
             viewers.release();
         }
@@ -183,12 +179,12 @@ final class ViewServer implements Closeable {
         double y = ViewActions.number(request, "y", 0, 1);
         PixelProbe pixel = actions.probe(x, y);
         Snapshot now = session.snapshot();
-        return json(ViewJson.pixel(pixel, now, x, y));
+        return SmallHttp.Answer.json(ViewJson.pixel(pixel, now, x, y));
     }
 
     private SmallHttp.Answer action(SmallHttp.Request request) throws SceneLoader.Refusal {
         actions.act(request);
-        return json("{ \"version\": " + session.snapshot().version() + " }\n");
+        return SmallHttp.Answer.json("{ \"version\": " + session.snapshot().version() + " }\n");
     }
 
     @Override

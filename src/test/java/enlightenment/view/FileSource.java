@@ -12,8 +12,12 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.OptionalInt;
 
-/** A scene file for views, read by the reader of scenes. */
-record FileSource(Path file) implements SceneSource {
+/**
+ * A scene file for views, read by the reader of scenes.
+ *
+ * @param isNative whether it is to pass for a file of this program
+ */
+record FileSource(Path file, boolean isNative) implements SceneSource {
     /** The files of final renders without what {@code render} writes into them beside the picture. */
     static final PictureFiles FILES = (scene, frame, result, format) -> bytes(result.image(), format);
 
@@ -23,9 +27,8 @@ record FileSource(Path file) implements SceneSource {
         return out.toByteArray();
     }
 
-    @Override
-    public boolean isNative() {
-        return true;
+    FileSource(Path file) {
+        this(file, true);
     }
 
     @Override

@@ -28,7 +28,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.function.Predicate;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
@@ -71,53 +70,20 @@ class LiveViewTest {
     private Path folder;
 
     private Path file;
-    private boolean isNative = true;
     private LiveView view;
     private String address;
     private String key;
 
-    /** The file, read by the reader of scenes. */
-    private final class Source implements SceneSource {
-        @Override
-        public Path file() {
-            return file;
-        }
-
-        @Override
-        public boolean isNative() {
-            return isNative;
-        }
-
-        @Override
-        public Scene read() {
-            return SceneReader.read(file);
-        }
-
-        @Override
-        public Scene read(int frame) {
-            return SceneReader.read(file, frame);
-        }
-
-        @Override
-        public OptionalInt frame() {
-            return OptionalInt.empty();
-        }
-
-        @Override
-        public SceneException located(SceneException e) {
-            return SceneReader.located(e, file);
-        }
-    }
-
     @BeforeEach
     void start() throws Exception {
         file = Files.writeString(folder.resolve("scene.json"), SCENE);
-        begin(SAMPLES);
+        begin(SAMPLES, true);
     }
 
-    private void begin(int samples) throws Exception {
+    private void begin(int samples, boolean isNative) throws Exception {
         LiveView.Options options = new LiveView.Options("scene.json", 0, 2, samples);
-        view = LiveView.start(new Source(), FileSource.FILES, options, new ServerLog(line -> {}, System::nanoTime));
+        view = LiveView.start(
+                new FileSource(file, isNative), FileSource.FILES, options, new ServerLog(line -> {}, System::nanoTime));
         String[] parts = view.address().split("#");
         address = parts[0];
         key = parts[1];
@@ -126,7 +92,7 @@ class LiveViewTest {
 
     private void restart(int samples) throws Exception {
         view.close();
-        begin(samples);
+        begin(samples, true);
     }
 
     @AfterEach
@@ -411,7 +377,8 @@ class LiveViewTest {
 
     @Test
     void filesOfOtherProgramsAreNotWritten() throws Exception {
-        isNative = false;
+        view.close();
+        begin(SAMPLES, false);
         done("action=dolly&x=2");
         assertFalse(state(0).get("refusal").asString().isEmpty());
         assertEquals(409, act("action=save").statusCode());
@@ -510,6 +477,6 @@ class LiveViewTest {
         Files.writeString(file, "{}");
         LiveView.Options options = new LiveView.Options("", 0, 1, 1);
         ServerLog log = new ServerLog(line -> {}, System::nanoTime);
-        assertThrows(SceneException.class, () -> LiveView.start(new Source(), FileSource.FILES, options, log));
+        assertThrows(SceneException.class, () -> LiveView.start(new FileSource(file), FileSource.FILES, options, log));
     }
 }

@@ -2,7 +2,7 @@ package enlightenment.geometry;
 
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.mesh.MeshOrigin;
+import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.numeric.Scale;
 import java.math.BigDecimal;
@@ -19,7 +19,7 @@ import java.util.Optional;
  * @param origin where it was read from, which a scene file names; empty for one that was made otherwise
  * @param transform from the mesh's coordinates to those of the scene
  */
-public record Mesh(TriangleMesh triangles, Optional<MeshOrigin> origin, Transform transform) implements Shape {
+public record Mesh(TriangleMesh triangles, Optional<MeshFiles.Origin> origin, Transform transform) implements Shape {
     /** All must be there. */
     public Mesh {
         Objects.requireNonNull(triangles, "triangles");

@@ -1,5 +1,7 @@
 package enlightenment.mesh;
 
+import enlightenment.mesh.data.VertexArrays;
+
 /** The triangles among others whose three corners lie in one line, as far as doubles can tell. */
 final class FlatTriangles {
     private final int[] all;

@@ -1,5 +1,6 @@
 package enlightenment.mesh;
 
+import enlightenment.mesh.data.VertexArrays;
 import java.util.Arrays;
 
 /**

@@ -1,6 +1,7 @@
 package enlightenment.mesh;
 
 import enlightenment.file.ContentHash;
+import enlightenment.mesh.data.VertexArrays;
 import java.nio.ByteBuffer;
 import java.security.MessageDigest;
 

@@ -1,13 +1,17 @@
 package enlightenment.mesh;
 
+import enlightenment.check.Check;
 import enlightenment.math.InvalidValueException;
+import enlightenment.mesh.input.MeshSource;
 import enlightenment.text.Plain;
+import enlightenment.text.Suggestion;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 
 /**
  * Reads files of meshes: PLY, OBJ, STL and Mitsuba's {@code .serialized}. The content says which it is, and the end of the name where the content
@@ -36,7 +40,7 @@ public final class MeshFiles {
      *
      * @param maxTriangles the limit of triangles in all parts
      */
-    public static List<MeshPart> read(Path file, long maxTriangles) throws IOException {
+    public static List<Part> read(Path file, long maxTriangles) throws IOException {
         return readFile(file, maxTriangles).parts();
     }
 
@@ -45,12 +49,12 @@ public final class MeshFiles {
      *
      * @param name for messages, and for the format
      */
-    public static List<MeshPart> read(byte[] content, String name, long maxTriangles) throws IOException {
+    public static List<Part> read(byte[] content, String name, long maxTriangles) throws IOException {
         return read(MeshSource.of(content, name), maxTriangles).parts();
     }
 
     /** Reads the parts of a file and the names of the material libraries that it uses, see {@link #read(Path, long)}. */
-    public static MeshFile readFile(Path file, long maxTriangles) throws IOException {
+    public static Contents readFile(Path file, long maxTriangles) throws IOException {
         return read(MeshSource.of(file), maxTriangles);
     }
 
@@ -59,7 +63,7 @@ public final class MeshFiles {
      *
      * @param shape its number, counted from 0
      */
-    public static MeshPart readShape(Path file, int shape, long maxTriangles) throws IOException {
+    public static Part readShape(Path file, int shape, long maxTriangles) throws IOException {
         MeshSource source = MeshSource.of(file);
         return checked(source, () -> SerializedReader.read(source, shape, maxTriangles));
     }
@@ -81,11 +85,11 @@ public final class MeshFiles {
         }
     }
 
-    private static MeshFile read(MeshSource source, long maxTriangles) throws IOException {
+    private static Contents read(MeshSource source, long maxTriangles) throws IOException {
         return checked(source, () -> readAny(source, maxTriangles));
     }
 
-    private static MeshFile readAny(MeshSource source, long maxTriangles) throws IOException {
+    private static Contents readAny(MeshSource source, long maxTriangles) throws IOException {
         byte[] start = source.start(START);
         String text = new String(start, StandardCharsets.ISO_8859_1);
         if (text.startsWith("\u001f\u008b")) {
@@ -93,7 +97,7 @@ public final class MeshFiles {
         }
         String name = source.name.toLowerCase(Locale.ROOT);
         if (SerializedReader.isSerialized(start) || name.endsWith(".serialized")) {
-            return new MeshFile(SerializedReader.read(source, maxTriangles), List.of());
+            return new Contents(SerializedReader.read(source, maxTriangles), List.of());
         }
         if (text.matches("(?is)ply[\n\r].*") || name.endsWith(".ply")) {
             return single(source, () -> PlyReader.read(source, maxTriangles));
@@ -112,8 +116,91 @@ public final class MeshFiles {
                                 + Plain.quoted(text.substring(0, Math.min(16, text.length()))));
     }
 
-    private static MeshFile single(MeshSource source, MeshMaking making) throws IOException {
+    private static Contents single(MeshSource source, MeshMaking making) throws IOException {
         TriangleMesh mesh = making.withArea(source).orElseThrow(() -> source.failure("has no triangle with an area"));
-        return new MeshFile(List.of(new MeshPart("", mesh)), List.of());
+        return new Contents(List.of(new Part("", mesh)), List.of());
+    }
+
+    /**
+     * A part of a mesh file: the triangles of one material, or one shape of a {@code .serialized} file.
+     *
+     * @param material the name of the material, or ""
+     * @param mesh its triangles
+     */
+    public record Part(String material, TriangleMesh mesh) {}
+
+    /**
+     * What a mesh file holds.
+     *
+     * @param parts at least one
+     * @param materialLibraries the names of MTL files as an OBJ file has them, which are relative to its folder; else none
+     */
+    public record Contents(List<MeshFiles.Part> parts, List<String> materialLibraries) {
+        /** Copies the lists. */
+        public Contents {
+            parts = List.copyOf(parts);
+            materialLibraries = List.copyOf(materialLibraries);
+        }
+    }
+
+    /**
+     * Where a mesh comes from: a file, a part of it, and what is made of its normals.
+     *
+     * @param file the file; where scenes have no folder, a name
+     * @param part the name of the material whose triangles are meant, or the number of a shape from 0; "" for all of the file
+     * @param normals which normals its vertices have
+     * @param crease for {@link Normals#SMOOTH}: the angle in degrees, 0..180, beyond which normals of triangles do not count for another; else 180
+     */
+    public record Origin(Path file, String part, Normals normals, double crease) {
+        /** Which normals vertices have. */
+        public enum Normals {
+            /** Those of the file, if it has some. */
+            FILE,
+            /** None: triangles are flat. */
+            FLAT,
+            /** The mean of those of the triangles around a vertex. */
+            SMOOTH
+        }
+
+        /** @throws enlightenment.math.InvalidValueException for a crease out of range, or other than 180 without smooth normals */
+        public Origin {
+            Objects.requireNonNull(file, "file");
+            Objects.requireNonNull(normals, "normals");
+            Objects.requireNonNull(part, "part");
+            Check.range("crease", crease, 0, 180);
+            Check.that(normals == Normals.SMOOTH || crease == 180, "crease", "means something for smooth normals only");
+        }
+
+        /**
+         * The mesh that is meant.
+         *
+         * @param parts those of the file
+         * @throws IOException if it has no such part
+         */
+        public TriangleMesh of(List<MeshFiles.Part> parts) throws IOException {
+            TriangleMesh read = part.isEmpty() ? JoinedParts.of(parts) : named(parts);
+            return switch (normals) {
+                case FILE -> read;
+                case FLAT -> read.flat();
+                case SMOOTH -> read.smooth(crease);
+            };
+        }
+
+        private TriangleMesh named(List<MeshFiles.Part> parts) throws IOException {
+            for (MeshFiles.Part p : parts) {
+                if (p.material().equals(part)) {
+                    return p.mesh();
+                }
+            }
+            if (part.matches("[0-9]{1,9}") && Integer.parseInt(part) < parts.size()) {
+                return parts.get(Integer.parseInt(part)).mesh();
+            }
+            List<String> names = parts.stream()
+                    .map(MeshFiles.Part::material)
+                    .filter(n -> !n.isEmpty())
+                    .toList();
+            throw new IOException(file + " has no part " + Plain.quoted(part) + " among its " + parts.size()
+                    + (names.isEmpty() ? "" : Suggestion.of(part, names, "there are")));
+        }
     }
 }

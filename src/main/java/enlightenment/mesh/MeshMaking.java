@@ -1,6 +1,7 @@
 package enlightenment.mesh;
 
 import enlightenment.math.InvalidValueException;
+import enlightenment.mesh.input.MeshSource;
 import java.io.IOException;
 import java.util.Optional;
 

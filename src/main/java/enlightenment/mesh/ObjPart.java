@@ -1,5 +1,7 @@
 package enlightenment.mesh;
 
+import enlightenment.mesh.data.VertexArrays;
+import enlightenment.mesh.input.MeshSource;
 import java.io.IOException;
 import java.util.Optional;
 

@@ -1,5 +1,7 @@
 package enlightenment.mesh;
 
+import enlightenment.mesh.input.MeshSource;
+import enlightenment.mesh.input.TextInput;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.io.InputStream;
@@ -82,11 +84,11 @@ final class ObjReader {
         this.maxTriangles = maxTriangles;
     }
 
-    static MeshFile read(MeshSource source, long maxTriangles) throws IOException {
+    static MeshFiles.Contents read(MeshSource source, long maxTriangles) throws IOException {
         return new ObjReader(source, maxTriangles).file();
     }
 
-    private MeshFile file() throws IOException {
+    private MeshFiles.Contents file() throws IOException {
         try (InputStream stream = source.open(0)) {
             TextInput in = new TextInput(source, stream, 1);
             while (!in.atEnd()) {
@@ -98,10 +100,10 @@ final class ObjReader {
             uv.checkLargest(in);
             normals.checkLargest(in);
         }
-        List<MeshPart> read = new ArrayList<>();
+        List<MeshFiles.Part> read = new ArrayList<>();
         for (ObjPart p : parts.values()) {
             p.mesh(source, positions.values, uv.values, normals.values)
-                    .ifPresent(mesh -> read.add(new MeshPart(p.material, mesh)));
+                    .ifPresent(mesh -> read.add(new MeshFiles.Part(p.material, mesh)));
         }
         if (read.isEmpty()) {
             throw source.failure(
@@ -109,7 +111,7 @@ final class ObjReader {
                             ? "has " + positions.count() + " vertices and no faces (f); nothing else makes a mesh"
                             : "has no triangle with an area");
         }
-        return new MeshFile(read, List.copyOf(libraries));
+        return new MeshFiles.Contents(read, List.copyOf(libraries));
     }
 
     private void readLine(TextInput in) throws IOException {

@@ -8,8 +8,8 @@ final class OpenEdges {
 
     OpenEdges(TriangleMesh mesh) {
         int[] place = new Welding(mesh).first;
-        int[] kept = mesh.indices();
-        int[] flat = mesh.withoutArea();
+        int[] kept = mesh.data().indices;
+        int[] flat = mesh.data().withoutArea;
         long[] edges = new long[kept.length + flat.length];
         add(kept, place, edges, 0);
         add(flat, place, edges, kept.length);

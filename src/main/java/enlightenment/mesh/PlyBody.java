@@ -1,5 +1,7 @@
 package enlightenment.mesh;
 
+import enlightenment.mesh.input.BinaryInput;
+import enlightenment.mesh.input.TextInput;
 import java.io.IOException;
 import java.util.function.Supplier;
 

@@ -1,5 +1,6 @@
 package enlightenment.mesh;
 
+import enlightenment.mesh.input.MeshSource;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

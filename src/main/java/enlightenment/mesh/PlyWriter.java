@@ -1,5 +1,6 @@
 package enlightenment.mesh;
 
+import enlightenment.mesh.data.VertexArrays;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
@@ -63,7 +64,7 @@ final class PlyWriter {
                 piece.putDouble(mesh.coordinate(v, axis));
             }
         }
-        VertexArrays of = mesh.arrays();
+        VertexArrays of = mesh.data().vertices;
         if (of.normals != null) {
             piece.putFloat(of.normals[3 * v]).putFloat(of.normals[3 * v + 1]).putFloat(of.normals[3 * v + 2]);
         }

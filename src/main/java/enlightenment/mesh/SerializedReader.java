@@ -1,5 +1,8 @@
 package enlightenment.mesh;
 
+import enlightenment.mesh.data.VertexArrays;
+import enlightenment.mesh.input.BinaryInput;
+import enlightenment.mesh.input.MeshSource;
 import java.io.ByteArrayInputStream;
 import java.io.FilterInputStream;
 import java.io.IOException;
@@ -56,16 +59,16 @@ final class SerializedReader {
         return start.length >= 2 && start[0] == (byte) MAGIC && start[1] == MAGIC >> 8;
     }
 
-    static List<MeshPart> read(MeshSource source, long maxTriangles) throws IOException {
+    static List<MeshFiles.Part> read(MeshSource source, long maxTriangles) throws IOException {
         SerializedReader reader = new SerializedReader(source, maxTriangles);
-        List<MeshPart> parts = new ArrayList<>();
+        List<MeshFiles.Part> parts = new ArrayList<>();
         for (int i = 0; i < reader.offsets.length - 1; i++) {
             parts.add(reader.part(i));
         }
         return parts;
     }
 
-    static MeshPart read(MeshSource source, int shape, long maxTriangles) throws IOException {
+    static MeshFiles.Part read(MeshSource source, int shape, long maxTriangles) throws IOException {
         SerializedReader reader = new SerializedReader(source, maxTriangles);
         int shapes = reader.offsets.length - 1;
         if (shape < 0 || shape >= shapes) {
@@ -129,7 +132,7 @@ final class SerializedReader {
         return found;
     }
 
-    private MeshPart part(int number) throws IOException {
+    private MeshFiles.Part part(int number) throws IOException {
         shape = number;
         element = "";
         long size = offsets[number + 1] - offsets[number];
@@ -143,7 +146,7 @@ final class SerializedReader {
                 MeshMaking making = version == 5 ? this::packed : this::arrays;
                 TriangleMesh mesh =
                         making.withArea(source).orElseThrow(() -> in.failure("has no triangle with an area"));
-                return new MeshPart("", mesh);
+                return new MeshFiles.Part("", mesh);
             }
         }
     }

@@ -161,10 +161,10 @@ final class SmoothNormals {
             for (int i = 0; i < n.length; i++) {
                 n[i] = Float.isNaN(n[i]) ? 0 : n[i]; // a vertex that no triangle has
             }
-            int[] flat = mesh.withoutArea();
+            int[] flat = mesh.data().withoutArea;
             int[] all = Arrays.copyOf(indices, indices.length + flat.length);
             System.arraycopy(flat, 0, all, indices.length, flat.length);
-            return new TriangleMesh(mesh.arrays().copies(Arrays.copyOf(old, size), n), all);
+            return new TriangleMesh(mesh.data().vertices.copies(Arrays.copyOf(old, size), n), all);
         }
     }
 }

@@ -1,5 +1,9 @@
 package enlightenment.mesh;
 
+import enlightenment.mesh.data.VertexArrays;
+import enlightenment.mesh.input.BinaryInput;
+import enlightenment.mesh.input.MeshSource;
+import enlightenment.mesh.input.TextInput;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.io.InputStream;

@@ -3,8 +3,8 @@ package enlightenment.mesh;
 import enlightenment.check.Check;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
-import java.util.List;
-import java.util.function.Supplier;
+import enlightenment.mesh.data.MeshData;
+import enlightenment.mesh.data.VertexArrays;
 
 /**
  * Triangles that share vertices, in coordinates of their own (object space). A triangle's geometric normal, (b − a) × (c − a), points to its
@@ -14,38 +14,22 @@ import java.util.function.Supplier;
  * <p>Coordinates are kept as floats where each is one, else as doubles. Triangles without an area are left out, and counted: files are full of
  * them.
  */
-public final class TriangleMesh {
+public final class TriangleMesh extends MeshStore {
     /** Coordinates beyond this have squares that doubles cannot multiply; a transform makes meshes larger. */
     private static final double LARGEST = 1e30;
-
-    private final VertexArrays arrays;
-    private final int[] indices;
-
-    /** The triangles that were left out. */
-    private final int[] withoutArea;
 
     private final Bounds bounds;
     private volatile String digest;
     private volatile OpenEdges openEdges;
     private volatile double volume = Double.NaN;
-    private volatile TriangleTree tree;
 
     /** This mesh with its front outside; null until it is asked for. */
     private volatile TriangleMesh outwards;
 
-    /** Other meshes, how this one and they are placed, and the mesh of this one's triangles and then theirs. */
-    private record Union(List<TriangleMesh> others, List<?> placings, TriangleMesh all) {}
-
-    private Union union;
-
     /** Takes the arrays as they are. */
     TriangleMesh(VertexArrays arrays, int[] indices) {
-        this.arrays = arrays;
-        check(indices);
-        FlatTriangles flat = new FlatTriangles(arrays, indices);
-        withoutArea = flat.corners();
-        this.indices = flat.cornersOfOthers();
-        Check.that(this.indices.length > 0, "indices", "must hold at least one triangle with an area");
+        super(checked(arrays, indices));
+        Check.that(data().indices.length > 0, "indices", "must hold at least one triangle with an area");
         bounds = boundsOf(this);
         double size = bounds.maxAbs();
         Check.that(
@@ -55,15 +39,18 @@ public final class TriangleMesh {
     }
 
     private TriangleMesh(TriangleMesh of, VertexArrays arrays, int[] indices) {
-        this.arrays = arrays;
-        this.indices = indices;
-        withoutArea = of.withoutArea;
+        super(new MeshData(arrays, indices, of.data().withoutArea));
         bounds = of.bounds;
     }
 
-    private void check(int[] all) {
+    private static MeshData checked(VertexArrays arrays, int[] indices) {
+        check(indices, arrays.size());
+        FlatTriangles flat = new FlatTriangles(arrays, indices);
+        return new MeshData(arrays, flat.cornersOfOthers(), flat.corners());
+    }
+
+    private static void check(int[] all, int vertices) {
         Check.that(all.length % 3 == 0, "indices", "must be three for each triangle, not " + all.length + " in all");
-        int vertices = arrays.size();
         for (int i = 0; i < all.length; i++) {
             int v = all[i];
             if (v < 0 || v >= vertices) {
@@ -99,12 +86,12 @@ public final class TriangleMesh {
      * @throws enlightenment.math.InvalidValueException (key {@code normals}) unless there is a finite one for each vertex
      */
     public TriangleMesh withNormals(float[] values) {
-        return new TriangleMesh(this, arrays.withNormals(values.clone()), indices);
+        return new TriangleMesh(this, arrays().withNormals(values.clone()), data().indices);
     }
 
     /** This mesh without normals of vertices: each triangle is flat. */
     public TriangleMesh flat() {
-        return hasNormals() ? new TriangleMesh(this, arrays.withNormals(null), indices) : this;
+        return hasNormals() ? new TriangleMesh(this, arrays().withNormals(null), data().indices) : this;
     }
 
     /** This mesh, smooth everywhere: the normal of a vertex is the mean of those of the triangles around it, weighted by their angles. */
@@ -130,7 +117,7 @@ public final class TriangleMesh {
      * @throws enlightenment.math.InvalidValueException (key {@code uv}) unless there are two finite numbers for each vertex
      */
     public TriangleMesh withUv(float[] values) {
-        return new TriangleMesh(this, arrays.withUv(values.clone()), indices);
+        return new TriangleMesh(this, arrays().withUv(values.clone()), data().indices);
     }
 
     /**
@@ -138,42 +125,38 @@ public final class TriangleMesh {
      * stay.
      */
     public TriangleMesh turned() {
+        int[] indices = data().indices;
         int[] order = indices.clone();
         for (int i = 0; i < order.length; i += 3) {
             order[i + 1] = indices[i + 2];
             order[i + 2] = indices[i + 1];
         }
-        return new TriangleMesh(this, arrays.withNegatedNormals(), order);
-    }
-
-    /** Writes the geometric normal of a triangle, as long as twice its area. */
-    void normal(int triangle, double[] out) {
-        arrays.normal(vertex(triangle, 0), vertex(triangle, 1), vertex(triangle, 2), out);
+        return new TriangleMesh(this, arrays().withNegatedNormals(), order);
     }
 
     /** The number of vertices. */
     public int vertices() {
-        return arrays.size();
+        return arrays().size();
     }
 
     /** The number of triangles, at least 1, without those that were left out. */
     public int triangles() {
-        return indices.length / 3;
+        return data().indices.length / 3;
     }
 
     /** How many triangles had no area and were left out. */
     public int dropped() {
-        return withoutArea.length / 3;
+        return data().withoutArea.length / 3;
     }
 
     /** The vertex at a corner of a triangle; corner 0, 1 or 2. */
     public int vertex(int triangle, int corner) {
-        return indices[3 * triangle + corner];
+        return data().indices[3 * triangle + corner];
     }
 
     /** A coordinate of a vertex; axis 0, 1 or 2. */
     public double coordinate(int vertex, int axis) {
-        return arrays.coordinate(vertex, axis);
+        return arrays().coordinate(vertex, axis);
     }
 
     /** The position of a vertex. */
@@ -183,43 +166,35 @@ public final class TriangleMesh {
 
     /** Whether each coordinate is a float. */
     public boolean isOfFloats() {
-        return arrays.floats != null;
+        return arrays().floats != null;
     }
 
     /** Whether vertices have normals. */
     public boolean hasNormals() {
-        return arrays.normals != null;
+        return arrays().normals != null;
     }
 
     /** Whether vertices have texture coordinates. */
     public boolean hasUv() {
-        return arrays.uv != null;
+        return arrays().uv != null;
     }
 
     /** The normal of a vertex, as it was given: of any length. */
     public Vec3 normal(int vertex) {
-        float[] n = arrays.normals;
+        float[] n = arrays().normals;
         return new Vec3(n[3 * vertex], n[3 * vertex + 1], n[3 * vertex + 2]);
     }
 
     /** A texture coordinate of a vertex: 0 for u, 1 for v. */
     public double uv(int vertex, int which) {
-        return arrays.uv[2 * vertex + which];
+        return arrays().uv[2 * vertex + which];
     }
 
     /** The geometric normal of a triangle, as long as twice its area: the sum of these over a closed mesh is 0. */
     public Vec3 areaNormal(int triangle) {
         double[] n = new double[3];
-        normal(triangle, n);
+        data().normal(triangle, n);
         return new Vec3(n[0], n[1], n[2]);
-    }
-
-    /** Whether two vertices are in the same place. */
-    boolean areInOnePlace(int v, int w) {
-        return v == w
-                || coordinate(v, 0) == coordinate(w, 0)
-                        && coordinate(v, 1) == coordinate(w, 1)
-                        && coordinate(v, 2) == coordinate(w, 2);
     }
 
     /**
@@ -296,7 +271,7 @@ public final class TriangleMesh {
     private static Bounds boundsOf(TriangleMesh mesh) {
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
-        for (int v : mesh.indices) {
+        for (int v : mesh.data().indices) {
             for (int axis = 0; axis < 3; axis++) {
                 double c = mesh.coordinate(v, axis);
                 low[axis] = Math.min(low[axis], c);
@@ -306,80 +281,21 @@ public final class TriangleMesh {
         return new Bounds(new Vec3(low[0], low[1], low[2]), new Vec3(high[0], high[1], high[2]));
     }
 
-    /**
-     * The hierarchy of its triangles, made when it is first asked for: all instances share it.
-     *
-     * @param poll called now and then; ends the building by what it throws
-     */
-    public synchronized TriangleTree tree(Runnable poll) {
-        if (tree == null) {
-            tree = new TriangleTree(this, poll);
-        }
-        return tree;
-    }
-
-    /** The hierarchy; who traces rays has made it before. */
-    TriangleTree tree() {
-        TriangleTree made = tree;
-        return made == null ? tree(() -> {}) : made;
-    }
-
-    /** What {@link #tree} takes of memory, without making it where it is not there: about as much as it would. */
-    public long treeBytes() {
-        TriangleTree made = tree;
-        return made == null ? TriangleTree.USUAL_BYTES * triangles() : made.bytes();
-    }
-
-    /** What was made of this mesh and others: kept until others are asked for, since the frames of a film ask for the same. */
-    synchronized TriangleMesh union(List<TriangleMesh> others, List<?> placings, Supplier<TriangleMesh> making) {
-        if (union == null || !areSame(union.others, others) || !union.placings.equals(placings)) {
-            union = new Union(List.copyOf(others), List.copyOf(placings), making.get());
-        }
-        return union.all;
-    }
-
-    private static boolean areSame(List<TriangleMesh> a, List<TriangleMesh> b) {
-        boolean same = a.size() == b.size();
-        for (int i = 0; same && i < a.size(); i++) {
-            same = a.get(i) == b.get(i);
-        }
-        return same;
-    }
-
     /** The bytes that its arrays take. */
     public long bytes() {
-        return 4L * indices.length + arrays.bytes();
+        return data().bytes();
     }
 
-    /** The arrays themselves, for this package and for reading only: x, y, z of the vertices, or null if they are doubles. */
-    float[] floatPositions() {
-        return arrays.floats;
-    }
-
-    /** Those of doubles, for this package and for reading only; null if they are floats. */
-    double[] doublePositions() {
-        return arrays.doubles;
-    }
-
-    /** Three vertices of each triangle that was left out. */
-    int[] withoutArea() {
-        return withoutArea;
-    }
-
-    int[] indices() {
-        return indices;
-    }
-
-    /** The vertices themselves, for this package. */
-    VertexArrays arrays() {
-        return arrays;
+    /** The vertices themselves, for reading only. */
+    private VertexArrays arrays() {
+        return data().vertices;
     }
 
     /** A hash of all its numbers: 64 hexadecimal digits, equal for equal meshes and, as far as anybody knows, for no others. */
     public String digest() {
         String known = digest;
         if (known == null) {
-            known = MeshDigest.of(arrays, indices);
+            known = MeshDigest.of(arrays(), data().indices);
             digest = known;
         }
         return known;

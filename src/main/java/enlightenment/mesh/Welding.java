@@ -15,7 +15,7 @@ final class Welding {
         Arrays.fill(table, -1);
         for (int v = 0; v < n; v++) {
             int slot = hash(mesh, v) & capacity - 1;
-            while (table[slot] >= 0 && !mesh.areInOnePlace(table[slot], v)) {
+            while (table[slot] >= 0 && !mesh.data().vertices.areInOnePlace(table[slot], v)) {
                 slot = slot + 1 & capacity - 1;
             }
             if (table[slot] < 0) {

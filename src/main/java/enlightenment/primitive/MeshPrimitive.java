@@ -2,8 +2,9 @@ package enlightenment.primitive;
 
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
-import enlightenment.mesh.MeshRay;
 import enlightenment.mesh.TriangleMesh;
+import enlightenment.mesh.tree.MeshRay;
+import enlightenment.mesh.tree.TriangleTree;
 import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 import java.util.Arrays;
@@ -41,7 +42,7 @@ public final class MeshPrimitive extends Primitive {
         if (placing.keepsAxes()) {
             all.accept(min.x(), min.y(), min.z(), max.x(), max.y(), max.z());
         } else {
-            mesh.tree(() -> {}).forEachBox(all);
+            TriangleTree.of(mesh, () -> {}).forEachBox(all);
         }
         return all.bounds(placing.slack(mesh.maxAbs()));
     }

@@ -1,10 +1,10 @@
 package enlightenment.primitive;
 
 import enlightenment.frame.Bounds;
-import enlightenment.mesh.JoinedMesh;
-import enlightenment.mesh.MeshRay;
 import enlightenment.mesh.TriangleMesh;
-import enlightenment.mesh.TriangleTree;
+import enlightenment.mesh.tree.JoinedMesh;
+import enlightenment.mesh.tree.MeshRay;
+import enlightenment.mesh.tree.TriangleTree;
 import java.util.Arrays;
 import java.util.List;
 
@@ -57,7 +57,7 @@ public final class MeshUnion {
     private static MeshUnion ofAlike(Primitive[] primitives, int[] ids, Runnable poll) {
         MeshPrimitive[] members = members(primitives, ids);
         TriangleMesh joined = JoinedMesh.positionsOf(meshes(members));
-        return new MeshUnion(members, ids, members[0].placing(), joined.tree(poll));
+        return new MeshUnion(members, ids, members[0].placing(), TriangleTree.of(joined, poll));
     }
 
     /** In the coordinates of the frame; null if rounding takes the area of a triangle away, since places in the leaves count triangles. */
@@ -67,7 +67,9 @@ public final class MeshUnion {
         List<Placing> placings =
                 Arrays.stream(members).map(MeshPrimitive::placing).toList();
         TriangleMesh joined = JoinedMesh.positionsOf(meshes, placings);
-        return joined.dropped() > 0 ? null : new MeshUnion(members, ids, Placing.IDENTITY, joined.tree(poll));
+        return joined.dropped() > 0
+                ? null
+                : new MeshUnion(members, ids, Placing.IDENTITY, TriangleTree.of(joined, poll));
     }
 
     private static MeshPrimitive[] members(Primitive[] primitives, int[] ids) {

@@ -2,7 +2,7 @@ package enlightenment.primitive;
 
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
-import enlightenment.mesh.TriangleTree;
+import enlightenment.mesh.tree.TriangleTree;
 
 /** The box around boxes of a mesh that have been placed. */
 final class PlacedBoxes implements TriangleTree.Boxes {

@@ -3,7 +3,7 @@ package enlightenment.primitive;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Transform;
 import enlightenment.math.Vec3;
-import enlightenment.mesh.PlacedVertices;
+import enlightenment.mesh.tree.PlacedVertices;
 import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 import java.util.Arrays;

@@ -1,7 +1,7 @@
 package enlightenment.primitive;
 
 import enlightenment.math.Vec3;
-import enlightenment.mesh.MeshRay;
+import enlightenment.mesh.tree.MeshRay;
 import enlightenment.numeric.Scale;
 import java.util.Arrays;
 

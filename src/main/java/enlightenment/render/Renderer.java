@@ -5,6 +5,7 @@ import enlightenment.engine.Preview;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.math.InvalidValueException;
+import enlightenment.mesh.tree.TriangleTree;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.MethodDecision;
 import enlightenment.plan.MethodPilot;
@@ -340,7 +341,9 @@ public final class Renderer {
 
     /** What meshes take, each once. */
     private static long meshBytes(Scene scene) {
-        return scene.meshes().stream().mapToLong(m -> m.bytes() + m.treeBytes()).sum();
+        return scene.meshes().stream()
+                .mapToLong(m -> m.bytes() + TriangleTree.bytesOf(m))
+                .sum();
     }
 
     /**

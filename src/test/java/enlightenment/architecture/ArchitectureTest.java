@@ -62,7 +62,7 @@ class ArchitectureTest {
             .layer("bvh")
             .definedBy("enlightenment.bvh")
             .layer("mesh")
-            .definedBy("enlightenment.mesh")
+            .definedBy("enlightenment.mesh..")
             .layer("photometry")
             .definedBy("enlightenment.photometry")
             .layer("geometry")

@@ -59,9 +59,11 @@ class FloatingLiteralsTest {
 
     private static final List<Explained> EXPLAINED = List.of(
             new Explained("geometry/Mesh.java", "1.01", "the middle of the box is rounded to a thousandth of its size"),
-            new Explained("mesh/Departure.java", "4", "how many times its own rounding a corner is away"),
+            new Explained("mesh/tree/Departure.java", "4", "how many times its own rounding a corner is away"),
             new Explained(
-                    "mesh/TriangleTest.java", "4", "how many times its own rounding an edge function is away from 0"),
+                    "mesh/tree/TriangleTest.java",
+                    "4",
+                    "how many times its own rounding an edge function is away from 0"),
             new Explained("primitive/UnionMembers.java", "0x1p10", "how many times its size a mesh is away: a ratio"),
             new Explained("numeric/Scale.java", "0x1p-53", "unit roundoff of doubles: the format itself"),
             new Explained(
@@ -448,7 +450,7 @@ class FloatingLiteralsTest {
                 literals.forEach(l -> all.add(new Explained("sampling/NormalIntegral.java", l, why))));
         IntStream.rangeClosed(1, 22)
                 .forEach(e ->
-                        all.add(new Explained("mesh/TextInput.java", "1e" + e, "decimals of a text: exact powers")));
+                        all.add(new Explained("mesh/input/TextInput.java", "1e" + e, "decimals of a text: exact powers")));
         return all;
     }
 

@@ -79,7 +79,7 @@ class MeshFilesTest {
     void theContentSaysWhichFormatItIs() throws IOException {
         List<byte[]> files = files();
         for (int i = 0; i < files.size(); i++) {
-            List<MeshPart> parts = MeshFiles.read(files.get(i), NAMES.get(i), 10);
+            List<MeshFiles.Part> parts = MeshFiles.read(files.get(i), NAMES.get(i), 10);
             assertEquals(parts, MeshFiles.read(files.get(i), i == 0 ? "b.OBJ" : "model", 10));
             Path file = folder.resolve(NAMES.get(i));
             Files.write(file, files.get(i));

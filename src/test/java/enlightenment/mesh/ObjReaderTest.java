@@ -49,7 +49,7 @@ class ObjReaderTest {
         for (int i = 0; i < positions.length; i++) {
             positions[i] = (float) mesh.coordinate(i / 3, i % 3);
         }
-        return TriangleMesh.of(positions, mesh.indices());
+        return TriangleMesh.of(positions, mesh.data().indices);
     }
 
     @Test
@@ -91,14 +91,14 @@ class ObjReaderTest {
                 + "usemtl unused\nusemtl blue \nf 1 2 3\nusemtl red one\nf 1 2 3\nf 1 3 4\nusemtl blue\nf 1 3 4\nusemtl flat\nf 1 1 2\n";
         Path file = folder.resolve("a.obj");
         Files.writeString(file, text);
-        MeshFile read = MeshFiles.readFile(file, 6);
+        MeshFiles.Contents read = MeshFiles.readFile(file, 6);
         assertEquals(List.of("a.mtl", "b.mtl", "my colours"), read.materialLibraries());
         assertEquals(
                 List.of("blue", "red one"),
-                read.parts().stream().map(MeshPart::material).toList());
+                read.parts().stream().map(MeshFiles.Part::material).toList());
         assertEquals(SQUARE_MESH, read.parts().get(0).mesh());
         assertEquals(SQUARE_MESH, read.parts().get(1).mesh());
-        List<MeshPart> first = MeshFiles.read(bytes(CORNERS + "f 1 2 3\nusemtl a\nf 1 3 4\n"), "a.obj", 2);
+        List<MeshFiles.Part> first = MeshFiles.read(bytes(CORNERS + "f 1 2 3\nusemtl a\nf 1 3 4\n"), "a.obj", 2);
         assertEquals("", first.get(0).material());
         assertEquals("a", first.get(1).material());
     }

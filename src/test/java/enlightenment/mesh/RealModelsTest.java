@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.sun.management.ThreadMXBean;
+import enlightenment.mesh.input.MeshSource;
+import enlightenment.mesh.input.MtlFile;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
@@ -103,7 +105,7 @@ class RealModelsTest {
             for (Path file : files) {
                 String extension = extension(file);
                 if (EXTENSIONS.contains(extension) || extension.equals("mtl")) {
-                    List<MeshPart> parts = new ArrayList<>();
+                    List<MeshFiles.Part> parts = new ArrayList<>();
                     Reading reading = extension.equals("mtl")
                             ? () -> MtlFile.read(file)
                             : () -> parts.addAll(MeshFiles.read(file, MeshFiles.MAX_TRIANGLES));
@@ -119,7 +121,7 @@ class RealModelsTest {
     }
 
     /** Compares the number of triangles with that of a plain count of words, where there is one. */
-    private static void checkTriangles(Path file, String extension, List<MeshPart> parts) throws IOException {
+    private static void checkTriangles(Path file, String extension, List<MeshFiles.Part> parts) throws IOException {
         long expected =
                 switch (extension) {
                     case "obj" -> triangles(file, "f");

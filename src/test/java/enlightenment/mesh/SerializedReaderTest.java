@@ -101,7 +101,7 @@ class SerializedReaderTest {
     @Test
     void shapesArePartsInTheOrderOfTheFileAndAreFoundByTheirNumber() throws IOException {
         byte[] three = serialized(4, shape(1), shape(2), shape(3));
-        List<MeshPart> parts = MeshFiles.read(three, "a.serialized", 3);
+        List<MeshFiles.Part> parts = MeshFiles.read(three, "a.serialized", 3);
         assertEquals(3, parts.size());
         Path file = folder.resolve("a.serialized");
         Files.write(file, three);

@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.zip.DeflaterOutputStream;
 
 /** Small files of meshes for tests, by hand, and how they are read. */
-final class SmallMeshFiles {
+public final class SmallMeshFiles {
     /** The unit square as two triangles. */
     static final float[] SQUARE = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
 
@@ -23,12 +23,12 @@ final class SmallMeshFiles {
 
     private SmallMeshFiles() {}
 
-    static byte[] bytes(String text) {
+    public static byte[] bytes(String text) {
         return text.getBytes(StandardCharsets.ISO_8859_1);
     }
 
     static TriangleMesh mesh(byte[] content, String name) throws IOException {
-        List<MeshPart> parts = MeshFiles.read(content, name, MeshFiles.MAX_TRIANGLES);
+        List<MeshFiles.Part> parts = MeshFiles.read(content, name, MeshFiles.MAX_TRIANGLES);
         assertTrue(parts.size() == 1 && parts.get(0).material().isEmpty(), parts.toString());
         return parts.get(0).mesh();
     }

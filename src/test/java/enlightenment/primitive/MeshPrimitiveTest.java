@@ -14,6 +14,7 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshBuilder;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
+import enlightenment.mesh.tree.TriangleTree;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -282,6 +283,6 @@ class MeshPrimitiveTest {
         MeshPrimitive c = MeshLeavingTest.placed(mesh, PLACINGS.get("moved"));
         assertArrayEquals(a.parameters(), b.parameters());
         assertFalse(Arrays.equals(a.parameters(), c.parameters()));
-        assertEquals(mesh.tree(() -> {}), mesh.tree(() -> {}));
+        assertEquals(TriangleTree.of(mesh, () -> {}), TriangleTree.of(mesh, () -> {}));
     }
 }

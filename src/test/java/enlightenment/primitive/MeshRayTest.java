@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.math.Vec3;
-import enlightenment.mesh.MeshRay;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
+import enlightenment.mesh.tree.MeshRay;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;

@@ -18,6 +18,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.mesh.TriangleMesh;
+import enlightenment.mesh.tree.TriangleTree;
 import enlightenment.render.MethodChoice;
 import enlightenment.render.Renderer;
 import enlightenment.scene.BuiltInMethod;
@@ -187,7 +188,7 @@ public final class InspectCommand extends Subcommand {
         for (TriangleMesh mesh : meshes) {
             triangles += mesh.triangles();
             dropped += mesh.dropped();
-            bytes += mesh.bytes() + mesh.treeBytes();
+            bytes += mesh.bytes() + TriangleTree.bytesOf(mesh);
             open += mesh.isClosed() ? 0 : 1;
         }
         line(

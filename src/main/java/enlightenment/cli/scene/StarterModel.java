@@ -5,7 +5,6 @@ import enlightenment.file.FileFailure;
 import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
-import enlightenment.mesh.MeshPart;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -47,7 +46,7 @@ record StarterModel(Vec3 min, Vec3 max, boolean isUpZ, boolean hasNormals) {
         }
     }
 
-    private static StarterModel of(List<MeshPart> parts, boolean isUpZ) {
+    private static StarterModel of(List<MeshFiles.Part> parts, boolean isUpZ) {
         Bounds box = parts.stream()
                 .map(part -> new Bounds(part.mesh().min(), part.mesh().max()))
                 .reduce(Bounds::union)

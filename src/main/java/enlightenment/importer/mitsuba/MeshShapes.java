@@ -4,9 +4,7 @@ import enlightenment.geometry.Mesh;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.UvMap;
 import enlightenment.math.Vec3;
-import enlightenment.mesh.MeshFile;
 import enlightenment.mesh.MeshFiles;
-import enlightenment.mesh.MeshOrigin;
 import enlightenment.mesh.TriangleMesh;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -18,11 +16,11 @@ import java.util.Optional;
 /** Reads the meshes that shapes name; each is kept once. */
 final class MeshShapes {
     private final SceneIndex scene;
-    private final Map<Path, MeshFile> files = new HashMap<>();
+    private final Map<Path, MeshFiles.Contents> files = new HashMap<>();
     private final Map<Key, TriangleMesh> meshes = new HashMap<>();
 
     /** What makes a mesh another one. */
-    private record Key(MeshOrigin origin, UvMap map, boolean isVDown) {}
+    private record Key(MeshFiles.Origin origin, UvMap map, boolean isVDown) {}
 
     MeshShapes(SceneIndex scene) {
         this.scene = scene;
@@ -48,7 +46,7 @@ final class MeshShapes {
         // Mitsuba's own v runs downwards; what it flips on reading runs upwards in the file.
         boolean isVDown = !p.flag("flip_tex_coords", type.equals("obj"));
         p.ignore("flip_normals", "collapse", "to_world", "max_smooth_angle");
-        MeshOrigin origin = new MeshOrigin(file, part, normals(p, file, part), 180);
+        MeshFiles.Origin origin = new MeshFiles.Origin(file, part, normals(p, file, part), 180);
         boolean isChanged = isTextured && (isVDown || !map.equals(UvMap.IDENTITY));
         Key key = new Key(origin, isChanged ? map : UvMap.IDENTITY, isChanged && isVDown);
         TriangleMesh triangles = meshes.get(key);
@@ -70,7 +68,7 @@ final class MeshShapes {
         Path file = scene.file(p.text("filename", ""));
         String type = p.element().type();
         String part = type.equals("serialized") ? Integer.toString(p.whole("shape_index", 0)) : "";
-        if (normals(p, file, part) != MeshOrigin.Normals.FILE) {
+        if (normals(p, file, part) != MeshFiles.Origin.Normals.FILE) {
             return false;
         }
         TriangleMesh mesh = placed.triangles();
@@ -83,8 +81,8 @@ final class MeshShapes {
         return sum < 0 != isMirrored;
     }
 
-    private MeshFile read(Path file) throws IOException {
-        MeshFile known = files.get(file);
+    private MeshFiles.Contents read(Path file) throws IOException {
+        MeshFiles.Contents known = files.get(file);
         if (known == null) {
             known = MeshFiles.readFile(file, MeshFiles.MAX_TRIANGLES);
             files.put(file, known);
@@ -93,13 +91,13 @@ final class MeshShapes {
     }
 
     /** Mitsuba makes normals where files have none, unless faces are to be flat. */
-    private MeshOrigin.Normals normals(Properties p, Path file, String part) throws IOException {
+    private MeshFiles.Origin.Normals normals(Properties p, Path file, String part) throws IOException {
         if (p.flag("face_normals", false)) {
-            return MeshOrigin.Normals.FLAT;
+            return MeshFiles.Origin.Normals.FLAT;
         }
-        TriangleMesh mesh = new MeshOrigin(file, part, MeshOrigin.Normals.FILE, 180)
+        TriangleMesh mesh = new MeshFiles.Origin(file, part, MeshFiles.Origin.Normals.FILE, 180)
                 .of(read(file).parts());
-        return mesh.hasNormals() ? MeshOrigin.Normals.FILE : MeshOrigin.Normals.SMOOTH;
+        return mesh.hasNormals() ? MeshFiles.Origin.Normals.FILE : MeshFiles.Origin.Normals.SMOOTH;
     }
 
     /** The parallelogram −1..1 of the xy plane that two triangles are; empty for other meshes. */

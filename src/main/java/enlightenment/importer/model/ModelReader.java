@@ -7,11 +7,8 @@ import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.InputFolder;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.mesh.MeshFile;
 import enlightenment.mesh.MeshFiles;
-import enlightenment.mesh.MeshOrigin;
-import enlightenment.mesh.MeshPart;
-import enlightenment.mesh.MtlFile;
+import enlightenment.mesh.input.MtlFile;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -35,21 +32,21 @@ public final class ModelReader {
      */
     public static ImportDraft read(Path file) throws IOException {
         ImportDraft draft = new ImportDraft();
-        MeshFile meshes = MeshFiles.readFile(file, MeshFiles.MAX_TRIANGLES);
+        MeshFiles.Contents meshes = MeshFiles.readFile(file, MeshFiles.MAX_TRIANGLES);
         if (file.toString().toLowerCase(Locale.ROOT).endsWith(".stl")) {
             draft.upIsZ();
         }
         Map<String, Material> materials = materials(file, meshes.materialLibraries(), draft);
-        List<MeshPart> parts = meshes.parts();
+        List<MeshFiles.Part> parts = meshes.parts();
         for (int i = 0; i < parts.size(); i++) {
-            MeshPart part = parts.get(i);
+            MeshFiles.Part part = parts.get(i);
             String name = part.material();
             Material material = materials.get(name);
             if (material == null && !name.isEmpty()) {
                 draft.notes().add("", "the material " + Plain.quoted(name) + " is not defined; it becomes grey");
             }
-            Optional<MeshOrigin> origin = Optional.of(
-                    new MeshOrigin(file, parts.size() == 1 ? "" : Integer.toString(i), MeshOrigin.Normals.FILE, 180));
+            Optional<MeshFiles.Origin> origin = Optional.of(new MeshFiles.Origin(
+                    file, parts.size() == 1 ? "" : Integer.toString(i), MeshFiles.Origin.Normals.FILE, 180));
             draft.object(name, new Mesh(part.mesh(), origin, Transform.IDENTITY), material == null ? CLAY : material);
         }
         return draft;

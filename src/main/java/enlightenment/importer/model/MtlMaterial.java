@@ -11,7 +11,7 @@ import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
-import enlightenment.mesh.MtlFile;
+import enlightenment.mesh.input.MtlFile;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.util.Optional;

@@ -1,6 +1,6 @@
 package enlightenment.importer.pbrt;
 
-import enlightenment.mesh.MeshOrigin;
+import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import java.util.Optional;
 
@@ -20,7 +20,7 @@ sealed interface Form {
      *
      * @param origin the file that they come from; empty if they do not, or were changed
      */
-    record Triangles(TriangleMesh mesh, Optional<MeshOrigin> origin) implements Form {
+    record Triangles(TriangleMesh mesh, Optional<MeshFiles.Origin> origin) implements Form {
         static Triangles of(TriangleMesh mesh) {
             return new Triangles(mesh, Optional.empty());
         }

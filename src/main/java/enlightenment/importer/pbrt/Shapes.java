@@ -4,8 +4,6 @@ import enlightenment.importer.support.ImportNotes;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshBuilder;
 import enlightenment.mesh.MeshFiles;
-import enlightenment.mesh.MeshOrigin;
-import enlightenment.mesh.MeshPart;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.text.Plain;
 import java.io.IOException;
@@ -204,8 +202,8 @@ final class Shapes {
         }
         return filesRead.computeIfAbsent(file, f -> {
             try {
-                List<MeshPart> parts = MeshFiles.read(f, MeshFiles.MAX_TRIANGLES);
-                MeshOrigin origin = new MeshOrigin(f, "", MeshOrigin.Normals.FILE, 180);
+                List<MeshFiles.Part> parts = MeshFiles.read(f, MeshFiles.MAX_TRIANGLES);
+                MeshFiles.Origin origin = new MeshFiles.Origin(f, "", MeshFiles.Origin.Normals.FILE, 180);
                 return new Form.Triangles(origin.of(parts), Optional.of(origin));
             } catch (IOException e) {
                 throw p.place().failure(e.getMessage());

@@ -11,7 +11,7 @@ import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.mesh.MeshOrigin;
+import enlightenment.mesh.MeshFiles;
 import enlightenment.scene.SceneException;
 import enlightenment.text.Plain;
 import java.math.BigDecimal;
@@ -156,14 +156,14 @@ final class JsonObjectBuilder {
         if (whole.isPresent()) {
             return text(key, whole.get());
         }
-        MeshOrigin origin = mesh.origin()
+        MeshFiles.Origin origin = mesh.origin()
                 .orElseThrow(() -> SceneException.of(
                         place.toString(), "is a mesh that lies in no file, which scene files cannot hold"));
         text(key, names.of(origin.file()));
         if (!origin.part().isEmpty()) {
             text("part", origin.part());
         }
-        return wordUnless(MeshOrigin.Normals.FILE, "normals", origin.normals())
+        return wordUnless(MeshFiles.Origin.Normals.FILE, "normals", origin.normals())
                 .numberUnless(180, "crease", origin.crease());
     }
 

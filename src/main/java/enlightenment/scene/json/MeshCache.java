@@ -1,7 +1,6 @@
 package enlightenment.scene.json;
 
-import enlightenment.mesh.MeshOrigin;
-import enlightenment.mesh.MeshPart;
+import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import java.util.HashMap;
 import java.util.List;
@@ -9,8 +8,8 @@ import java.util.Map;
 
 /** Files of meshes that have been read, for as long as a scene and its instants are read. */
 final class MeshCache {
-    final Map<String, List<MeshPart>> parts = new HashMap<>();
-    final Map<MeshOrigin, TriangleMesh> meshes = new HashMap<>();
+    final Map<String, List<MeshFiles.Part>> parts = new HashMap<>();
+    final Map<MeshFiles.Origin, TriangleMesh> meshes = new HashMap<>();
 
     /** Meshes of scenes made in code, by the names that stand in place of files. */
     final Map<String, LoadedMesh> named = new HashMap<>();

@@ -4,8 +4,6 @@ import enlightenment.file.FileFailure;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Transform;
 import enlightenment.mesh.MeshFiles;
-import enlightenment.mesh.MeshOrigin;
-import enlightenment.mesh.MeshPart;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.text.PathText;
 import enlightenment.text.Plain;
@@ -72,15 +70,16 @@ final class Meshes {
             return f.values().library().files.named.get(written);
         }
         String part = f.text("part", "the name of a material, or the number of a shape");
-        MeshOrigin.Normals normals = f.word("normals", MeshOrigin.Normals.FILE);
+        MeshFiles.Origin.Normals normals = f.word("normals", MeshFiles.Origin.Normals.FILE);
         double crease = f.number("crease", 180);
-        if (f.has("crease") && normals != MeshOrigin.Normals.SMOOTH) {
+        if (f.has("crease") && normals != MeshFiles.Origin.Normals.SMOOTH) {
             f.problem("crease", "means something with \"normals\": \"smooth\" only");
             return null;
         }
         Path file = written == null ? null : path(f, written);
-        MeshOrigin origin =
-                file == null ? null : f.make(() -> new MeshOrigin(file, part == null ? "" : part, normals, crease));
+        MeshFiles.Origin origin = file == null
+                ? null
+                : f.make(() -> new MeshFiles.Origin(file, part == null ? "" : part, normals, crease));
         if (origin == null) {
             return null;
         }
@@ -115,13 +114,13 @@ final class Meshes {
         }
     }
 
-    private static TriangleMesh mesh(MeshOrigin origin, String written, Library library) throws IOException {
+    private static TriangleMesh mesh(MeshFiles.Origin origin, String written, Library library) throws IOException {
         TriangleMesh known = library.files.meshes.get(origin);
         if (known != null) {
             return known;
         }
         String key = origin.file().toString();
-        List<MeshPart> parts = library.files.parts.get(key);
+        List<MeshFiles.Part> parts = library.files.parts.get(key);
         if (parts == null) {
             parts = library.contents == null
                     ? MeshFiles.read(origin.file(), MeshFiles.MAX_TRIANGLES)

@@ -41,8 +41,6 @@ import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
-import enlightenment.mesh.MeshOrigin;
-import enlightenment.mesh.MeshPart;
 import enlightenment.scene.Animation;
 import enlightenment.scene.Background;
 import enlightenment.scene.ChosenSettings;
@@ -83,7 +81,7 @@ final class RandomScenes {
     private final Random random;
     private final Path imageFolder;
     private final Path meshFile;
-    private final List<MeshPart> meshParts;
+    private final List<MeshFiles.Part> meshParts;
     private final Map<String, Texture> textures = new LinkedHashMap<>();
     private final Map<String, Material> materials = new LinkedHashMap<>();
     private boolean isPhysical;
@@ -465,10 +463,10 @@ final class RandomScenes {
     }
 
     private Mesh mesh() {
-        MeshOrigin.Normals normals = MeshOrigin.Normals.values()[random.nextInt(3)];
-        boolean hasCrease = normals == MeshOrigin.Normals.SMOOTH && random.nextBoolean();
+        MeshFiles.Origin.Normals normals = MeshFiles.Origin.Normals.values()[random.nextInt(3)];
+        boolean hasCrease = normals == MeshFiles.Origin.Normals.SMOOTH && random.nextBoolean();
         String part = List.of("", "upper", "lower", "0").get(random.nextInt(4));
-        MeshOrigin origin = new MeshOrigin(meshFile, part, normals, hasCrease ? 180 * unit() : 180);
+        MeshFiles.Origin origin = new MeshFiles.Origin(meshFile, part, normals, hasCrease ? 180 * unit() : 180);
         List<Transform.Step> steps = new ArrayList<>();
         for (int i = random.nextInt(4); i > 0; i--) {
             steps.add(step());

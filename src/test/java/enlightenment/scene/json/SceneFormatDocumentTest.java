@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.color.Tone;
 import enlightenment.material.Amount;
 import enlightenment.material.Texture;
-import enlightenment.mesh.MeshOrigin;
+import enlightenment.mesh.MeshFiles;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import java.io.IOException;
@@ -225,7 +225,7 @@ class SceneFormatDocumentTest {
                         Method.words(Method.selectable(BuiltInMethod.ALL)),
                         Shadings.models(),
                         Fields.words(Texture.Filter.class),
-                        Fields.words(MeshOrigin.Normals.class),
+                        Fields.words(MeshFiles.Origin.Normals.class),
                         Fields.words(Tone.class),
                         Fields.words(Amount.Channel.class),
                         Fields.words(Texture.Encoding.class))

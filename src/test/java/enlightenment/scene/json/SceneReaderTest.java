@@ -43,7 +43,6 @@ import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
-import enlightenment.mesh.MeshOrigin;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Animation;
 import enlightenment.scene.ChosenSettings;
@@ -193,7 +192,7 @@ class SceneReaderTest {
                         object(
                                 "gem",
                                 gem(
-                                        new MeshOrigin(file, "upper", MeshOrigin.Normals.SMOOTH, 40),
+                                        new MeshFiles.Origin(file, "upper", MeshFiles.Origin.Normals.SMOOTH, 40),
                                         new Transform.Scale(new Vec3(0.5, 0.5, 0.5)),
                                         new Transform.Rotate(new Vec3(0, 45, 0)),
                                         new Transform.Translate(ExactPoint.of("0.1", "2", "3"))),
@@ -201,7 +200,7 @@ class SceneReaderTest {
                         object(
                                 "stone",
                                 gem(
-                                        new MeshOrigin(file, "lower", MeshOrigin.Normals.SMOOTH, 30),
+                                        new MeshFiles.Origin(file, "lower", MeshFiles.Origin.Normals.SMOOTH, 30),
                                         new Transform.Scale(new Vec3(1, 2, 3)),
                                         new Transform.RotateAbout(new Vec3(0, 1, 1), 30),
                                         new Transform.Matrix(
@@ -211,7 +210,7 @@ class SceneReaderTest {
                         object(
                                 "",
                                 gem(
-                                        new MeshOrigin(file, "upper", MeshOrigin.Normals.SMOOTH, 40),
+                                        new MeshFiles.Origin(file, "upper", MeshFiles.Origin.Normals.SMOOTH, 40),
                                         new Transform.Translate(p(1, 0, 0)),
                                         new Transform.Translate(ExactPoint.of("4", "0.1", "9"))),
                                 chrome)),
@@ -225,7 +224,7 @@ class SceneReaderTest {
         assertEquals(20, s.height());
     }
 
-    private static Mesh gem(MeshOrigin origin, Transform.Step... steps) throws IOException {
+    private static Mesh gem(MeshFiles.Origin origin, Transform.Step... steps) throws IOException {
         TriangleMesh triangles = origin.of(MeshFiles.read(origin.file(), MeshFiles.MAX_TRIANGLES));
         return new Mesh(triangles, Optional.of(origin), Transform.of(steps));
     }

@@ -12,7 +12,7 @@ import enlightenment.camera.FieldOfViewAxis;
 import enlightenment.camera.Handedness;
 import enlightenment.color.Tone;
 import enlightenment.material.Texture;
-import enlightenment.mesh.MeshOrigin;
+import enlightenment.mesh.MeshFiles;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
@@ -160,7 +160,7 @@ class SceneSchemaTest {
                 strings(property("display", "tone").get("enum")));
         for (Keys keys : List.of(Meshes.NAMED, Shapes.FAMILY.keys("mesh"))) {
             assertEquals(
-                    words(Fields.words(MeshOrigin.Normals.class)),
+                    words(Fields.words(MeshFiles.Origin.Normals.class)),
                     strings(property(keys.schemaName(), "normals").get("enum")));
         }
         assertEquals(

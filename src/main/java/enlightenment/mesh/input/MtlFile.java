@@ -1,4 +1,4 @@
-package enlightenment.mesh;
+package enlightenment.mesh.input;
 
 import enlightenment.math.Vec3;
 import java.io.IOException;
@@ -110,7 +110,7 @@ public final class MtlFile {
         return read(MeshSource.of(file));
     }
 
-    static List<Material> read(MeshSource source) throws IOException {
+    public static List<Material> read(MeshSource source) throws IOException {
         MtlFile file = new MtlFile();
         try (InputStream stream = source.open(0)) {
             TextInput in = new TextInput(source, stream, 1);

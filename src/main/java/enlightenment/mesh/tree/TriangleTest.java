@@ -1,5 +1,7 @@
-package enlightenment.mesh;
+package enlightenment.mesh.tree;
 
+import enlightenment.mesh.TriangleMesh;
+import enlightenment.mesh.data.MeshData;
 import enlightenment.numeric.EdgeFunctions;
 import enlightenment.numeric.Products;
 
@@ -83,9 +85,10 @@ final class TriangleTest {
     void set(TriangleMesh of, double x, double y, double z, double dirX, double dirY, double dirZ, double from) {
         mesh = of;
         largest = of.maxAbs();
-        floats = mesh.floatPositions();
-        doubles = mesh.doublePositions();
-        indices = mesh.indices();
+        MeshData data = mesh.data();
+        floats = data.vertices.floats;
+        doubles = data.vertices.doubles;
+        indices = data.indices;
         o[0] = x;
         o[1] = y;
         o[2] = z;

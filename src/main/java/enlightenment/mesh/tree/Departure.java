@@ -1,5 +1,6 @@
-package enlightenment.mesh;
+package enlightenment.mesh.tree;
 
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 
@@ -90,7 +91,7 @@ final class Departure {
     /** Which corner of another triangle is the one that the ray starts at; −1 if none is. */
     int cornerAt(int other) {
         for (int k = 0; k < 3; k++) {
-            if (mesh.areInOnePlace(vertices[corner], mesh.vertex(other, k))) {
+            if (mesh.data().vertices.areInOnePlace(vertices[corner], mesh.vertex(other, k))) {
                 return k;
             }
         }
@@ -104,9 +105,11 @@ final class Departure {
         opposite = 3;
         for (int k = 0; k < 3; k++) {
             int v = mesh.vertex(other, k);
-            int own = mesh.areInOnePlace(vertices[0], v)
+            int own = mesh.data().vertices.areInOnePlace(vertices[0], v)
                     ? 0
-                    : mesh.areInOnePlace(vertices[1], v) ? 1 : mesh.areInOnePlace(vertices[2], v) ? 2 : -1;
+                    : mesh.data().vertices.areInOnePlace(vertices[1], v)
+                            ? 1
+                            : mesh.data().vertices.areInOnePlace(vertices[2], v) ? 2 : -1;
             if (own < 0) {
                 left = k;
             } else {
@@ -126,7 +129,7 @@ final class Departure {
     /** On which side of that neighbour's plane the triangle lies: the sign is that of a direction along the neighbour's normal. */
     double sideOf(int other) {
         double[] n = new double[3];
-        mesh.normal(other, n);
+        mesh.data().normal(other, n);
         return along(n, mesh.vertex(other, (neighbours + 1) % 3), vertices[opposite]);
     }
 
@@ -144,7 +147,7 @@ final class Departure {
 
     private double height(int vertex) {
         if (!hasNormal) {
-            mesh.normal(triangle, normal);
+            mesh.data().normal(triangle, normal);
             hasNormal = true;
         }
         return along(normal, vertices[0], vertex);

@@ -1,10 +1,10 @@
-package enlightenment.mesh;
+package enlightenment.mesh.input;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import enlightenment.math.Vec3;
-import enlightenment.mesh.MtlFile.Material;
+import enlightenment.mesh.input.MtlFile.Material;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,4 +1,4 @@
-package enlightenment.mesh;
+package enlightenment.mesh.tree;
 
 /** Where the vertices of a mesh go, by an affine map; equal maps are equal. Immutable. */
 public interface PlacedVertices {

@@ -1,4 +1,4 @@
-package enlightenment.mesh;
+package enlightenment.mesh.data;
 
 import enlightenment.check.Check;
 import enlightenment.numeric.Products;
@@ -7,21 +7,21 @@ import enlightenment.numeric.Products;
  * What a mesh knows of its vertices: three coordinates of each, as floats or as doubles, and, where it has them, normals and texture coordinates. The arrays
  * are those that were given, and are only read.
  */
-final class VertexArrays {
+public final class VertexArrays {
     /** The coordinates, one after the other, if all of them are floats; else null. */
-    final float[] floats;
+    public final float[] floats;
 
     /** The coordinates as doubles if they are no floats; else null. */
-    final double[] doubles;
+    public final double[] doubles;
 
     /** Three numbers for each vertex; null if there are no normals. */
-    final float[] normals;
+    public final float[] normals;
 
     /** Two numbers for each vertex; null if there are no texture coordinates. */
-    final float[] uv;
+    public final float[] uv;
 
     /** @throws enlightenment.math.InvalidValueException for numbers that are not finite, or for too many or too few */
-    VertexArrays(float[] floats, double[] doubles, float[] normals, float[] uv) {
+    public VertexArrays(float[] floats, double[] doubles, float[] normals, float[] uv) {
         this.floats = floats;
         this.doubles = doubles;
         this.normals = normals;
@@ -48,7 +48,7 @@ final class VertexArrays {
     }
 
     /** These coordinates, as floats if each of them is one. */
-    static VertexArrays of(double[] positions, float[] normals, float[] uv) {
+    public static VertexArrays of(double[] positions, float[] normals, float[] uv) {
         float[] floats = new float[positions.length];
         for (int i = 0; i < floats.length; i++) {
             floats[i] = (float) positions[i];
@@ -60,12 +60,12 @@ final class VertexArrays {
     }
 
     /** These coordinates with other normals, or none. */
-    VertexArrays withNormals(float[] values) {
+    public VertexArrays withNormals(float[] values) {
         return new VertexArrays(this, values, uv);
     }
 
     /** These coordinates with normals, if there are any, in opposite directions. */
-    VertexArrays withNegatedNormals() {
+    public VertexArrays withNegatedNormals() {
         float[] opposite = normals == null ? null : normals.clone();
         for (int i = 0; opposite != null && i < opposite.length; i++) {
             opposite[i] = 0 - opposite[i];
@@ -74,7 +74,7 @@ final class VertexArrays {
     }
 
     /** These coordinates with other texture coordinates. */
-    VertexArrays withUv(float[] values) {
+    public VertexArrays withUv(float[] values) {
         return new VertexArrays(this, normals, values);
     }
 
@@ -94,26 +94,34 @@ final class VertexArrays {
     }
 
     /** The number of coordinates. */
-    int numbers() {
+    public int numbers() {
         return floats == null ? doubles.length : floats.length;
     }
 
     /** Coordinate i % 3 of vertex i / 3. */
-    double number(int i) {
+    public double number(int i) {
         return floats == null ? doubles[i] : floats[i];
     }
 
     /** The number of vertices. */
-    int size() {
+    public int size() {
         return numbers() / 3;
     }
 
-    double coordinate(int vertex, int axis) {
+    public double coordinate(int vertex, int axis) {
         return number(3 * vertex + axis);
     }
 
+    /** Whether two vertices are in the same place. */
+    public boolean areInOnePlace(int v, int w) {
+        return v == w
+                || coordinate(v, 0) == coordinate(w, 0)
+                        && coordinate(v, 1) == coordinate(w, 1)
+                        && coordinate(v, 2) == coordinate(w, 2);
+    }
+
     /** Writes the geometric normal of a triangle, as long as twice its area; whether it has a length. */
-    boolean normal(int a, int b, int c, double[] out) {
+    public boolean normal(int a, int b, int c, double[] out) {
         double ux = coordinate(b, 0) - coordinate(a, 0);
         double uy = coordinate(b, 1) - coordinate(a, 1);
         double uz = coordinate(b, 2) - coordinate(a, 2);
@@ -133,7 +141,7 @@ final class VertexArrays {
      * @param from by copy: the vertex that it is of
      * @param values by copy: its normal
      */
-    VertexArrays copies(int[] from, float[] values) {
+    public VertexArrays copies(int[] from, float[] values) {
         float[] p = floats == null ? null : picked(floats, 3, from);
         double[] q = floats == null ? new double[3 * from.length] : null;
         for (int i = 0; q != null && i < q.length; i++) {

@@ -1,7 +1,8 @@
-package enlightenment.mesh;
+package enlightenment.mesh.tree;
 
 import enlightenment.bvh.FloatSlabs;
 import enlightenment.bvh.Nodes;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.numeric.EdgeFunctions;
 
 /**
@@ -79,7 +80,7 @@ public final class MeshRay {
 
     private boolean search(double tMax, boolean any) {
         t = MISS;
-        tree = mesh.tree();
+        tree = TriangleTree.of(mesh);
         double entry = entry(tMax);
         if (!(entry <= tMax)) {
             return false;

@@ -1,6 +1,7 @@
-package enlightenment.mesh;
+package enlightenment.mesh.tree;
 
-import enlightenment.math.Vec3;
+import enlightenment.mesh.TriangleMesh;
+import enlightenment.mesh.data.VertexArrays;
 import java.util.List;
 
 /** Makes one mesh of several. All methods may be called by several threads at once. */
@@ -9,7 +10,7 @@ public final class JoinedMesh {
 
     /** All triangles in one mesh, in their order, without normals and texture coordinates; the first mesh keeps what was made last. */
     public static TriangleMesh positionsOf(List<TriangleMesh> meshes) {
-        return meshes.get(0).union(meshes.subList(1, meshes.size()), List.of(), () -> joined(meshes));
+        return Union.of(meshes, List.of(), () -> joined(meshes));
     }
 
     /**
@@ -17,18 +18,14 @@ public final class JoinedMesh {
      * their area by rounding are left out, and counted.
      */
     public static TriangleMesh positionsOf(List<TriangleMesh> meshes, List<? extends PlacedVertices> placings) {
-        return meshes.get(0)
-                .union(
-                        meshes.subList(1, meshes.size()),
-                        placings,
-                        () -> TriangleMesh.of(placed(meshes, placings), corners(meshes, placings)));
+        return Union.of(meshes, placings, () -> TriangleMesh.of(placed(meshes, placings), corners(meshes, placings)));
     }
 
     private static double[] placed(List<TriangleMesh> meshes, List<? extends PlacedVertices> placings) {
         double[] all = new double[Math.multiplyExact(3, vertices(meshes))];
         int at = 0;
         for (int k = 0; k < meshes.size(); k++) {
-            VertexArrays of = meshes.get(k).arrays();
+            VertexArrays of = meshes.get(k).data().vertices;
             PlacedVertices placing = placings.get(k);
             for (int v = 0; v < of.size(); v++) {
                 double x = of.coordinate(v, 0);
@@ -46,7 +43,7 @@ public final class JoinedMesh {
         int[] all = corners(meshes);
         int at = 0;
         for (int k = 0; k < meshes.size(); k++) {
-            int end = at + meshes.get(k).indices().length;
+            int end = at + meshes.get(k).data().indices.length;
             for (; at < end; at += 3) {
                 if (placings.get(k).isMirror()) {
                     int second = all[at + 1];
@@ -65,7 +62,7 @@ public final class JoinedMesh {
         int first = 0;
         int next = 0;
         for (TriangleMesh m : meshes) {
-            for (int i : m.indices()) {
+            for (int i : m.data().indices) {
                 all[next++] = first + i;
             }
             first += m.vertices();
@@ -84,7 +81,7 @@ public final class JoinedMesh {
         double[] doubles = new double[isOfFloats ? 0 : numbers];
         int at = 0;
         for (TriangleMesh m : meshes) {
-            VertexArrays of = m.arrays();
+            VertexArrays of = m.data().vertices;
             for (int i = 0; i < of.numbers(); i++, at++) {
                 if (isOfFloats) {
                     floats[at] = (float) of.number(i);
@@ -94,32 +91,5 @@ public final class JoinedMesh {
             }
         }
         return isOfFloats ? TriangleMesh.of(floats, corners(meshes)) : TriangleMesh.of(doubles, corners(meshes));
-    }
-
-    /** All triangles in one; normals and texture coordinates are kept where all have some. */
-    static TriangleMesh of(List<MeshPart> parts) {
-        if (parts.size() == 1) {
-            return parts.get(0).mesh();
-        }
-        boolean hasNormals = parts.stream().allMatch(p -> p.mesh().hasNormals());
-        boolean hasUv = parts.stream().allMatch(p -> p.mesh().hasUv());
-        MeshBuilder all = new MeshBuilder();
-        for (MeshPart part : parts) {
-            TriangleMesh m = part.mesh();
-            int first = all.vertices();
-            for (int v = 0; v < m.vertices(); v++) {
-                all.vertex(m.coordinate(v, 0), m.coordinate(v, 1), m.coordinate(v, 2));
-                if (hasNormals) {
-                    Vec3 n = m.normal(v);
-                    all.normal(n.x(), n.y(), n.z());
-                }
-                if (hasUv) {
-                    all.uv(m.uv(v, 0), m.uv(v, 1));
-                }
-            }
-            all.triangles(m.indices(), first);
-            all.triangles(m.withoutArea(), first);
-        }
-        return all.build();
     }
 }

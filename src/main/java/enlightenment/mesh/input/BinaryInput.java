@@ -1,4 +1,4 @@
-package enlightenment.mesh;
+package enlightenment.mesh.input;
 
 import java.io.EOFException;
 import java.io.IOException;
@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 import java.util.zip.ZipException;
 
 /** Reads binary numbers in pieces of 64 KiB. */
-final class BinaryInput {
+public final class BinaryInput {
     private static final int PIECE = 1 << 16;
 
     private final MeshSource source;
@@ -29,7 +29,7 @@ final class BinaryInput {
      * @param size the bytes that the stream has, or can have at most
      * @param place for messages: which element is read
      */
-    BinaryInput(MeshSource source, InputStream in, long size, ByteOrder order, Supplier<String> place) {
+    public BinaryInput(MeshSource source, InputStream in, long size, ByteOrder order, Supplier<String> place) {
         this.source = source;
         this.in = in;
         this.place = place;
@@ -38,11 +38,11 @@ final class BinaryInput {
     }
 
     /** The bytes that can still come, at most. */
-    long left() {
+    public long left() {
         return beyond + end - at;
     }
 
-    IOException failure(String what) {
+    public IOException failure(String what) {
         return source.failure(place.get() + " " + what);
     }
 
@@ -76,43 +76,43 @@ final class BinaryInput {
         }
     }
 
-    int uint8() throws IOException {
+    public int uint8() throws IOException {
         need(1);
         return bytes[at++] & 0xff;
     }
 
-    int int16() throws IOException {
+    public int int16() throws IOException {
         need(Short.BYTES);
         at += Short.BYTES;
         return numbers.getShort(at - Short.BYTES);
     }
 
-    int int32() throws IOException {
+    public int int32() throws IOException {
         need(Integer.BYTES);
         at += Integer.BYTES;
         return numbers.getInt(at - Integer.BYTES);
     }
 
-    long int64() throws IOException {
+    public long int64() throws IOException {
         need(Long.BYTES);
         at += Long.BYTES;
         return numbers.getLong(at - Long.BYTES);
     }
 
-    float float32() throws IOException {
+    public float float32() throws IOException {
         need(Float.BYTES);
         at += Float.BYTES;
         return numbers.getFloat(at - Float.BYTES);
     }
 
-    double float64() throws IOException {
+    public double float64() throws IOException {
         need(Double.BYTES);
         at += Double.BYTES;
         return numbers.getDouble(at - Double.BYTES);
     }
 
     /** Passes over bytes. */
-    void skip(long n) throws IOException {
+    public void skip(long n) throws IOException {
         for (long rest = n; rest > 0; ) {
             need(1);
             int here = (int) Math.min(rest, end - at);

@@ -1,8 +1,10 @@
-package enlightenment.mesh;
+package enlightenment.mesh.tree;
 
 import enlightenment.bvh.BvhBuilder;
 import enlightenment.bvh.ItemBoxes;
 import enlightenment.bvh.Nodes;
+import enlightenment.mesh.TriangleMesh;
+import enlightenment.mesh.data.MeshData;
 import enlightenment.numeric.Scale;
 
 /**
@@ -13,7 +15,7 @@ import enlightenment.numeric.Scale;
  */
 public final class TriangleTree {
     /** Bytes a triangle takes usually. */
-    static final long USUAL_BYTES = 32;
+    private static final long USUAL_BYTES = 32;
 
     /** Levels of the tree whose boxes, turned and joined, are the bounds of a mesh that is turned. */
     private static final int BOUND_LEVELS = 5;
@@ -43,7 +45,7 @@ public final class TriangleTree {
 
     final TriangleMesh mesh;
 
-    TriangleTree(TriangleMesh mesh, Runnable poll) {
+    private TriangleTree(TriangleMesh mesh, Runnable poll) {
         this.mesh = mesh;
         largest = mesh.maxAbs();
         low = new double[] {mesh.min().x(), mesh.min().y(), mesh.min().z()};
@@ -56,6 +58,33 @@ public final class TriangleTree {
         child = builder.child();
         order = builder.order();
         reach = builder.reach();
+    }
+
+    /**
+     * The hierarchy of a mesh's triangles, made when it is first asked for and kept with the mesh.
+     *
+     * @param poll called now and then; ends the building by what it throws
+     */
+    public static TriangleTree of(TriangleMesh mesh, Runnable poll) {
+        MeshData data = mesh.data();
+        synchronized (data) {
+            if (data.hierarchy() == null) {
+                data.keepHierarchy(new TriangleTree(mesh, poll));
+            }
+            return (TriangleTree) data.hierarchy();
+        }
+    }
+
+    /** The hierarchy of a mesh's triangles; who traces rays has made it before. */
+    static TriangleTree of(TriangleMesh mesh) {
+        Object made = mesh.data().hierarchy();
+        return made == null ? of(mesh, () -> {}) : (TriangleTree) made;
+    }
+
+    /** The bytes of memory that a mesh's hierarchy takes: about as many where it is not made yet. */
+    public static long bytesOf(TriangleMesh mesh) {
+        Object made = mesh.data().hierarchy();
+        return made == null ? USUAL_BYTES * mesh.triangles() : ((TriangleTree) made).bytes();
     }
 
     private void setBox(int triangle, double[] out, int at) {
@@ -106,7 +135,7 @@ public final class TriangleTree {
     }
 
     /** The bytes that it takes. */
-    public long bytes() {
+    private long bytes() {
         return 4L * (boxes.length + child.length + order.length);
     }
 }

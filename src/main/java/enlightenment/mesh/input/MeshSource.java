@@ -1,4 +1,4 @@
-package enlightenment.mesh;
+package enlightenment.mesh.input;
 
 import enlightenment.file.InputFile;
 import java.io.ByteArrayInputStream;
@@ -9,9 +9,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** The bytes of a mesh file, on disk or in memory, with their number and the name that messages give them. */
-final class MeshSource {
-    final String name;
-    final long size;
+public final class MeshSource {
+    public final String name;
+    public final long size;
     private final Path file;
 
     /** The content; null if it is read from the file. */
@@ -25,19 +25,19 @@ final class MeshSource {
     }
 
     /** A file. Pipes are read at once, as their length is not known; devices are refused. */
-    static MeshSource of(Path file) throws IOException {
+    public static MeshSource of(Path file) throws IOException {
         if (Files.isRegularFile(file)) {
             return new MeshSource(file.toString(), Files.size(file), file, null);
         }
         return of(InputFile.bytes(file), file.toString());
     }
 
-    static MeshSource of(byte[] content, String name) {
+    public static MeshSource of(byte[] content, String name) {
         return new MeshSource(name, content.length, null, content);
     }
 
     /** A stream of the bytes from an offset on, which is at most the size. */
-    InputStream open(long offset) throws IOException {
+    public InputStream open(long offset) throws IOException {
         if (content != null) {
             return new ByteArrayInputStream(content, (int) offset, content.length - (int) offset);
         }
@@ -52,14 +52,14 @@ final class MeshSource {
     }
 
     /** The first bytes, or all if there are fewer. */
-    byte[] start(int most) throws IOException {
+    public byte[] start(int most) throws IOException {
         try (InputStream in = open(0)) {
             return in.readNBytes(most);
         }
     }
 
     /** A failure whose message is {@code NAME: REASON}. */
-    FileSystemException failure(String reason) {
+    public FileSystemException failure(String reason) {
         return new FileSystemException(name, null, reason);
     }
 }

@@ -1,7 +1,8 @@
-package enlightenment.mesh;
+package enlightenment.mesh.input;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import enlightenment.mesh.SmallMeshFiles;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package enlightenment.mesh;
+package enlightenment.mesh.input;
 
 import enlightenment.text.Plain;
 import java.io.IOException;
@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
  * Reads words and numbers of a text in pieces of 64 KiB. Lines end with LF, CR LF or CR. A line has at most 1 MiB, a number 400 characters, a
  * name 4 KiB.
  */
-final class TextInput {
+public final class TextInput {
     private static final int LONGEST_LINE = 1 << 20;
     private static final int LONGEST_NUMBER = 400;
     private static final int LONGEST_NAME = 1 << 12;
@@ -50,7 +50,7 @@ final class TextInput {
      *
      * @param line the number of its first line
      */
-    TextInput(MeshSource source, InputStream in, long line) throws IOException {
+    public TextInput(MeshSource source, InputStream in, long line) throws IOException {
         this.source = source;
         this.in = in;
         this.line = line;
@@ -67,21 +67,21 @@ final class TextInput {
     }
 
     /** A failure whose message names the text and the line. */
-    IOException failure(String what) {
+    public IOException failure(String what) {
         return source.failure("line " + line + ": " + what);
     }
 
     /** A failure at another line. */
-    IOException failureAt(long otherLine, String what) {
+    public IOException failureAt(long otherLine, String what) {
         return source.failure("line " + otherLine + ": " + what);
     }
 
-    long line() {
+    public long line() {
         return line;
     }
 
     /** The bytes that were read so far. */
-    long passed() {
+    public long passed() {
         return before + at;
     }
 
@@ -112,28 +112,28 @@ final class TextInput {
     }
 
     /** Whether the text ends here. */
-    boolean atEnd() {
+    public boolean atEnd() {
         return at == end && hasEnded;
     }
 
     /** Whether the line or the text ends here. */
-    boolean atLineEnd() {
+    public boolean atLineEnd() {
         byte c = buffer[at];
         return c == '\n' || c == '\r' || atEnd();
     }
 
     /** The byte here; 0 at the end. */
-    int here() {
+    public int here() {
         return buffer[at];
     }
 
     /** Passes over one byte of a word. */
-    void step() {
+    public void step() {
         at++;
     }
 
     /** Passes over blanks within the line, and over line ends behind a backslash. */
-    void blanks() throws IOException {
+    public void blanks() throws IOException {
         while (true) {
             byte c = buffer[at];
             if (c == ' ' || c == '\t') {
@@ -153,7 +153,7 @@ final class TextInput {
     }
 
     /** Passes over blanks and line ends. */
-    void space() throws IOException {
+    public void space() throws IOException {
         blanks();
         while (atLineEnd() && !atEnd()) {
             nextLine();
@@ -162,7 +162,7 @@ final class TextInput {
     }
 
     /** Passes over what is left of the line. */
-    void nextLine() throws IOException {
+    public void nextLine() throws IOException {
         while (buffer[at] != '\n' && buffer[at] != '\r') {
             if (at < end) {
                 at++;
@@ -182,7 +182,7 @@ final class TextInput {
     }
 
     /** A keyword of one or two letters, as a number of 16 bits, passed over; 0 and nothing is passed over if the word is longer. */
-    int shortWord() {
+    public int shortWord() {
         if (isWordEnd(buffer[at])) {
             return 0;
         }
@@ -198,7 +198,7 @@ final class TextInput {
     }
 
     /** A word, empty at the end of the line. */
-    String word() throws IOException {
+    public String word() throws IOException {
         int start = at;
         while (!isWordEnd(buffer[at])) {
             at++;
@@ -207,7 +207,7 @@ final class TextInput {
     }
 
     /** The line from here on without the blanks at its end; the line end is not passed over. */
-    String rest() throws IOException {
+    public String rest() throws IOException {
         int start = at;
         while (buffer[at] != '\n' && buffer[at] != '\r' && at < end) {
             at++;
@@ -227,7 +227,7 @@ final class TextInput {
     }
 
     /** An integer of at most 18 digits; what follows it is not looked at. */
-    long integer() throws IOException {
+    public long integer() throws IOException {
         boolean isNegative = buffer[at] == '-';
         int i = isNegative || buffer[at] == '+' ? at + 1 : at;
         int start = i;
@@ -243,14 +243,14 @@ final class TextInput {
     }
 
     /** Checks that a word ends here, as it must behind an integer. */
-    void endWord() throws IOException {
+    public void endWord() throws IOException {
         if (!isWordEnd(buffer[at]) && buffer[at] != '\\') {
             throw failure("has " + found() + " directly behind a number");
         }
     }
 
     /** A number, rounded correctly to a double. */
-    double number() throws IOException {
+    public double number() throws IOException {
         int start = at;
         boolean isNegative = buffer[at] == '-';
         int i = isNegative || buffer[at] == '+' ? at + 1 : at;
@@ -319,7 +319,7 @@ final class TextInput {
     }
 
     /** A number, rounded correctly to a float: once, not to a double before. */
-    float floatNumber() throws IOException {
+    public float floatNumber() throws IOException {
         int start = at;
         double exact = number();
         // Rounding twice differs only where the double lies halfway between floats, which subnormal floats do
@@ -343,7 +343,7 @@ final class TextInput {
     }
 
     /** The word here, for messages. */
-    String found() {
+    public String found() {
         if (atEnd()) {
             return "the end of the text";
         }

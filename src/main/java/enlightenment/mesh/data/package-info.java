@@ -1,0 +1,2 @@
+/** The arrays of triangle meshes. */
+package enlightenment.mesh.data;

@@ -1,0 +1,2 @@
+/** Reading words and numbers of mesh files, and material libraries (MTL). */
+package enlightenment.mesh.input;

@@ -4,7 +4,6 @@ import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -78,12 +77,12 @@ public class PictureBenchmark {
 
     @Benchmark
     public void png() throws IOException {
-        ImageFiles.toPng(image, OutputStream.nullOutputStream(), new PngOptions(8, Map.of()));
+        ImageFiles.toPng(image, OutputStream.nullOutputStream(), new ImageFiles.PngOptions(8, Map.of()));
     }
 
     @Benchmark
     public void png16() throws IOException {
-        ImageFiles.toPng(image, OutputStream.nullOutputStream(), new PngOptions(16, Map.of()));
+        ImageFiles.toPng(image, OutputStream.nullOutputStream(), new ImageFiles.PngOptions(16, Map.of()));
     }
 
     @Benchmark

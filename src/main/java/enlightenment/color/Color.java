@@ -1,5 +1,7 @@
 package enlightenment.color;
 
+import enlightenment.colorimetry.TransferCurve;
+
 /**
  * A colour as a scene states it: as a screen shows it ({@link DisplayRgb}), or as light ({@link Rgb}). Either can be asked for
  * both: classic shading works on what a screen shows, physical shading on light.

@@ -1,6 +1,7 @@
 package enlightenment.color;
 
 import enlightenment.check.Check;
+import enlightenment.colorimetry.TransferCurve;
 import java.util.Objects;
 
 /**

@@ -1,5 +1,7 @@
 package enlightenment.color;
 
+import enlightenment.colorimetry.TransferCurve;
+
 /**
  * The sRGB curve as a table over the root of the light, straight between its entries: above the curve's straight piece its second
  * derivative there is at most 4.3, so with 4096 steps it errs by at most 4.3/(8 · 4096²) &lt; 4e-8; in the step that begins on the straight

@@ -1,6 +1,7 @@
 package enlightenment.color;
 
 import enlightenment.check.Check;
+import enlightenment.colorimetry.TransferCurve;
 
 /**
  * Linear light: three independent bands with the primaries and the white of Rec. 709 (ITU-R BT.709, those of sRGB), not encoded

@@ -1,12 +1,12 @@
 package enlightenment.film;
 
 import enlightenment.file.ScratchFile;
-import enlightenment.image.PixelRows;
+import enlightenment.image.Image;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 
 /** The rows of a finished picture that does not fit in memory. */
-final class ImageRows implements PixelRows {
+final class ImageRows implements Image.Rows {
     private final ScratchFile file;
     private final int rowBytes;
     private int rows;

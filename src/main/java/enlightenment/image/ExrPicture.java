@@ -16,16 +16,16 @@ final class ExrPicture {
     private final List<ExrChannel> channels = new ArrayList<>();
     private final List<Source> sources = new ArrayList<>();
 
-    private ExrPicture(Image image, ExrOptions options) {
+    private ExrPicture(Image image, ImageFiles.ExrOptions options) {
         this.image = image;
         channels.addAll(ExrChannel.rgb(options.depth() == 16));
         for (int c = 0; c < 3; c++) {
             sources.add(new Source(image, c));
         }
-        for (ExrOptions.Layer layer : options.layers()) {
+        for (ImageFiles.ExrOptions.Layer layer : options.layers()) {
             if (layer.image().width() != image.width() || layer.image().height() != image.height()) {
-                throw new IllegalArgumentException("layer " + layer.name() + " has " + ImagePair.size(layer.image())
-                        + " pixels, the picture " + ImagePair.size(image));
+                throw new IllegalArgumentException("layer " + layer.name() + " has " + size(layer.image())
+                        + " pixels, the picture " + size(image));
             }
             for (int c = 0; c < layer.channels().size(); c++) {
                 channels.add(
@@ -35,11 +35,11 @@ final class ExrPicture {
         }
     }
 
-    static void write(Image image, OutputStream out, ExrOptions options) throws IOException {
+    static void write(Image image, OutputStream out, ImageFiles.ExrOptions options) throws IOException {
         new ExrPicture(image, options).write(out, options);
     }
 
-    private void write(OutputStream out, ExrOptions options) throws IOException {
+    private void write(OutputStream out, ImageFiles.ExrOptions options) throws IOException {
         ExrWriter writer = new ExrWriter(out, window(options), channels, options.text());
         if (image.isRead()) {
             writer.measure();
@@ -62,9 +62,13 @@ final class ExrPicture {
         }
     }
 
-    private ExrWindow window(ExrOptions options) {
+    private ExrWindow window(ImageFiles.ExrOptions options) {
         return options.place()
                 .map(p -> new ExrWindow(p.x(), p.y(), image.width(), image.height(), p.wholeWidth(), p.wholeHeight()))
                 .orElseGet(() -> ExrWindow.whole(image.width(), image.height()));
+    }
+
+    private static String size(Image image) {
+        return image.width() + "x" + image.height();
     }
 }

@@ -22,7 +22,7 @@ public final class Image {
     private final float[] rgb;
 
     /** Null where all components are in memory. */
-    private final PixelRows rows;
+    private final Rows rows;
 
     /** The row that was read last; those of several threads may take turns. */
     private Row last;
@@ -80,7 +80,7 @@ public final class Image {
         this.curve = Objects.requireNonNull(curve, "curve");
     }
 
-    private Image(int width, int height, DisplayCurve curve, PixelRows rows) {
+    private Image(int width, int height, DisplayCurve curve, Rows rows) {
         this.width = width;
         this.height = height;
         rgb = null;
@@ -96,7 +96,7 @@ public final class Image {
      * @param rows its components
      * @param curve what they are, and how they become what a screen takes
      */
-    public static Image of(int width, int height, PixelRows rows, DisplayCurve curve) {
+    public static Image of(int width, int height, Rows rows, DisplayCurve curve) {
         if (width < 1 || height < 1 || width > Integer.MAX_VALUE / 3) {
             throw new IllegalArgumentException("no picture has " + width + " x " + height + " pixels");
         }
@@ -192,7 +192,7 @@ public final class Image {
             return this;
         }
         if (rows != null) {
-            PixelRows shown = (y, components) -> {
+            Rows shown = (y, components) -> {
                 rows.read(y, components);
                 for (int i = 0; i < components.length; i++) {
                     components[i] = displayed(components[i]);
@@ -260,5 +260,18 @@ public final class Image {
         BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         picture.setRGB(0, 0, width, height, toArgb(), 0, width);
         return picture;
+    }
+
+    /** The rows of a picture that is not in memory. Must give the same numbers each time, also to several threads at once. */
+    @FunctionalInterface
+    public interface Rows {
+        /**
+         * Reads a row.
+         *
+         * @param y counted from 0 at the top
+         * @param components gets red, green and blue of each pixel of the row, from the left
+         * @throws java.io.UncheckedIOException if that fails
+         */
+        void read(int y, float[] components);
     }
 }

@@ -1,5 +1,6 @@
 package enlightenment.image;
 
+import enlightenment.check.Check;
 import enlightenment.codec.JpegWriter;
 import enlightenment.codec.PfmFormat;
 import enlightenment.codec.PngWriter;
@@ -10,6 +11,11 @@ import enlightenment.file.WholeFile;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -158,5 +164,124 @@ public final class ImageFiles {
                             alpha.get().height(),
                             alpha.get().components()));
         });
+    }
+
+    /**
+     * How a PNG file is written.
+     *
+     * @param depth bits per component: 8 or 16
+     * @param text comments, keyword to text, written in the map's order. A keyword has 1..79 printable Latin-1 characters and
+     *     no space at its ends nor two in a row (PNG specification, 11.3.4.2); a text has no NUL character
+     */
+    public record PngOptions(int depth, Map<String, String> text) {
+        /** 8 bits per component, no comments. */
+        public static final PngOptions DEFAULT = new PngOptions(8, Map.of());
+
+        /** @throws IllegalArgumentException if the depth, a keyword or a text is not allowed */
+        public PngOptions {
+            Check.that(depth == 8 || depth == 16, "depth", "must be 8 or 16 bits per component, not " + depth);
+            text = Collections.unmodifiableMap(new LinkedHashMap<>(text));
+            text.forEach(PngOptions::check);
+        }
+
+        /** These options with another depth. */
+        public PngOptions withDepth(int newDepth) {
+            return new PngOptions(newDepth, text);
+        }
+
+        /** These options with one more comment at the end, or another text for a keyword that is there. */
+        public PngOptions withText(String keyword, String value) {
+            Map<String, String> extended = new LinkedHashMap<>(text);
+            extended.put(keyword, value);
+            return new PngOptions(depth, extended);
+        }
+
+        private static void check(String keyword, String value) {
+            boolean printable = keyword.chars().allMatch(c -> c >= 32 && c <= 126 || c >= 161 && c <= 255);
+            if (!printable || keyword.isEmpty() || keyword.length() > 79) {
+                throw new IllegalArgumentException(
+                        "the keyword of a PNG comment has 1 to 79 printable Latin-1 characters, unlike \"" + keyword
+                                + "\"");
+            }
+            if (keyword.startsWith(" ") || keyword.endsWith(" ") || keyword.contains("  ")) {
+                throw new IllegalArgumentException(
+                        "the keyword of a PNG comment has single spaces only between words, unlike \"" + keyword
+                                + "\"");
+            }
+            if (value.indexOf('\0') >= 0) {
+                throw new IllegalArgumentException("the PNG comment \"" + keyword + "\" contains a NUL character");
+            }
+        }
+    }
+
+    /**
+     * How an OpenEXR file is written.
+     *
+     * @param depth bits per component of the picture: 32 keeps every float, 16 rounds to halves (11 bits, up to 65504)
+     * @param place where a part of a larger picture lies; empty for a whole picture
+     * @param text what the file says of itself: attributes of type string. A name has 1..31 printable ASCII characters without spaces and
+     *     is none of the attributes that every file has, such as {@code channels}
+     * @param layers further channels, in floats
+     */
+    public record ExrOptions(int depth, Optional<Place> place, Map<String, String> text, List<Layer> layers) {
+        /** Floats of a whole picture, nothing else. */
+        public static final ExrOptions DEFAULT = new ExrOptions(32, Optional.empty(), Map.of(), List.of());
+
+        /**
+         * The place of a picture's upper left pixel in a larger picture: the file's data window within its display window.
+         *
+         * @param x column of the larger picture
+         * @param y row of the larger picture, from the top
+         * @param wholeWidth columns of the larger picture
+         * @param wholeHeight rows of the larger picture
+         */
+        public record Place(int x, int y, int wholeWidth, int wholeHeight) {}
+
+        /**
+         * Further numbers of each pixel: channels {@code name.X} for each X of the list.
+         *
+         * @param name of the layer; with a dot and a channel's name at most 31 characters
+         * @param channels the last parts of the channels' names: three, or one if the components are equal
+         * @param image the numbers, of the picture's size
+         */
+        public record Layer(String name, List<String> channels, Image image) {
+            /** @throws IllegalArgumentException unless there are one or three channels */
+            public Layer {
+                channels = List.copyOf(channels);
+                Check.that(
+                        channels.size() == 1 || channels.size() == 3,
+                        "channels",
+                        "must be one or three, not " + channels.size());
+            }
+        }
+
+        /** @throws IllegalArgumentException if the depth is neither 16 nor 32 */
+        public ExrOptions {
+            Check.that(depth == 16 || depth == 32, "depth", "must be 16 or 32 bits per component, not " + depth);
+            text = Collections.unmodifiableMap(new LinkedHashMap<>(text));
+            layers = List.copyOf(layers);
+        }
+
+        /** These options with another depth. */
+        public ExrOptions withDepth(int newDepth) {
+            return new ExrOptions(newDepth, place, text, layers);
+        }
+
+        /** These options for a part of a larger picture. */
+        public ExrOptions withPlace(Place newPlace) {
+            return new ExrOptions(depth, Optional.of(newPlace), text, layers);
+        }
+
+        /** These options with other texts. */
+        public ExrOptions withText(Map<String, String> newText) {
+            return new ExrOptions(depth, place, newText, layers);
+        }
+
+        /** These options with one more layer. */
+        public ExrOptions withLayer(Layer layer) {
+            List<Layer> extended = new ArrayList<>(layers);
+            extended.add(layer);
+            return new ExrOptions(depth, place, text, extended);
+        }
     }
 }

@@ -1,6 +1,6 @@
 package enlightenment.importer;
 
-import enlightenment.color.Radiance;
+import enlightenment.check.Radiance;
 import enlightenment.color.Rgb;
 
 /** The surroundings that replace those of a file, or stand in for them where it has none. */
@@ -19,7 +19,7 @@ public sealed interface Backdrop permits Backdrop.Studio, Backdrop.Sky, Backdrop
     record Constant(Rgb radiance) implements Backdrop {
         /** @throws enlightenment.math.InvalidValueException (key {@code radiance}) if it is beyond the range of lights */
         public Constant {
-            Radiance.check("radiance", radiance);
+            Radiance.check("radiance", radiance.max());
         }
     }
 }

@@ -6,7 +6,6 @@ import enlightenment.file.InputFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.image.PngOptions;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
@@ -134,7 +133,7 @@ public final class SceneDocument {
             }
             Image image = ImageFiles.read(file);
             ByteArrayOutputStream png = new ByteArrayOutputStream();
-            ImageFiles.toPng(image, png, PngOptions.DEFAULT);
+            ImageFiles.toPng(image, png, ImageFiles.PngOptions.DEFAULT);
             return png.toByteArray();
         } catch (IOException e) {
             throw SceneException.ofTexture(scene, file, e.getMessage());

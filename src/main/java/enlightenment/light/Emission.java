@@ -1,7 +1,7 @@
 package enlightenment.light;
 
 import enlightenment.check.Check;
-import enlightenment.color.Radiance;
+import enlightenment.check.Radiance;
 import enlightenment.color.Rgb;
 import java.util.Locale;
 import java.util.Objects;

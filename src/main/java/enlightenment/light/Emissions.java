@@ -1,8 +1,8 @@
 package enlightenment.light;
 
 import enlightenment.check.Check;
+import enlightenment.check.Radiance;
 import enlightenment.color.Color;
-import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
 import java.util.Objects;
 

@@ -1,7 +1,7 @@
 package enlightenment.material;
 
 import enlightenment.check.Check;
-import enlightenment.color.Radiance;
+import enlightenment.check.Radiance;
 import enlightenment.color.Rgb;
 import java.util.List;
 import java.util.Objects;
@@ -38,7 +38,7 @@ public record Coated(
         Reflectance.check(color);
         Objects.requireNonNull(roughness, "roughness");
         Check.range("indexOfRefraction", indexOfRefraction, 1, LARGEST_INDEX);
-        Radiance.check("radiance", radiance);
+        Radiance.check("radiance", radiance.max());
         Radiance.check("ultraviolet", ultraviolet);
         Detail.checkRadiance(radiance, ultraviolet, pattern);
     }

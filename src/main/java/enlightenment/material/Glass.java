@@ -1,9 +1,9 @@
 package enlightenment.material;
 
 import enlightenment.check.Check;
-import enlightenment.color.BandSensitivities;
-import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
+import enlightenment.colorimetry.BandSensitivities;
+import enlightenment.colorimetry.CauchyFormula;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;

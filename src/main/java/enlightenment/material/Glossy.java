@@ -1,6 +1,6 @@
 package enlightenment.material;
 
-import enlightenment.color.Radiance;
+import enlightenment.check.Radiance;
 import enlightenment.color.Rgb;
 import java.util.List;
 import java.util.Objects;
@@ -33,7 +33,7 @@ public record Glossy(
         Reflectance.check(color);
         Objects.requireNonNull(roughness, "roughness");
         Objects.requireNonNull(conductor, "conductor");
-        Radiance.check("radiance", radiance);
+        Radiance.check("radiance", radiance.max());
         Radiance.check("ultraviolet", ultraviolet);
         Detail.checkRadiance(radiance, ultraviolet, pattern);
     }

@@ -1,7 +1,7 @@
 package enlightenment.material;
 
 import enlightenment.check.Check;
-import enlightenment.color.Radiance;
+import enlightenment.check.Radiance;
 import enlightenment.color.Rgb;
 import java.util.List;
 import java.util.Objects;
@@ -105,7 +105,7 @@ public sealed interface Material
         public Matte {
             Reflectance.check(color);
             Check.range("roughness", roughness, 0, 1);
-            Radiance.check("radiance", radiance);
+            Radiance.check("radiance", radiance.max());
             Radiance.check("ultraviolet", ultraviolet);
             Detail.checkRadiance(radiance, ultraviolet, pattern);
         }
@@ -180,7 +180,7 @@ public sealed interface Material
         /** Validates the components, as {@link Material} states. */
         public Mirror {
             Reflectance.check(color);
-            Radiance.check("radiance", radiance);
+            Radiance.check("radiance", radiance.max());
             Radiance.check("ultraviolet", ultraviolet);
             Detail.checkRadiance(radiance, ultraviolet, pattern);
         }
@@ -293,7 +293,7 @@ public sealed interface Material
                     "must reach beyond the shortest wavelength of \"absorption\": what is emitted is never shorter than"
                             + " what was absorbed");
             Check.range("yield", yield, 0, 1);
-            Radiance.check("radiance", radiance);
+            Radiance.check("radiance", radiance.max());
             Radiance.check("ultraviolet", ultraviolet);
             Detail.checkRadiance(radiance, ultraviolet, pattern);
         }

@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 
 /**
  * Metals by name, with their complex index of refraction η + ik in air. η and k of a band are the means of the measured ones over its
- * {@linkplain enlightenment.color.BandSensitivities#DAYLIGHT sensitivity}; docs/notes/bsdfs.md names the sources.
+ * {@linkplain enlightenment.colorimetry.BandSensitivities#DAYLIGHT sensitivity}; docs/notes/bsdfs.md names the sources.
  */
 public enum Metal {
     SILVER("Ag", new Rgb(0.056, 0.055, 0.043), new Rgb(4.354, 3.535, 2.567)),

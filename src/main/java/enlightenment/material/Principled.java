@@ -1,7 +1,7 @@
 package enlightenment.material;
 
 import enlightenment.check.Check;
-import enlightenment.color.Radiance;
+import enlightenment.check.Radiance;
 import enlightenment.color.Rgb;
 import java.util.ArrayList;
 import java.util.List;
@@ -88,7 +88,7 @@ public record Principled(
         Check.range("specular", specular, 0, 1);
         Objects.requireNonNull(clearcoat, "clearcoat");
         Objects.requireNonNull(sheen, "sheen");
-        Radiance.check("radiance", radiance);
+        Radiance.check("radiance", radiance.max());
         Radiance.check("ultraviolet", ultraviolet);
         Detail.checkRadiance(radiance, ultraviolet, pattern);
     }

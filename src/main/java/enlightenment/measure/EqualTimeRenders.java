@@ -1,8 +1,8 @@
 package enlightenment.measure;
 
-import enlightenment.image.Flip;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
+import enlightenment.image.error.Flip;
 import enlightenment.measure.analysis.Configuration;
 import enlightenment.measure.analysis.CostEstimate;
 import enlightenment.measure.analysis.Digits;

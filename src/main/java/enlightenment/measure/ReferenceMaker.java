@@ -3,7 +3,6 @@ package enlightenment.measure;
 import enlightenment.file.WholeFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.measure.analysis.Configuration;
 import enlightenment.measure.trade.Reference;
 import java.io.IOException;
@@ -48,7 +47,8 @@ final class ReferenceMaker {
                 : made();
         ImageFiles.writePfm(reference.image(), session.folder.file("reference.pfm"));
         // Sixteen bits: rounding to eight would add an error of a thousandth.
-        ImageFiles.writePng(reference.image(), session.folder.file("reference.png"), new PngOptions(16, Map.of()));
+        ImageFiles.writePng(
+                reference.image(), session.folder.file("reference.png"), new ImageFiles.PngOptions(16, Map.of()));
         return reference;
     }
 

@@ -1,9 +1,9 @@
 package enlightenment.measure;
 
 import enlightenment.color.Encoding;
-import enlightenment.image.Flip;
 import enlightenment.image.Image;
-import enlightenment.image.ImageError;
+import enlightenment.image.error.Flip;
+import enlightenment.image.error.ImageError;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;

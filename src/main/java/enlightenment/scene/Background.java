@@ -1,7 +1,7 @@
 package enlightenment.scene;
 
 import enlightenment.check.Check;
-import enlightenment.color.Radiance;
+import enlightenment.check.Radiance;
 import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
 import java.util.Objects;
@@ -26,7 +26,7 @@ public sealed interface Background permits Background.Constant, Background.Pictu
 
         /** Validates the components, as {@link Background} states. */
         public Constant {
-            Radiance.check("radiance", radiance);
+            Radiance.check("radiance", radiance.max());
         }
     }
 
@@ -42,7 +42,7 @@ public sealed interface Background permits Background.Constant, Background.Pictu
         /** Validates the components, as {@link Background} states. */
         public Picture {
             Objects.requireNonNull(picture, "picture");
-            Radiance.check("radiance", radiance);
+            Radiance.check("radiance", radiance.max());
             Check.finite("rotation", rotation);
         }
 
@@ -87,7 +87,7 @@ public sealed interface Background permits Background.Constant, Background.Pictu
                     groundAlbedo.max() <= 1,
                     "groundAlbedo",
                     "must lie in 0..1: ground does not give back more than it receives");
-            Radiance.check("radiance", radiance);
+            Radiance.check("radiance", radiance.max());
         }
 
         /** The sky of a clear day, with its sun. */

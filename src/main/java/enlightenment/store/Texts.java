@@ -1,6 +1,6 @@
 package enlightenment.store;
 
-import enlightenment.image.PngOptions;
+import enlightenment.image.ImageFiles;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
@@ -56,7 +56,7 @@ final class Texts {
     /** Whether a file can have it: a store may come from anybody. */
     private static boolean isComment(String key, String value) {
         try {
-            return !PngOptions.DEFAULT.withText(key, value).text().isEmpty();
+            return !ImageFiles.PngOptions.DEFAULT.withText(key, value).text().isEmpty();
         } catch (IllegalArgumentException e) {
             return false;
         }

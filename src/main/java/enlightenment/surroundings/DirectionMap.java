@@ -2,7 +2,7 @@ package enlightenment.surroundings;
 
 import enlightenment.codec.Raster;
 import enlightenment.color.Rgb;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.math.InvalidValueException;
 import enlightenment.numeric.Scale;
 import java.io.IOException;

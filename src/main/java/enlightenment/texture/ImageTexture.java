@@ -2,7 +2,7 @@ package enlightenment.texture;
 
 import enlightenment.codec.Raster;
 import enlightenment.codec.RasterFiles;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.ImageFormat;
 import java.io.IOException;
 import java.nio.ByteBuffer;

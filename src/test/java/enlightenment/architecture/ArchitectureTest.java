@@ -45,12 +45,14 @@ class ArchitectureTest {
             .definedBy("enlightenment.check")
             .layer("frame")
             .definedBy("enlightenment.frame")
+            .layer("colorimetry")
+            .definedBy("enlightenment.colorimetry")
             .layer("color")
             .definedBy("enlightenment.color")
             .layer("codec")
             .definedBy("enlightenment.codec")
             .layer("image")
-            .definedBy("enlightenment.image")
+            .definedBy("enlightenment.image..")
             .layer("picture")
             .definedBy("enlightenment.picture")
             .layer("surroundings")
@@ -642,6 +644,7 @@ class ArchitectureTest {
                     "enlightenment.math",
                     "enlightenment.frame",
                     "enlightenment.primitive",
+                    "enlightenment.colorimetry",
                     "enlightenment.color",
                     "enlightenment.geometry",
                     "enlightenment.sampling",

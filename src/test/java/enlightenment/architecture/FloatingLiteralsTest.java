@@ -449,8 +449,8 @@ class FloatingLiteralsTest {
         CITED.forEach((why, literals) ->
                 literals.forEach(l -> all.add(new Explained("sampling/NormalIntegral.java", l, why))));
         IntStream.rangeClosed(1, 22)
-                .forEach(e ->
-                        all.add(new Explained("mesh/input/TextInput.java", "1e" + e, "decimals of a text: exact powers")));
+                .forEach(e -> all.add(
+                        new Explained("mesh/input/TextInput.java", "1e" + e, "decimals of a text: exact powers")));
         return all;
     }
 

@@ -11,7 +11,6 @@ import enlightenment.color.Encoding;
 import enlightenment.color.Tone;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.picture.Exposure;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
@@ -61,7 +60,7 @@ class LightCommandsTest {
 
     private static Image asPng(Image light, DisplayCurve curve, Path file) throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        ImageFiles.toPng(light.withCurve(curve), out, PngOptions.DEFAULT);
+        ImageFiles.toPng(light.withCurve(curve), out, ImageFiles.PngOptions.DEFAULT);
         Files.write(file, out.toByteArray());
         return ImageFiles.read(file);
     }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.math.InvalidValueException;
 import java.math.BigDecimal;
 import java.math.MathContext;

@@ -10,6 +10,8 @@ import enlightenment.codec.PngWriter;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.color.Tone;
+import enlightenment.image.error.Flip;
+import enlightenment.image.error.ImageError;
 import enlightenment.math.InvalidValueException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -33,7 +35,7 @@ class ImageEncodingTest {
 
     private Image throughPng(Image image) throws IOException {
         Path file = folder.resolve("a.png");
-        ImageFiles.writePng(image, file, PngOptions.DEFAULT);
+        ImageFiles.writePng(image, file, ImageFiles.PngOptions.DEFAULT);
         return ImageFiles.read(file);
     }
 

@@ -47,7 +47,7 @@ class ImageFilesTest {
             Image image = picture(size[0], size[1]);
             for (int depth : new int[] {8, 16}) {
                 Path file = folder.resolve("a.png");
-                ImageFiles.writePng(image, file, PngOptions.DEFAULT.withDepth(depth));
+                ImageFiles.writePng(image, file, ImageFiles.PngOptions.DEFAULT.withDepth(depth));
                 BufferedImage other = ImageIO.read(file.toFile());
                 Image own = ImageFiles.read(file);
                 int maximum = (1 << depth) - 1;
@@ -83,8 +83,8 @@ class ImageFilesTest {
     @Test
     void theBytesOfAFileAreTheSameOnEveryMachine() throws Exception {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        ImageFiles.toPng(picture(640, 360), out, PngOptions.DEFAULT.withText("Software", "Enlightenment"));
-        ImageFiles.toPng(picture(640, 360), out, new PngOptions(16, Map.of()));
+        ImageFiles.toPng(picture(640, 360), out, ImageFiles.PngOptions.DEFAULT.withText("Software", "Enlightenment"));
+        ImageFiles.toPng(picture(640, 360), out, new ImageFiles.PngOptions(16, Map.of()));
         byte[] digest = MessageDigest.getInstance("SHA-256").digest(out.toByteArray());
         // Whoever changes the encoder on purpose changes this number, and every picture that was compared by its bytes.
         assertEquals(
@@ -99,7 +99,7 @@ class ImageFilesTest {
         text.put("Author", "Jos\u00e9");
         text.put("Comment", "\u03b1 < \u03b2 \ud83d\udd25");
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        ImageFiles.toPng(picture(2, 2), out, new PngOptions(8, text));
+        ImageFiles.toPng(picture(2, 2), out, new ImageFiles.PngOptions(8, text));
         ByteBuffer png = ByteBuffer.wrap(out.toByteArray(), 8, out.size() - 8);
         StringBuilder chunks = new StringBuilder();
         while (png.hasRemaining()) {
@@ -122,25 +122,28 @@ class ImageFilesTest {
 
     @Test
     void unusableOptionsAreRefused() {
-        assertThrows(IllegalArgumentException.class, () -> new PngOptions(12, Map.of()));
+        assertThrows(IllegalArgumentException.class, () -> new ImageFiles.PngOptions(12, Map.of()));
         for (String keyword : new String[] {"", " a", "a ", "a  b", "a\nb", "\u03b1", "\u00a0", "x".repeat(80)}) {
-            assertThrows(IllegalArgumentException.class, () -> PngOptions.DEFAULT.withText(keyword, "text"), keyword);
+            assertThrows(
+                    IllegalArgumentException.class,
+                    () -> ImageFiles.PngOptions.DEFAULT.withText(keyword, "text"),
+                    keyword);
         }
-        assertThrows(IllegalArgumentException.class, () -> PngOptions.DEFAULT.withText("a", "b\0c"));
+        assertThrows(IllegalArgumentException.class, () -> ImageFiles.PngOptions.DEFAULT.withText("a", "b\0c"));
     }
 
     @Test
     void theExtensionChoosesTheFormat() throws IOException {
         Image image = picture(5, 4);
-        ImageFiles.write(image, folder.resolve("a.PNG"), PngOptions.DEFAULT);
-        ImageFiles.write(image, folder.resolve("a.pfm"), PngOptions.DEFAULT);
+        ImageFiles.write(image, folder.resolve("a.PNG"), ImageFiles.PngOptions.DEFAULT);
+        ImageFiles.write(image, folder.resolve("a.pfm"), ImageFiles.PngOptions.DEFAULT);
         assertEquals(5, ImageIO.read(folder.resolve("a.PNG").toFile()).getWidth());
         assertArrayEquals(
                 image.toArray(), ImageFiles.read(folder.resolve("a.pfm")).toArray());
         for (String name : new String[] {"a.bmp", "png", "a.png.bak", "a"}) {
             String message = assertThrows(
                             IllegalArgumentException.class,
-                            () -> ImageFiles.write(image, folder.resolve(name), PngOptions.DEFAULT),
+                            () -> ImageFiles.write(image, folder.resolve(name), ImageFiles.PngOptions.DEFAULT),
                             name)
                     .getMessage();
             assertTrue(message.contains(".png") && message.contains(".pfm"), message);

@@ -35,12 +35,12 @@ class ImageFormatTest {
             Image image = format.isLossy() ? oneColor : colors;
             float tolerance = format.isLossy() ? JPEG_TOLERANCE : 0;
             ByteArrayOutputStream stream = new ByteArrayOutputStream();
-            ImageFiles.write(image, stream, format, PngOptions.DEFAULT);
+            ImageFiles.write(image, stream, format, ImageFiles.PngOptions.DEFAULT);
             for (String extension : format.extensions()) {
                 for (String name : List.of("a." + extension, "A.B." + extension.toUpperCase(Locale.ROOT))) {
                     Path file = folder.resolve(name);
                     assertEquals(format, ImageFiles.writtenFormat(file));
-                    ImageFiles.write(image, file, PngOptions.DEFAULT);
+                    ImageFiles.write(image, file, ImageFiles.PngOptions.DEFAULT);
                     byte[] bytes = Files.readAllBytes(file);
                     assertArrayEquals(stream.toByteArray(), bytes);
                     byte[] start = Arrays.copyOf(bytes, ImageFormat.SIGNATURE_LENGTH);
@@ -61,7 +61,8 @@ class ImageFormatTest {
         for (ImageFormat format : readOnly) {
             ByteArrayOutputStream out = new ByteArrayOutputStream();
             assertThrows(
-                    IllegalArgumentException.class, () -> ImageFiles.write(image, out, format, PngOptions.DEFAULT));
+                    IllegalArgumentException.class,
+                    () -> ImageFiles.write(image, out, format, ImageFiles.PngOptions.DEFAULT));
             assertEquals(0, out.size());
             Path file = folder.resolve("a." + format.word());
             assertEquals(Optional.of(format), ImageFormat.ofExtension(file));
@@ -92,12 +93,13 @@ class ImageFormatTest {
     @Test
     void depthsAreThoseThatOptionsTake() {
         for (int depth : ImageFormat.PNG.depths()) {
-            assertEquals(depth, new PngOptions(depth, java.util.Map.of()).depth());
+            assertEquals(depth, new ImageFiles.PngOptions(depth, java.util.Map.of()).depth());
         }
         for (int depth : ImageFormat.EXR.depths()) {
-            assertEquals(depth, ExrOptions.DEFAULT.withDepth(depth).depth());
+            assertEquals(depth, ImageFiles.ExrOptions.DEFAULT.withDepth(depth).depth());
         }
-        assertEquals(ExrOptions.DEFAULT.depth(), ImageFormat.EXR.depths().get(0));
+        assertEquals(
+                ImageFiles.ExrOptions.DEFAULT.depth(), ImageFormat.EXR.depths().get(0));
         for (ImageFormat format : ImageFormat.values()) {
             assertEquals(
                     format == ImageFormat.PFM || format == ImageFormat.HDR,

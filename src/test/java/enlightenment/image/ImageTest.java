@@ -28,7 +28,7 @@ class ImageTest {
     void pixelsForAScreenAreThoseOfThePngFile() throws IOException {
         Image image = TestImages.noise(17, 9, 3);
         ByteArrayOutputStream png = new ByteArrayOutputStream();
-        ImageFiles.toPng(image, png, PngOptions.DEFAULT);
+        ImageFiles.toPng(image, png, ImageFiles.PngOptions.DEFAULT);
         BufferedImage decoded = ImageIO.read(new ByteArrayInputStream(png.toByteArray()));
         assertArrayEquals(decoded.getRGB(0, 0, 17, 9, null, 0, 17), image.toArgb());
     }
@@ -41,7 +41,7 @@ class ImageTest {
             rgb[i] = -0.005f * (i + 1);
         }
         ByteArrayOutputStream png = new ByteArrayOutputStream();
-        ImageFiles.toPng(new Image(64, 1, rgb, DisplayCurve.of(2, Tone.FILMIC)), png, PngOptions.DEFAULT);
+        ImageFiles.toPng(new Image(64, 1, rgb, DisplayCurve.of(2, Tone.FILMIC)), png, ImageFiles.PngOptions.DEFAULT);
         BufferedImage decoded = ImageIO.read(new ByteArrayInputStream(png.toByteArray()));
         for (int x = 0; x < 64; x++) {
             assertEquals(0xff000000, decoded.getRGB(x, 0), "pixel " + x);

@@ -3,8 +3,8 @@ package enlightenment.material;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.BandSensitivities;
 import enlightenment.color.Rgb;
+import enlightenment.colorimetry.BandSensitivities;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;

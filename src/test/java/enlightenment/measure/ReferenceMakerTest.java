@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Tone;
 import enlightenment.image.Image;
-import enlightenment.image.ImageError;
+import enlightenment.image.error.ImageError;
 import enlightenment.measure.analysis.SyntheticImages;
 import enlightenment.measure.analysis.SyntheticRuns;
 import enlightenment.measure.trade.Reference;

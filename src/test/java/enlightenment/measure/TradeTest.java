@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
-import enlightenment.image.ImageError;
+import enlightenment.image.error.ImageError;
 import enlightenment.math.InvalidValueException;
 import enlightenment.measure.trade.Advice;
 import enlightenment.measure.trade.Reference;

@@ -2,7 +2,6 @@ package enlightenment.net;
 
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.net.protocol.Timing;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
@@ -178,7 +177,7 @@ public final class Farm implements AutoCloseable {
     static byte[] png(Image image) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         try {
-            ImageFiles.toPng(image, out, PngOptions.DEFAULT);
+            ImageFiles.toPng(image, out, ImageFiles.PngOptions.DEFAULT);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

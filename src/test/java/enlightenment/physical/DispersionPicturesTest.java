@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.color.BandSensitivities;
-import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
+import enlightenment.colorimetry.BandSensitivities;
+import enlightenment.colorimetry.CauchyFormula;
 import enlightenment.geometry.Cube;
 import enlightenment.image.Image;
 import enlightenment.material.Glass;

@@ -2,9 +2,9 @@ package enlightenment.physical;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.BandSensitivities;
-import enlightenment.color.CauchyFormula;
 import enlightenment.color.Rgb;
+import enlightenment.colorimetry.BandSensitivities;
+import enlightenment.colorimetry.CauchyFormula;
 import enlightenment.image.Image;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;

@@ -14,7 +14,6 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Transform;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Bump;
@@ -292,7 +291,7 @@ class MaterialDetailTest {
             rgb[3 * k + 2] = h;
         }
         Path file = folder.resolve(name + ".png");
-        ImageFiles.writePng(new Image(n, n, rgb), file, PngOptions.DEFAULT.withDepth(16));
+        ImageFiles.writePng(new Image(n, n, rgb), file, ImageFiles.PngOptions.DEFAULT.withDepth(16));
         return new Texture.File(file, Texture.Filter.BILINEAR, Texture.Encoding.LINEAR);
     }
 

@@ -11,7 +11,6 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.material.Amount;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
@@ -50,7 +49,7 @@ class RoughnessMapTest {
             rgb[3 * k + 2] = k / n / 8 % 2;
         }
         Path file = folder.resolve(name + ".png");
-        ImageFiles.writePng(new Image(n, n, rgb), file, PngOptions.DEFAULT.withDepth(16));
+        ImageFiles.writePng(new Image(n, n, rgb), file, ImageFiles.PngOptions.DEFAULT.withDepth(16));
         return new Texture.File(file, Texture.Filter.BILINEAR, Texture.Encoding.LINEAR);
     }
 

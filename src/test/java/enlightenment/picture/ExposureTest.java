@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;

@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.TransferCurve;
-import enlightenment.image.Flip;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.TestImages;
+import enlightenment.image.error.Flip;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

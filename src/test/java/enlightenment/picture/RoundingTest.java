@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -42,7 +41,7 @@ class RoundingTest {
         Image image = random(40, 30, -0.2, 1.2);
         Path file = folder.resolve("p.png");
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        ImageFiles.toPng(image, bytes, new PngOptions(depth, java.util.Map.of()));
+        ImageFiles.toPng(image, bytes, new ImageFiles.PngOptions(depth, java.util.Map.of()));
         Files.write(file, bytes.toByteArray());
         Image read = ImageFiles.read(file);
         double sum = 0;

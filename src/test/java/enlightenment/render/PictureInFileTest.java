@@ -6,11 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.image.ExrOptions;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.image.PngOptions;
 import enlightenment.math.InvalidValueException;
 import enlightenment.picture.Exposure;
 import enlightenment.scene.Budget;
@@ -83,14 +81,14 @@ class PictureInFileTest {
         List<byte[]> all = new ArrayList<>();
         for (ImageFormat format : List.of(ImageFormat.PNG, ImageFormat.PFM, ImageFormat.EXR, ImageFormat.JPEG)) {
             ByteArrayOutputStream out = new ByteArrayOutputStream();
-            ImageFiles.write(image, out, format, new PngOptions(8, Map.of("Title", "t")));
+            ImageFiles.write(image, out, format, new ImageFiles.PngOptions(8, Map.of("Title", "t")));
             all.add(out.toByteArray());
         }
         ByteArrayOutputStream deep = new ByteArrayOutputStream();
-        ImageFiles.toPng(image, deep, new PngOptions(16, Map.of()));
+        ImageFiles.toPng(image, deep, new ImageFiles.PngOptions(16, Map.of()));
         all.add(deep.toByteArray());
         ByteArrayOutputStream shown = new ByteArrayOutputStream();
-        ImageFiles.toExr(image.toDisplay(), shown, ExrOptions.DEFAULT);
+        ImageFiles.toExr(image.toDisplay(), shown, ImageFiles.ExrOptions.DEFAULT);
         all.add(shown.toByteArray());
         return all;
     }

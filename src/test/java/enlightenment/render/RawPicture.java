@@ -7,7 +7,6 @@ import enlightenment.engine.TilePicture;
 import enlightenment.film.Film;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.plan.Planner;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -54,7 +53,7 @@ record RawPicture(int width, double[] rgb, byte[] png) {
     private static byte[] png(Image image) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         try {
-            ImageFiles.toPng(image, out, PngOptions.DEFAULT.withDepth(16));
+            ImageFiles.toPng(image, out, ImageFiles.PngOptions.DEFAULT.withDepth(16));
         } catch (IOException e) {
             throw new AssertionError(e);
         }

@@ -11,7 +11,7 @@ import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Sphere;
-import enlightenment.image.PngOptions;
+import enlightenment.image.ImageFiles;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Conductor;
@@ -93,7 +93,7 @@ class NamedFaultsTest {
         fails("ambient: must lie in 0.0..1.0, not 3.0", () -> new ClassicShading(3, 0, DisplayRgb.BLACK, 1));
         fails("g: must lie in 0.0..1.0, not 255.0", () -> DisplayRgb.of(0, 255, 0));
         fails("y: must be a finite number, not Infinity", () -> ExactPoint.of(0, 1 / 0.0, 0));
-        fails("depth: must be 8 or 16 bits per component, not 24", () -> new PngOptions(24, Map.of()));
+        fails("depth: must be 8 or 16 bits per component, not 24", () -> new ImageFiles.PngOptions(24, Map.of()));
         fails("pin: must have 64 hexadecimal digits, not \"x\"", () -> WorkerOptions.builder()
                 .pin("x"));
     }

@@ -5,10 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -30,7 +29,7 @@ class ImageTextureTest {
             rgb[3 * i + 2] = 7 / 255f;
         }
         Path file = folder.resolve("texture.png");
-        ImageFiles.writePng(new Image(WIDTH, HEIGHT, rgb), file, PngOptions.DEFAULT.withDepth(depth));
+        ImageFiles.writePng(new Image(WIDTH, HEIGHT, rgb), file, ImageFiles.PngOptions.DEFAULT.withDepth(depth));
         return file;
     }
 

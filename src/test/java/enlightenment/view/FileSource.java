@@ -3,7 +3,6 @@ package enlightenment.view;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.image.PngOptions;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
@@ -23,7 +22,7 @@ record FileSource(Path file, boolean isNative) implements SceneSource {
 
     static byte[] bytes(Image image, ImageFormat format) throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        ImageFiles.write(image, out, format, PngOptions.DEFAULT);
+        ImageFiles.write(image, out, format, ImageFiles.PngOptions.DEFAULT);
         return out.toByteArray();
     }
 

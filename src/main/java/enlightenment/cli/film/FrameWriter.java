@@ -10,7 +10,6 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -57,7 +56,7 @@ final class FrameWriter {
         double samples = result.report().sampling().plannedSamples();
         String line = SettingsLine.replayable(subject.settings, samples, frame);
         Image shown = view.view(result.image());
-        PngOptions png = new PngOptions(output.depth(), PictureText.of(subject.title, line))
+        ImageFiles.PngOptions png = new ImageFiles.PngOptions(output.depth(), PictureText.of(subject.title, line))
                 .withText(FrameDigest.KEYWORD, subject.digest);
         output.beside(frame).write(result.auxiliary(), shown, png);
         // The last: where it is there, the others are.

@@ -15,13 +15,12 @@ import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.color.Tone;
 import enlightenment.file.FileFailure;
-import enlightenment.image.Flip;
 import enlightenment.image.Image;
-import enlightenment.image.ImageError;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.image.LightError;
-import enlightenment.image.PngOptions;
+import enlightenment.image.error.Flip;
+import enlightenment.image.error.ImageError;
+import enlightenment.image.error.LightError;
 import enlightenment.math.InvalidValueException;
 import enlightenment.picture.HeatMap;
 import java.io.IOException;
@@ -163,8 +162,8 @@ public final class CompareCommand extends Subcommand {
     }
 
     /** What the file says of itself: nothing that differs from run to run. */
-    private static PngOptions comments(Flip flip, double density) {
-        return PngOptions.DEFAULT
+    private static ImageFiles.PngOptions comments(Flip flip, double density) {
+        return ImageFiles.PngOptions.DEFAULT
                 .withText("Title", "FLIP error")
                 .withText("Software", "Enlightenment " + Version.number())
                 .withText(

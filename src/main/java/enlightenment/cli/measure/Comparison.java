@@ -1,8 +1,8 @@
 package enlightenment.cli.measure;
 
-import enlightenment.image.Flip;
-import enlightenment.image.ImageError;
-import enlightenment.image.LightError;
+import enlightenment.image.error.Flip;
+import enlightenment.image.error.ImageError;
+import enlightenment.image.error.LightError;
 import java.nio.file.Path;
 import java.util.Locale;
 

@@ -1,8 +1,8 @@
 package enlightenment.cli.measure;
 
 import enlightenment.cli.terminal.Version;
-import enlightenment.image.ImageError;
-import enlightenment.image.LightError;
+import enlightenment.image.error.ImageError;
+import enlightenment.image.error.LightError;
 import enlightenment.json.JsonText;
 import tools.jackson.core.JsonGenerator;
 

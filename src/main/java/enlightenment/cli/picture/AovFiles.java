@@ -5,7 +5,6 @@ import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.image.PngOptions;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.AuxiliaryPicture;
 import java.io.IOException;
@@ -46,7 +45,7 @@ public final class AovFiles {
      * @param numbers what the render gave
      * @param shown the picture as it is shown: parts of its light are shown likewise
      */
-    public void write(Map<Auxiliary, Image> numbers, Image shown, PngOptions options) throws IOException {
+    public void write(Map<Auxiliary, Image> numbers, Image shown, ImageFiles.PngOptions options) throws IOException {
         for (Map.Entry<Auxiliary, Path> e : files.entrySet()) {
             Image raw = numbers.get(e.getKey());
             if (ImageFormat.ofExtension(e.getValue()).orElseThrow().holdsFloats()) {

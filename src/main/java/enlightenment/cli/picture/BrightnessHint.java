@@ -2,9 +2,8 @@ package enlightenment.cli.picture;
 
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
-import enlightenment.image.PixelRows;
 import enlightenment.picture.Exposure;
 import enlightenment.render.RenderResult;
 import java.util.Locale;
@@ -102,7 +101,7 @@ public final class BrightnessHint {
 
     /** The light that a screen makes of a display-referred picture, between black and white. */
     private static Image light(Image shown) {
-        PixelRows light = (y, components) -> {
+        Image.Rows light = (y, components) -> {
             for (int i = 0; i < components.length; i++) {
                 double value = shown.component(i / 3, y, i % 3);
                 components[i] = (float) TransferCurve.decode(Math.min(Math.max(value, 0), 1));

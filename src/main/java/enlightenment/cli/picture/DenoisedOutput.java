@@ -6,7 +6,6 @@ import enlightenment.file.WholeFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.image.PngOptions;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
@@ -90,7 +89,7 @@ public final class DenoisedOutput {
             if (format == ImageFormat.EXR) {
                 ImageFiles.toExr(image, out, ExrOutput.options(depth, all, settings, Map.of()));
             } else {
-                ImageFiles.write(image, out, format, new PngOptions(depth(format, depth), all));
+                ImageFiles.write(image, out, format, new ImageFiles.PngOptions(depth(format, depth), all));
             }
         });
     }

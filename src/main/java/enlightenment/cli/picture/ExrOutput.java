@@ -1,7 +1,7 @@
 package enlightenment.cli.picture;
 
-import enlightenment.image.ExrOptions;
 import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import enlightenment.render.Auxiliary;
 import enlightenment.scene.RenderSettings;
 import java.util.Map;
@@ -17,16 +17,17 @@ final class ExrOutput {
      * @param depth bits per component
      * @param layers numbers that become channels, each kind in a layer of its name
      */
-    static ExrOptions options(
+    static ImageFiles.ExrOptions options(
             int depth, Map<String, String> texts, RenderSettings settings, Map<Auxiliary, Image> layers) {
         RenderSettings.Crop region = settings.region();
-        ExrOptions.Place place = new ExrOptions.Place(region.x(), region.y(), settings.width(), settings.height());
-        return new ExrOptions(
+        ImageFiles.ExrOptions.Place place =
+                new ImageFiles.ExrOptions.Place(region.x(), region.y(), settings.width(), settings.height());
+        return new ImageFiles.ExrOptions(
                 depth,
                 Optional.of(place),
                 texts,
                 layers.entrySet().stream()
-                        .map(e -> new ExrOptions.Layer(
+                        .map(e -> new ImageFiles.ExrOptions.Layer(
                                 e.getKey().word(), e.getKey().channels(), e.getValue()))
                         .toList());
     }

@@ -3,7 +3,6 @@ package enlightenment.cli.picture;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.image.PngOptions;
 import enlightenment.render.Auxiliary;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
@@ -36,7 +35,7 @@ public final class PictureBytes {
             ImageFiles.toExr(image, out, ExrOutput.options(depth, texts, settings, layers));
         } else {
             int bits = format == ImageFormat.PNG ? depth : PictureOutput.USUAL_DEPTH;
-            ImageFiles.write(image, out, format, new PngOptions(bits, texts));
+            ImageFiles.write(image, out, format, new ImageFiles.PngOptions(bits, texts));
         }
     }
 }

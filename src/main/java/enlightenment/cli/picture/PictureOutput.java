@@ -7,10 +7,9 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.StandardStreams;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.WholeFile;
-import enlightenment.image.ExrOptions;
 import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.image.PngOptions;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderResult;
 import enlightenment.render.ScratchFolder;
@@ -121,7 +120,7 @@ public final class PictureOutput {
                     "--error is the error of the file, and what JPEG loses is not measured:" + " choose .png or .pfm");
         }
         if (format == ImageFormat.EXR
-                && depth() != ExrOptions.DEFAULT.depth()
+                && depth() != ImageFiles.ExrOptions.DEFAULT.depth()
                 && settings.budget().error().isPresent()) {
             throw CliException.wrongUsage(
                     "--error is the error of the file, and what floats of 16 bits lose is not measured: leave out --depth 16");
@@ -221,8 +220,8 @@ public final class PictureOutput {
     }
 
     /** How PNG files are written, of the picture or beside it. */
-    public PngOptions pngOptions(Map<String, String> texts) {
-        return new PngOptions(format() == ImageFormat.PNG ? depth() : USUAL_DEPTH, texts);
+    public ImageFiles.PngOptions pngOptions(Map<String, String> texts) {
+        return new ImageFiles.PngOptions(format() == ImageFormat.PNG ? depth() : USUAL_DEPTH, texts);
     }
 
     /** Says so if the finished picture is nearly black or nearly white in this file. */

@@ -2,7 +2,7 @@ package enlightenment.importer.gltf;
 
 import enlightenment.color.Encoding;
 import enlightenment.color.Rgb;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.support.ImportNotes;

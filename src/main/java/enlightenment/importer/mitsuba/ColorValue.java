@@ -1,9 +1,9 @@
 package enlightenment.importer.mitsuba;
 
-import enlightenment.color.BandSensitivities;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.BandSensitivities;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.importer.support.SpectrumRgb;
 import enlightenment.text.Plain;
 import java.io.IOException;

@@ -1,6 +1,6 @@
 package enlightenment.importer.mitsuba;
 
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.support.ExtractedFiles;

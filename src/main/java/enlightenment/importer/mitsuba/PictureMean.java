@@ -1,7 +1,7 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.color.Rgb;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 
 /** The mean of a picture. */

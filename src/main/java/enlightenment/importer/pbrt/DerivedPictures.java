@@ -1,7 +1,7 @@
 package enlightenment.importer.pbrt;
 
 import enlightenment.color.Encoding;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;

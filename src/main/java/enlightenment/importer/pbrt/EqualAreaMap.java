@@ -2,7 +2,7 @@ package enlightenment.importer.pbrt;
 
 import enlightenment.color.Encoding;
 import enlightenment.color.Rgb;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.SpectrumRgb;

@@ -6,7 +6,6 @@ import enlightenment.file.TemporaryFolder;
 import enlightenment.file.WholeFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -18,7 +17,7 @@ import java.util.Optional;
  * {@link NumberedFiles}.
  */
 public final class ExtractedFiles {
-    private static final PngOptions DEEP = PngOptions.DEFAULT.withDepth(16);
+    private static final ImageFiles.PngOptions DEEP = ImageFiles.PngOptions.DEFAULT.withDepth(16);
 
     private final Optional<Path> folder;
 

@@ -1,7 +1,7 @@
 package enlightenment.importer.support;
 
-import enlightenment.color.BandSensitivities;
 import enlightenment.color.Rgb;
+import enlightenment.colorimetry.BandSensitivities;
 import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 

@@ -2,7 +2,6 @@ package enlightenment.measure.page;
 
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -47,7 +46,7 @@ final class Html {
     /** Adds a picture as a figure; its PNG bytes become part of the page. */
     Html picture(Image image, String description, String caption) throws IOException {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
-        ImageFiles.toPng(image, out, PngOptions.DEFAULT);
+        ImageFiles.toPng(image, out, ImageFiles.PngOptions.DEFAULT);
         return figure("image/png", out.toByteArray(), description, caption);
     }
 

@@ -2,8 +2,8 @@ package enlightenment.transport.state;
 
 import enlightenment.bsdf.DielectricFresnel;
 import enlightenment.bsdf.Scattering;
-import enlightenment.color.BandSensitivities;
-import enlightenment.color.CauchyFormula;
+import enlightenment.colorimetry.BandSensitivities;
+import enlightenment.colorimetry.CauchyFormula;
 import enlightenment.sampling.Sampler;
 import enlightenment.world.material.SurfaceMaterial;
 

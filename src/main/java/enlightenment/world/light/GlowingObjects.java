@@ -1,7 +1,7 @@
 package enlightenment.world.light;
 
+import enlightenment.check.Radiance;
 import enlightenment.color.DisplayRgb;
-import enlightenment.color.Radiance;
 import enlightenment.color.Rgb;
 import enlightenment.emitter.IntensityProfile;
 import enlightenment.emitter.PictureProfile;

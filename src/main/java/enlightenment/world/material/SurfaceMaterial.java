@@ -34,7 +34,7 @@ public final class SurfaceMaterial {
     public final double indexOfRefraction;
 
     /**
-     * How much the index grows with the place of the wavelength ({@link enlightenment.color.CauchyFormula#slope}); 0 in classic shading.
+     * How much the index grows with the place of the wavelength ({@link enlightenment.colorimetry.CauchyFormula#slope}); 0 in classic shading.
      */
     public final double dispersion;
 

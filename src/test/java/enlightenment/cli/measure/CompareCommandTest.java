@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.cli.CliRun;
 import enlightenment.cli.terminal.Version;
-import enlightenment.image.Flip;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
+import enlightenment.image.error.Flip;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.cli.CliRun;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import java.io.IOException;
 import java.nio.file.Files;

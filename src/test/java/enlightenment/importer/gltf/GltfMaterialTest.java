@@ -4,11 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Rgb;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.geometry.Mesh;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.PngOptions;
 import enlightenment.importer.ImportedScene;
 import enlightenment.material.Amount;
 import enlightenment.material.Glass;
@@ -334,7 +333,7 @@ class GltfMaterialTest {
     @Test
     void alphaOfPngFilesIsReadInAllTheirForms() throws IOException {
         Path opaque = folder.resolve("opaque.png");
-        ImageFiles.writePng(new Image(1, 1, new float[] {1, 0, 1}), opaque, PngOptions.DEFAULT);
+        ImageFiles.writePng(new Image(1, 1, new float[] {1, 0, 1}), opaque, ImageFiles.PngOptions.DEFAULT);
         assertTrue(ImageFiles.readAlpha(opaque).isEmpty());
         BufferedImage palette = new BufferedImage(
                 4,

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Encoding;
 import enlightenment.color.Rgb;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.ImportOptions;

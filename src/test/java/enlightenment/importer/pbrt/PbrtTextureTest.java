@@ -2,7 +2,7 @@ package enlightenment.importer.pbrt;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.ImportOptions;

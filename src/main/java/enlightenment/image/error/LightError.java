@@ -1,6 +1,7 @@
-package enlightenment.image;
+package enlightenment.image.error;
 
 import enlightenment.color.Encoding;
+import enlightenment.image.Image;
 
 /**
  * By how much one picture of linear light differs from another, in figures of light; those of what a screen shows are {@link ImageError}

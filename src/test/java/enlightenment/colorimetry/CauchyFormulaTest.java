@@ -1,4 +1,4 @@
-package enlightenment.color;
+package enlightenment.colorimetry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

@@ -1,4 +1,4 @@
-package enlightenment.color;
+package enlightenment.colorimetry;
 
 /**
  * The sRGB transfer curve (IEC 61966-2-1), component by component: the one place that knows how linear light becomes what a screen

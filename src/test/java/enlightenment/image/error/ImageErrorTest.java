@@ -1,8 +1,10 @@
-package enlightenment.image;
+package enlightenment.image.error;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import enlightenment.image.Image;
+import enlightenment.image.TestImages;
 import enlightenment.math.InvalidValueException;
 import java.math.BigDecimal;
 import java.math.MathContext;

@@ -1,5 +1,6 @@
-package enlightenment.image;
+package enlightenment.image.error;
 
+import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 
 /**

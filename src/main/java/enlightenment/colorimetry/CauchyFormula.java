@@ -1,4 +1,4 @@
-package enlightenment.color;
+package enlightenment.colorimetry;
 
 /**
  * How the index of refraction of a glass depends on the wavelength: n(λ) = A + B/λ² (A.-L. Cauchy, 1836), with A and B such that the index

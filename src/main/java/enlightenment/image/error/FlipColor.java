@@ -1,7 +1,8 @@
-package enlightenment.image;
+package enlightenment.image.error;
 
 import enlightenment.codec.PngWriter;
-import enlightenment.color.TransferCurve;
+import enlightenment.colorimetry.TransferCurve;
+import enlightenment.image.Image;
 
 /**
  * The colour spaces of ꟻLIP (section 4.1 of its paper): sRGB, the linear opponent space YCxCz that the eye's filters work

@@ -1,4 +1,6 @@
-package enlightenment.image;
+package enlightenment.image.error;
+
+import enlightenment.image.Image;
 
 /**
  * By how much one image differs from another, in figures. The components are taken as they are stored: display-referred pictures

@@ -1,7 +1,9 @@
-package enlightenment.image;
+package enlightenment.image.error;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import enlightenment.image.Image;
+import enlightenment.image.ImageFiles;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;

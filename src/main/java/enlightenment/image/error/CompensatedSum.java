@@ -1,4 +1,4 @@
-package enlightenment.image;
+package enlightenment.image.error;
 
 /** A sum that loses next to nothing however many terms it has (Neumaier 1974). It depends on the order of its terms. */
 final class CompensatedSum {

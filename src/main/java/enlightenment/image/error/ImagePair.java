@@ -1,6 +1,7 @@
-package enlightenment.image;
+package enlightenment.image.error;
 
 import enlightenment.color.Encoding;
+import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 
 /** What two images must have in common to be compared. */
@@ -43,7 +44,7 @@ final class ImagePair {
         return image.encoding() == Encoding.LINEAR ? "holds linear light" : "is display-referred";
     }
 
-    static String size(Image image) {
+    private static String size(Image image) {
         return image.width() + "x" + image.height();
     }
 

@@ -1,10 +1,11 @@
-package enlightenment.image;
+package enlightenment.image.error;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Encoding;
+import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 import org.junit.jupiter.api.Test;
 

@@ -1,4 +1,4 @@
-package enlightenment.color;
+package enlightenment.colorimetry;
 
 /**
  * How the wavelengths of visible light make up the bands red, green and blue of linear light, where white light has the spectrum of

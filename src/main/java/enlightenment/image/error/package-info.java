@@ -1,0 +1,2 @@
+/** By how much one picture differs from another, in figures. */
+package enlightenment.image.error;

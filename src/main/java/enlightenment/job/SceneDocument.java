@@ -10,7 +10,6 @@ import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.FileNames;
 import enlightenment.scene.json.SceneWriter;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
@@ -75,8 +74,8 @@ public final class SceneDocument {
                     .toString();
         }
 
-        private FileNames of(Scene scene) {
-            return new FileNames() {
+        private SceneWriter.FileNames of(Scene scene) {
+            return new SceneWriter.FileNames() {
                 @Override
                 public String of(Path file) {
                     return name(file, scene);
@@ -140,7 +139,7 @@ public final class SceneDocument {
         }
     }
 
-    private static byte[] scenes(Scene scene, FileNames names) {
+    private static byte[] scenes(Scene scene, SceneWriter.FileNames names) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeInt(scene.instants().size());
@@ -156,7 +155,7 @@ public final class SceneDocument {
         return bytes.toByteArray();
     }
 
-    private static byte[] json(Scene scene, FileNames names) {
+    private static byte[] json(Scene scene, SceneWriter.FileNames names) {
         return SceneWriter.toJson(scene.withoutAnimation().withInstants(List.of()), names)
                 .getBytes(StandardCharsets.UTF_8);
     }

@@ -15,7 +15,7 @@ import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.NamedFiles;
+import enlightenment.scene.json.SceneReader;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -102,7 +102,7 @@ public final class EngineJob implements Closeable {
         }
         Map<String, byte[]> byName = new LinkedHashMap<>();
         byHash.forEach((hash, bytes) -> byName.put(hash.toString(), bytes));
-        JobContent.Document read = JobContent.read(document, new NamedFiles(byName), Build.number(), 1);
+        JobContent.Document read = JobContent.read(document, new SceneReader.NamedFiles(byName), Build.number(), 1);
         try {
             DividedRender render = DividedRender.planned(
                     read.scene(), read.settings(), read.plan(), (Path file) -> byName.get(file.toString()));

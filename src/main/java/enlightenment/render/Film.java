@@ -17,7 +17,7 @@ import java.util.function.IntFunction;
  * frames have in common are made once.
  *
  * <pre>{@code
- * SceneFile file = new SceneFile(Path.of("scenes/fire-and-ice-tween.json"));
+ * SceneFrames file = SceneFrames.of(Path.of("scenes/fire-and-ice-tween.json"));
  * Film film = Film.of(file.read().animation().orElseThrow(), file::read);
  * for (int n = 0; n < film.frames(); n++) {
  *     ImageFiles.writePng(film.render(film.request(n)).image(), Path.of("frame-" + n + ".png"));
@@ -56,7 +56,7 @@ public final class Film {
      * A film as an animation describes it.
      *
      * @param scenes makes the scene of a frame, each time that it is asked for: for a file
-     *     {@link enlightenment.scene.json.SceneFile#read(int)}
+     *     {@link enlightenment.scene.json.SceneFrames#read(int)}
      */
     public static Film of(Animation animation, IntFunction<Scene> scenes) {
         return new Film(animation.frames(), animation.framesPerSecond(), scenes);

@@ -7,8 +7,6 @@ import enlightenment.render.Film;
 import enlightenment.scene.Animation;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.FileNames;
-import enlightenment.scene.json.SceneEdit;
 import enlightenment.scene.json.SceneReader;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
@@ -141,7 +139,7 @@ final class SceneLoader {
         if (scene.objects().size() > MOST_OBJECTS) {
             return List.copyOf(all);
         }
-        FileNames names = file -> {
+        SceneWriter.FileNames names = file -> {
             all.add(file);
             return file.toString();
         };
@@ -202,8 +200,10 @@ final class SceneLoader {
     private static String edited(String text, Snapshot view) {
         Scene scene = view.scene();
         String edited =
-                SceneEdit.withCamera(text, scene.camera(), view.viewpoint().camera());
-        return view.exposure() == scene.display().exposure() ? edited : SceneEdit.withExposure(edited, view.exposure());
+                SceneWriter.withCamera(text, scene.camera(), view.viewpoint().camera());
+        return view.exposure() == scene.display().exposure()
+                ? edited
+                : SceneWriter.withExposure(edited, view.exposure());
     }
 
     /** What is written must be read as what is seen. */

@@ -4,7 +4,7 @@ import enlightenment.camera.Camera;
 import enlightenment.listen.SmallHttp;
 import enlightenment.scene.Display;
 import enlightenment.scene.Scene;
-import enlightenment.scene.json.SceneEdit;
+import enlightenment.scene.json.SceneWriter;
 
 /** What pages can ask for, by the words and numbers of their requests. */
 final class ViewActions {
@@ -134,7 +134,7 @@ final class ViewActions {
 
     /** The camera of the view as a scene file has it. */
     String camera() {
-        return SceneEdit.json(session.shot().scene().camera()) + "\n";
+        return SceneWriter.toJson(session.shot().scene().camera()) + "\n";
     }
 
     /** A number of a request. */

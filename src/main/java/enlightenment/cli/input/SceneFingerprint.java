@@ -4,7 +4,6 @@ import enlightenment.file.ContentHash;
 import enlightenment.file.InputFile;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
-import enlightenment.scene.json.FileNames;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -37,8 +36,8 @@ public final class SceneFingerprint {
 
     /** The scene's text, and those of its instants. */
     private String json(Scene scene) {
-        StringBuilder all =
-                new StringBuilder(SceneWriter.toJson(scene.withoutAnimation().withInstants(List.of()), new FileNames() {
+        StringBuilder all = new StringBuilder(
+                SceneWriter.toJson(scene.withoutAnimation().withInstants(List.of()), new SceneWriter.FileNames() {
                     @Override
                     public String of(Path file) {
                         return images.computeIfAbsent(file, SceneFingerprint::hashOf);

@@ -6,7 +6,6 @@ import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.SceneFile;
 import enlightenment.scene.json.SceneFrames;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
@@ -20,7 +19,7 @@ public final class SceneInput {
     private final Path file;
     private final ForeignOptions foreign;
     private final Terminal terminal;
-    private final SceneFile scenes;
+    private final SceneFrames scenes;
 
     /** What standard input held, once it has been read. */
     private byte[] bytes;
@@ -43,7 +42,7 @@ public final class SceneInput {
         this.file = file;
         this.foreign = foreign;
         this.terminal = terminal;
-        scenes = new SceneFile(file);
+        scenes = SceneFrames.of(file);
     }
 
     /** What messages call it. */
@@ -89,7 +88,7 @@ public final class SceneInput {
 
     private Scene importedFrame(int frame) {
         if (importedFrames == null) {
-            importedFrames = new SceneFrames(imported(), name());
+            importedFrames = SceneFrames.of(imported(), name());
         }
         return importedFrames.read(frame);
     }

@@ -9,7 +9,6 @@ import enlightenment.importer.ImportOptions;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
-import enlightenment.scene.json.FileNames;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -58,8 +57,9 @@ final class ConvertedFiles {
                 names.put(mesh.triangles(), write(mesh.triangles(), files));
             }
         }
-        FileNames relative = SceneWriter.relativeTo(output.toAbsolutePath().getParent());
-        WholeFile.write(output, SceneWriter.toJson(scene, new FileNames() {
+        SceneWriter.FileNames relative =
+                SceneWriter.relativeTo(output.toAbsolutePath().getParent());
+        WholeFile.write(output, SceneWriter.toJson(scene, new SceneWriter.FileNames() {
             @Override
             public String of(Path file) {
                 return relative.of(file);

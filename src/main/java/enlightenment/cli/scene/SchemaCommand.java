@@ -3,7 +3,7 @@ package enlightenment.cli.scene;
 import enlightenment.cli.option.Subcommand;
 import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.Terminal;
-import enlightenment.scene.json.SceneSchema;
+import enlightenment.scene.json.SceneReader;
 import picocli.CommandLine.Command;
 
 /** {@code enlightenment schema}: prints the JSON Schema of the scene format. */
@@ -17,7 +17,7 @@ public final class SchemaCommand extends Subcommand {
 
     @Override
     protected int execute() {
-        String text = SceneSchema.text();
+        String text = SceneReader.schema();
         terminal.out().print(text.endsWith("\n") ? text : text + "\n");
         return ExitCode.DONE;
     }

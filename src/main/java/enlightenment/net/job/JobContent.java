@@ -10,7 +10,6 @@ import enlightenment.scene.Animation;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.NamedFiles;
 import enlightenment.scene.json.SceneReader;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -85,7 +84,7 @@ public final class JobContent {
         return hash;
     }
 
-    private static Scene readScenes(DataInputStream in, NamedFiles files) throws IOException {
+    private static Scene readScenes(DataInputStream in, SceneReader.NamedFiles files) throws IOException {
         int count = in.readInt();
         if (count < 0 || count > Animation.MOST_INSTANTS) {
             throw new IOException("the job has " + count + " instants");
@@ -101,7 +100,7 @@ public final class JobContent {
         return readScene(in.readAllBytes(), files).withInstants(instants);
     }
 
-    private static Scene readScene(byte[] json, NamedFiles files) {
+    private static Scene readScene(byte[] json, SceneReader.NamedFiles files) {
         return SceneReader.readNamed(new String(json, StandardCharsets.UTF_8), files, "the server's scene");
     }
 
@@ -154,7 +153,8 @@ public final class JobContent {
      * @param threads what the settings are to say of threads
      * @throws IOException if it makes no sense; the message says why
      */
-    public static Document read(byte[] document, NamedFiles files, String build, int threads) throws IOException {
+    public static Document read(byte[] document, SceneReader.NamedFiles files, String build, int threads)
+            throws IOException {
         ByteArrayInputStream bytes = new ByteArrayInputStream(document);
         try (DataInputStream in = new DataInputStream(bytes)) {
             if (!in.readUTF().equals(MAGIC)) {

@@ -11,7 +11,7 @@ import enlightenment.file.FileFailure;
 import enlightenment.net.job.FilmContent;
 import enlightenment.net.job.JobContent;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.NamedFiles;
+import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.HashMap;
@@ -20,7 +20,7 @@ import java.util.Map;
 
 /** What is to be rendered, from the contents of a job: nothing is read from disks. */
 public final class WorkerUnits {
-    private final NamedFiles files;
+    private final SceneReader.NamedFiles files;
     private final SharedImages images;
     private final String version;
     private final int threads;
@@ -28,7 +28,7 @@ public final class WorkerUnits {
     private WorkerUnits(Map<ContentHash, byte[]> images, String version, int threads) {
         Map<String, byte[]> byName = new HashMap<>();
         images.forEach((hash, image) -> byName.put(hash.toString(), image));
-        files = new NamedFiles(byName);
+        files = new SceneReader.NamedFiles(byName);
         this.images = new SharedImages(file -> byName.get(file.toString()));
         this.version = version;
         this.threads = threads;

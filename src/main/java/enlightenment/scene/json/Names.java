@@ -21,7 +21,7 @@ import java.util.TreeSet;
 
 /** How a scene's textures, materials and image files are called in its text, and which of its numbers are animated. */
 final class Names {
-    private final FileNames fileNames;
+    private final SceneWriter.FileNames fileNames;
     private final TreeSet<String> targets = new TreeSet<>();
     private final Map<String, Texture> textures;
     private final Map<Texture, String> textureNames = new HashMap<>();
@@ -29,7 +29,7 @@ final class Names {
     private final Map<Material, String> materialNames = new HashMap<>();
 
     /** @param fileNames how image files are called in the text */
-    Names(Scene scene, FileNames fileNames) {
+    Names(Scene scene, SceneWriter.FileNames fileNames) {
         this.fileNames = fileNames;
         this.textures = new LinkedHashMap<>(scene.textures());
         scene.animation().ifPresent(a -> a.tracks().forEach(t -> targets.add(t.target())));

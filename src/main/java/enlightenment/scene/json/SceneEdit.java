@@ -8,10 +8,8 @@ import java.util.Map;
 
 /**
  * Changes single values in the text of a scene file. All other characters stay as they are: comments, order, layout, spelling of numbers.
- *
- * <p>All methods may be called by several threads at once.
  */
-public final class SceneEdit {
+final class SceneEdit {
     private SceneEdit() {}
 
     /**
@@ -19,7 +17,7 @@ public final class SceneEdit {
      *
      * @throws enlightenment.scene.SceneException if the format cannot say a number of it, such as a coordinate of 1e-500
      */
-    public static String json(Camera camera) {
+    static String json(Camera camera) {
         return JsonPrinter.print(object(camera)).strip();
     }
 
@@ -32,7 +30,7 @@ public final class SceneEdit {
      * @return the new text; {@code text} itself if the cameras are equal
      * @throws IllegalArgumentException if the cameras are of different kinds, or the text is no JSON object with a camera
      */
-    public static String withCamera(String text, Camera before, Camera after) {
+    static String withCamera(String text, Camera before, Camera after) {
         if (!before.type().equals(after.type())) {
             throw new IllegalArgumentException(
                     "a " + before.type() + " camera cannot become a " + after.type() + " camera");
@@ -48,7 +46,7 @@ public final class SceneEdit {
      * @return the new text
      * @throws IllegalArgumentException if the text is no JSON object
      */
-    public static String withExposure(String text, double exposure) {
+    static String withExposure(String text, double exposure) {
         return with(text, "display", Map.of("exposure", number(exposure)));
     }
 

@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
 
 /**
@@ -43,7 +44,7 @@ public final class SceneReader {
     }
 
     /**
-     * Reads one frame of an animated scene, of which {@link SceneFile} reads many: the numbers that its tracks lead to are replaced by those of the frame,
+     * Reads one frame of an animated scene, of which {@link SceneFrames} makes many: the numbers that its tracks lead to are replaced by those of the frame,
      * which are as good as exact fractions. If the animation's shutter is open, the scene has its {@linkplain Scene#instants instants}.
      *
      * @param frame the frame, counted from 0
@@ -120,6 +121,11 @@ public final class SceneReader {
 
     private static SceneException located(SceneException e, JsonTree.Source source) {
         return new SceneException(Places.find(e.problems(), source));
+    }
+
+    /** The JSON Schema of scene files (JSON Schema 2020-12), for editors and other programs, with all methods that there are. */
+    public static String schema() {
+        return SceneSchema.text();
     }
 
     /** @param files meshes that have been read; has those of this scene from now on */
@@ -211,5 +217,19 @@ public final class SceneReader {
             throw e;
         }
         return reader;
+    }
+
+    /**
+     * The files of scenes that are in memory instead of on a disk, by the names that the scenes call them. Meshes that have been read from them are
+     * kept for as long as this is: the frames of a film share them. For one thread at a time.
+     */
+    public static final class NamedFiles {
+        final Map<String, byte[]> contents;
+        final MeshCache files = new MeshCache();
+
+        /** @param contents the files by their names */
+        public NamedFiles(Map<String, byte[]> contents) {
+            this.contents = Map.copyOf(contents);
+        }
     }
 }

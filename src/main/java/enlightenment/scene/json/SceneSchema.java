@@ -10,12 +10,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/**
- * The JSON Schema of the scene format, for editors and other programs.
- *
- * <p>All methods may be called by several threads at once.
- */
-public final class SceneSchema {
+/** The JSON Schema of the scene format, for editors and other programs. */
+final class SceneSchema {
     /** Where the resource has the methods' words and settings. */
     private static final String WORDS = "\"@methods\"";
 
@@ -25,7 +21,7 @@ public final class SceneSchema {
     private SceneSchema() {}
 
     /** The schema's text (JSON Schema 2020-12), with all methods that there are. */
-    public static String text() {
+    static String text() {
         return text(Method.all());
     }
 

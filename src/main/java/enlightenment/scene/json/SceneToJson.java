@@ -16,7 +16,7 @@ final class SceneToJson {
     private final Names names;
 
     /** @param fileNames how files are called in the text */
-    SceneToJson(Scene scene, FileNames fileNames) {
+    SceneToJson(Scene scene, SceneWriter.FileNames fileNames) {
         this.scene = scene;
         this.names = new Names(scene, fileNames);
     }
@@ -71,7 +71,7 @@ final class SceneToJson {
     }
 
     /** Calls files by their paths relative to a folder. */
-    static FileNames relativeTo(Path baseFolder) {
+    static SceneWriter.FileNames relativeTo(Path baseFolder) {
         Path folder = baseFolder.toAbsolutePath().normalize();
         return file -> {
             Path absolute = file.toAbsolutePath().normalize();

@@ -1,12 +1,15 @@
 package enlightenment.scene.json;
 
+import enlightenment.camera.Camera;
 import enlightenment.file.WholeFile;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /**
  * Writes scene files that {@link SceneReader} reads back as an equal scene.
@@ -74,6 +77,42 @@ public final class SceneWriter {
         return json;
     }
 
+    /**
+     * The text of a camera as a scene file has it: one JSON object, without a line end behind it.
+     *
+     * @throws SceneException if the format cannot say a number of it, such as a coordinate of 1e-500
+     */
+    public static String toJson(Camera camera) {
+        return SceneEdit.json(camera);
+    }
+
+    /**
+     * The text of a scene file with another camera: what differs between two cameras is replaced, value by value. All other characters stay as they
+     * are: comments, order, layout, spelling of numbers.
+     *
+     * @param text a scene file that {@link SceneReader} reads; a byte order mark may stand first
+     * @param before the camera of that file
+     * @param after the camera to be written, of the kind of {@code before}
+     * @return the new text; {@code text} itself if the cameras are equal
+     * @throws IllegalArgumentException if the cameras are of different kinds, or the text is no JSON object with a camera
+     */
+    public static String withCamera(String text, Camera before, Camera after) {
+        return SceneEdit.withCamera(text, before, after);
+    }
+
+    /**
+     * The text of a scene file with another exposure, in the part {@code display}, which is added if there is none. All other characters stay as they
+     * are.
+     *
+     * @param text a scene file that {@link SceneReader} reads
+     * @param exposure in stops, −1000..1000
+     * @return the new text
+     * @throws IllegalArgumentException if the text is no JSON object
+     */
+    public static String withExposure(String text, double exposure) {
+        return SceneEdit.withExposure(text, exposure);
+    }
+
     /** Tracks of scenes made in code may lead anywhere: those that lead to no number of the text are refused. */
     private static void checkAnimation(String json) {
         Problems problems = new Problems("", "");
@@ -82,5 +121,16 @@ public final class SceneWriter {
         new Tracks(root, new Values(problems, null))
                 .read(((JsonValue.Obj) root).get("animation"), JsonPointer.ROOT.child("animation"));
         problems.throwIfAny();
+    }
+
+    /** How the text of a scene calls the files that belong to it. Called by the thread that writes the scene. */
+    public interface FileNames {
+        /** The name of a file of an image or of intensities, or of one that a mesh was read from. */
+        String of(Path file);
+
+        /** The name of a file that holds a mesh just as it is; empty to name the file that it was read from, and what was made of it. */
+        default Optional<String> of(TriangleMesh mesh) {
+            return Optional.empty();
+        }
     }
 }

@@ -8,7 +8,6 @@ import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 import enlightenment.cli.CliRun;
 import enlightenment.scene.json.SceneReader;
-import enlightenment.scene.json.SceneSchema;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -68,7 +67,7 @@ class NewCommandTest {
     @ValueSource(strings = {"studio", "room", "product", "outdoor"})
     void theSchemaAcceptsEveryKind(String kind) throws IOException {
         var schema = SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
-                .getSchema(JSON.readTree(SceneSchema.text()));
+                .getSchema(JSON.readTree(SceneReader.schema()));
         assertEquals(List.of(), schema.validate(JSON.readTree(Files.readString(made(kind)))));
     }
 

@@ -54,7 +54,7 @@ class GltfAnimationTest {
 
     private static Vec3 moved(Scene scene, int frame, double x, double y, double z) {
         Mesh mesh = (Mesh)
-                new SceneFrames(scene, "moving").read(frame).objects().get(0).shape();
+                SceneFrames.of(scene, "moving").read(frame).objects().get(0).shape();
         return mesh.transform().apply(ExactPoint.of(x, y, z)).toVec3();
     }
 

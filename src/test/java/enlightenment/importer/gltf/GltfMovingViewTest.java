@@ -79,7 +79,7 @@ class GltfMovingViewTest {
         file.add("nodes", "{'camera':0,'translation':[9,9,9]}");
         motion.move(1, "translation", "LINEAR", new float[] {0.5f, 1, 2}, 0, 1, 5, 4, 1, 5, 0, 1, 9);
         Scene scene = scene();
-        SceneFrames frames = new SceneFrames(scene, "rails");
+        SceneFrames frames = SceneFrames.of(scene, "rails");
         double[] x = {0, 0, 0, 0, 0, 1, 2, 3, 4, 3.5, 3, 2.5};
         for (int n = 0; n < x.length; n++) {
             Camera.Perspective camera = camera(frames, n);
@@ -101,7 +101,7 @@ class GltfMovingViewTest {
         file.add("nodes", "{'camera':0,'translation':[2,0,0]}");
         motion.move(1, "rotation", "LINEAR", A_SECOND, 0, 0, 0, 1, 0, 1, 0, 0);
         motion.move(1, "translation", "LINEAR", A_SECOND, 0, 1, 0, 0, 9, 0);
-        SceneFrames frames = new SceneFrames(scene(), "arm");
+        SceneFrames frames = SceneFrames.of(scene(), "arm");
         for (int n = 0; n < 8; n++) {
             double a = n * StrictMath.PI / 8;
             Camera.Perspective camera = camera(frames, n);
@@ -120,7 +120,7 @@ class GltfMovingViewTest {
         file.add("nodes", "{'camera':0,'translation':[0,0,5]}");
         motion.move(1, "rotation", "LINEAR", A_SECOND, 0, 0, 0, 1, 0, 0, 1, 0);
         Scene scene = scene();
-        SceneFrames frames = new SceneFrames(scene, "roll");
+        SceneFrames frames = SceneFrames.of(scene, "roll");
         for (int n = 0; n < 8; n++) {
             double a = n * StrictMath.PI / 8;
             assertNear(
@@ -135,7 +135,7 @@ class GltfMovingViewTest {
         file.add("nodes", "{'camera':1,'translation':[0,0,5]}");
         motion.move(1, "scale", "LINEAR", A_SECOND, 1, 1, 1, 3, 3, 3);
         ImportedScene imported = motion.read(folder, EIGHT.withCamera("1"));
-        SceneFrames frames = new SceneFrames(imported.scene(), "zoom");
+        SceneFrames frames = SceneFrames.of(imported.scene(), "zoom");
         for (int n = 0; n < 8; n++) {
             Camera.Orthographic camera = (Camera.Orthographic) frames.read(n).camera();
             assertEquals(2 * (1 + n / 4.0), camera.height(), CLOSE);
@@ -172,7 +172,7 @@ class GltfMovingViewTest {
                 7,
                 7);
         motion.move(3, "translation", "STEP", new float[] {0, 0.7f}, 1, 2, 3, 4, 5, 6);
-        SceneFrames frames = new SceneFrames(scene(), "lamps");
+        SceneFrames frames = SceneFrames.of(scene(), "lamps");
         Light.Point spline = (Light.Point) frames.read(8).lights().get(0);
         assertNear(
                 (1 + 3) / 2.0 + 2 * (4 + 2) / 8.0,
@@ -194,7 +194,7 @@ class GltfMovingViewTest {
             motion.move(node, "rotation", "LINEAR", A_SECOND, 0, 0, 0, 1, 0, ROOT, 0, ROOT);
         }
         Scene scene = scene();
-        SceneFrames frames = new SceneFrames(scene, "sun");
+        SceneFrames frames = SceneFrames.of(scene, "sun");
         for (int n = 0; n < 8; n++) {
             double a = n * StrictMath.PI / 16;
             Light.Spot spot = (Light.Spot) frames.read(n).lights().get(0);

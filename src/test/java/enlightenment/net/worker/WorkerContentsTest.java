@@ -13,7 +13,7 @@ import enlightenment.net.job.JobContent;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.MessageChannel;
-import enlightenment.scene.json.NamedFiles;
+import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -67,7 +67,8 @@ class WorkerContentsTest {
     void whatIsNoJobIsRefusedWithTheReason() {
         byte[] noise = new byte[200];
         IOException e = assertThrows(
-                IOException.class, () -> JobContent.read(noise, new NamedFiles(Map.of()), Build.number(), 1));
+                IOException.class,
+                () -> JobContent.read(noise, new SceneReader.NamedFiles(Map.of()), Build.number(), 1));
         assertTrue(e.getMessage().contains("no job") || e.getMessage().contains("cannot be used"), e.getMessage());
     }
 }

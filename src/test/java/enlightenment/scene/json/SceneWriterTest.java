@@ -178,7 +178,7 @@ class SceneWriterTest {
         Transform transform = Transform.of(new Transform.Scale(new Vec3(1, -1, 0.1)));
         Material black = Material.Matte.of(Texture.of(DisplayRgb.BLACK));
         Scene scene = scene().object(Mesh.of(CORNER, transform), black).build();
-        String json = SceneWriter.toJson(scene, new FileNames() {
+        String json = SceneWriter.toJson(scene, new SceneWriter.FileNames() {
             @Override
             public String of(Path file) {
                 throw new AssertionError(file);
@@ -191,7 +191,7 @@ class SceneWriterTest {
         });
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         MeshFiles.writePly(CORNER, bytes);
-        NamedFiles files = new NamedFiles(Map.of(CORNER.digest(), bytes.toByteArray()));
+        SceneReader.NamedFiles files = new SceneReader.NamedFiles(Map.of(CORNER.digest(), bytes.toByteArray()));
         Mesh read =
                 (Mesh) SceneReader.readNamed(json, files, "").objects().get(0).shape();
         assertEquals(CORNER, read.triangles());

@@ -15,7 +15,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class SceneFileTest {
+class SceneFramesTest {
     private static final String TEXT =
             """
             {
@@ -40,7 +40,7 @@ class SceneFileTest {
             MeshFiles.writePly(TestMeshes.icosphere(1), out);
         }
         Path text = Files.writeString(folder.resolve("film.json"), TEXT);
-        SceneFile file = new SceneFile(text);
+        SceneFrames file = SceneFrames.of(text);
         Mesh still = mesh(file.read());
         Mesh first = mesh(file.read(0));
         Mesh last = mesh(file.read(2));

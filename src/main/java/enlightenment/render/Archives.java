@@ -271,7 +271,7 @@ final class Archives {
         private Samples(int width) {
             boolean[] wanted = new boolean[2];
             each(kept -> {
-                if (kept.archive instanceof SampleArchive samples) {
+                if (kept.archive instanceof ResultArchive.OfSamples samples) {
                     wanted[0] |= samples.keepsSamples();
                     wanted[1] |= samples.keepsRays();
                 }
@@ -290,7 +290,7 @@ final class Archives {
 
         private void keep(int kind, int count, byte[] block) {
             each(kept -> {
-                if (kept.archive instanceof SampleArchive samples && samples.keepsSamples()) {
+                if (kept.archive instanceof ResultArchive.OfSamples samples && samples.keepsSamples()) {
                     samples.keepSamples(kept.plan, unit, kind, count, block);
                 }
             });

@@ -7,8 +7,7 @@ import java.util.Optional;
 
 /**
  * What a render can tell of each pixel beside its colour. All of it comes as an {@link enlightenment.image.Image} of raw numbers,
- * as large as the picture; where there is one number per pixel, all three components are equal. {@link AuxiliaryPicture} makes
- * something to look at of it.
+ * as large as the picture; where there is one number per pixel, all three components are equal.
  */
 public enum Auxiliary {
     /**

@@ -42,10 +42,10 @@ final class LocalRender implements PictureRender {
 
     private final List<RayCounters> counters = new ArrayList<>();
     /** Gathers ray clusters, or null. */
-    private List<RayCluster> clusters;
+    private List<RenderResult.RayCluster> clusters;
 
     /** Gathers chains, or null. */
-    private List<PathChain> chains;
+    private List<RenderResult.PathChain> chains;
 
     private long peakMemory;
 
@@ -90,20 +90,20 @@ final class LocalRender implements PictureRender {
     private void gatherChains(List<ChainStatistics> records) {
         synchronized (chains) {
             for (ChainStatistics record : records) {
-                chains.add(PathChain.of(record));
+                chains.add(RenderResult.PathChain.of(record));
             }
         }
     }
 
     @Override
-    public List<PathChain> chains() {
+    public List<RenderResult.PathChain> chains() {
         if (chains == null) {
             return List.of();
         }
-        List<PathChain> sorted = new ArrayList<>(chains);
-        sorted.sort(Comparator.comparingInt(PathChain::blockY)
-                .thenComparingInt(PathChain::blockX)
-                .thenComparingInt(PathChain::group));
+        List<RenderResult.PathChain> sorted = new ArrayList<>(chains);
+        sorted.sort(Comparator.comparingInt(RenderResult.PathChain::blockY)
+                .thenComparingInt(RenderResult.PathChain::blockX)
+                .thenComparingInt(RenderResult.PathChain::group));
         return sorted;
     }
 
@@ -147,22 +147,22 @@ final class LocalRender implements PictureRender {
     private void gather(List<ClusterStatistics> records) {
         synchronized (clusters) {
             for (ClusterStatistics record : records) {
-                clusters.add(RayCluster.of(record, scene.frame));
+                clusters.add(RenderResult.RayCluster.of(record, scene.frame));
             }
         }
     }
 
     @Override
-    public List<RayCluster> clusters() {
+    public List<RenderResult.RayCluster> clusters() {
         if (clusters == null) {
             return List.of();
         }
-        List<RayCluster> sorted = new ArrayList<>(clusters);
-        sorted.sort(Comparator.comparingInt(RayCluster::y)
-                .thenComparingInt(RayCluster::x)
-                .thenComparingInt(RayCluster::surface)
-                .thenComparingInt(RayCluster::light)
-                .thenComparingInt(RayCluster::bounces));
+        List<RenderResult.RayCluster> sorted = new ArrayList<>(clusters);
+        sorted.sort(Comparator.comparingInt(RenderResult.RayCluster::y)
+                .thenComparingInt(RenderResult.RayCluster::x)
+                .thenComparingInt(RenderResult.RayCluster::surface)
+                .thenComparingInt(RenderResult.RayCluster::light)
+                .thenComparingInt(RenderResult.RayCluster::bounces));
         return sorted;
     }
 

@@ -29,12 +29,12 @@ interface PictureRender {
     RenderReport report(Phases phases, double rounding, int round);
 
     /** The ray clusters that were asked for, in an order that does not depend on threads. */
-    default List<RayCluster> clusters() {
+    default List<RenderResult.RayCluster> clusters() {
         return List.of();
     }
 
     /** The chains that were asked for, in an order that does not depend on threads: those of a group as they were followed. */
-    default List<PathChain> chains() {
+    default List<RenderResult.PathChain> chains() {
         return List.of();
     }
 }

@@ -355,7 +355,7 @@ public final class Renderer {
         SceneProblems.check(scene, settings, ImageFiles::read);
     }
 
-    /** Whether a method can tell of its camera samples one by one, to a {@link SampleArchive}. */
+    /** Whether a method can tell of its camera samples one by one, to a {@link ResultArchive.OfSamples}. */
     public static boolean recordsSamples(Method method) {
         return Integrators.recordsSamples(method);
     }

@@ -2,7 +2,7 @@ package enlightenment.view;
 
 import enlightenment.image.Image;
 import enlightenment.render.Auxiliary;
-import enlightenment.render.AuxiliaryPicture;
+import enlightenment.render.aov.AuxiliaryPicture;
 import enlightenment.scene.Scene;
 import java.util.List;
 import java.util.OptionalDouble;

@@ -114,7 +114,7 @@ class ArchitectureTest {
             .layer("engine")
             .definedBy("enlightenment.engine")
             .layer("render")
-            .definedBy("enlightenment.render")
+            .definedBy("enlightenment.render..")
             .layer("job")
             .definedBy("enlightenment.job")
             .layer("checkpoint")

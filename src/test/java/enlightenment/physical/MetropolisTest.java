@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
-import enlightenment.render.PathChain;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
@@ -112,7 +111,7 @@ class MetropolisTest {
         Scene scene = SCENES.get(name);
         RenderSettings settings = chains(scene, 100, 50, 12);
         assertSame("large steps", Rendered.seeds(scene, settings, 1, 24), traced(name, 8), 1);
-        for (PathChain chain : dump(scene, settings).chains()) {
+        for (RenderResult.PathChain chain : dump(scene, settings).chains()) {
             assertEquals(chain.steps(), chain.largeSteps());
             assertEquals(chain.accepted(), chain.largeAccepted());
         }
@@ -169,7 +168,7 @@ class MetropolisTest {
         long accepted = 0;
         long large = 0;
         Set<Integer> groups = new HashSet<>();
-        for (PathChain chain : one.chains()) {
+        for (RenderResult.PathChain chain : one.chains()) {
             steps += chain.steps();
             accepted += chain.accepted();
             large += chain.largeSteps();

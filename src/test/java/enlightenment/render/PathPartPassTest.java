@@ -19,6 +19,7 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
+import enlightenment.render.aov.AuxiliaryPicture;
 import enlightenment.scene.Budget;
 import enlightenment.scene.ClassicShading;
 import enlightenment.scene.PhysicalShading;

@@ -108,7 +108,8 @@ class PictureInFileTest {
     }
 
     private RenderRequest inFile(Kind kind) {
-        return RenderRequest.of(kind.scene, kind.settings).withScratch(new ScratchFolder(folder, NOTHING));
+        return RenderRequest.of(kind.scene, kind.settings)
+                .withScratch(new RenderRequest.ScratchFolder(folder, NOTHING));
     }
 
     private static boolean isEmpty(Path folder) throws IOException {
@@ -185,7 +186,7 @@ class PictureInFileTest {
     void aFolderThatIsNotThereIsToldOf() {
         Kind kind = kinds().findFirst().orElseThrow();
         RenderRequest request = RenderRequest.of(kind.scene, kind.settings)
-                .withScratch(new ScratchFolder(folder.resolve("none"), NOTHING));
+                .withScratch(new RenderRequest.ScratchFolder(folder.resolve("none"), NOTHING));
         UncheckedIOException e = assertThrows(UncheckedIOException.class, () -> Renderer.render(request));
         assertTrue(e.getCause().getMessage().contains("none"), e.getMessage());
     }

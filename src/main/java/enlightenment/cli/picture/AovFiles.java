@@ -6,7 +6,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.render.Auxiliary;
-import enlightenment.render.AuxiliaryPicture;
+import enlightenment.render.aov.AuxiliaryPicture;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Collection;

@@ -11,8 +11,8 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.render.Auxiliary;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
-import enlightenment.render.ScratchFolder;
 import enlightenment.scene.RenderSettings;
 import enlightenment.text.WordList;
 import java.io.IOException;
@@ -175,11 +175,11 @@ public final class PictureOutput {
     }
 
     /** Where a picture is kept that is too large for the memory: beside its file, if that can be written row by row. */
-    public Optional<ScratchFolder> scratch() {
+    public Optional<RenderRequest.ScratchFolder> scratch() {
         Path folder = file.toAbsolutePath().getParent();
         return isStandardOutput() || folder == null || CommandFiles.isDevice(file) || format() == ImageFormat.JPEG
                 ? Optional.empty()
-                : Optional.of(ScratchFolder.of(folder));
+                : Optional.of(RenderRequest.ScratchFolder.of(folder));
     }
 
     /** Writes the picture, which is all that is written of the render. */

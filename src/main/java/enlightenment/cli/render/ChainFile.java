@@ -3,7 +3,6 @@ package enlightenment.cli.render;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.WholeFile;
-import enlightenment.render.PathChain;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -36,7 +35,7 @@ final class ChainFile {
     private static String csv(RenderResult result) {
         StringBuilder text = new StringBuilder("block x,block y,group,start x,start y,end x,end y,start brightness,"
                 + "mean brightness,steps,accepted,large steps,large accepted\n");
-        for (PathChain c : result.chains()) {
+        for (RenderResult.PathChain c : result.chains()) {
             text.append(c.blockX()).append(',').append(c.blockY()).append(',').append(c.group());
             text.append(',').append(c.startX()).append(',').append(c.startY());
             text.append(',').append(c.endX()).append(',').append(c.endY());

@@ -1,7 +1,7 @@
 package enlightenment.cli.render;
 
 import enlightenment.json.JsonText;
-import enlightenment.render.PathChain;
+import enlightenment.render.RenderResult;
 import java.util.List;
 import tools.jackson.core.JsonGenerator;
 
@@ -9,7 +9,7 @@ import tools.jackson.core.JsonGenerator;
 final class ChainJson {
     private ChainJson() {}
 
-    static String of(List<PathChain> chains) {
+    static String of(List<RenderResult.PathChain> chains) {
         return JsonText.of(json -> {
             json.writeStartArray();
             chains.forEach(c -> chain(json, c));
@@ -17,7 +17,7 @@ final class ChainJson {
         });
     }
 
-    private static void chain(JsonGenerator json, PathChain c) {
+    private static void chain(JsonGenerator json, RenderResult.PathChain c) {
         json.writeStartObject();
         pixel(json, "block", c.blockX(), c.blockY());
         json.writeNumberProperty("group", c.group());

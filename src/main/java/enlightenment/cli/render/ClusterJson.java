@@ -1,7 +1,7 @@
 package enlightenment.cli.render;
 
 import enlightenment.json.JsonText;
-import enlightenment.render.RayCluster;
+import enlightenment.render.RenderResult;
 import java.util.List;
 import tools.jackson.core.JsonGenerator;
 
@@ -9,7 +9,7 @@ import tools.jackson.core.JsonGenerator;
 final class ClusterJson {
     private ClusterJson() {}
 
-    static String of(List<RayCluster> clusters) {
+    static String of(List<RenderResult.RayCluster> clusters) {
         return JsonText.of(json -> {
             json.writeStartArray();
             clusters.forEach(c -> cluster(json, c));
@@ -17,7 +17,7 @@ final class ClusterJson {
         });
     }
 
-    private static void cluster(JsonGenerator json, RayCluster c) {
+    private static void cluster(JsonGenerator json, RenderResult.RayCluster c) {
         json.writeStartObject();
         json.writeName("block");
         json.writeArray(new int[] {c.x(), c.y()}, 0, 2);
@@ -28,7 +28,7 @@ final class ClusterJson {
         json.writeNumberProperty("valid", c.valid());
         json.writeNumberProperty("gain", c.gain());
         for (int k = 0; k < c.distributions().size(); k++) {
-            json.writeObjectPropertyStart(RayCluster.COORDINATES.get(k));
+            json.writeObjectPropertyStart(RenderResult.RayCluster.COORDINATES.get(k));
             json.writeNumberProperty("mean", c.distributions().get(k).mean());
             json.writeNumberProperty("deviation", c.distributions().get(k).deviation());
             json.writeEndObject();

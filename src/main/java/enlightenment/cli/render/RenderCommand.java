@@ -46,7 +46,6 @@ import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.ResultArchive;
-import enlightenment.render.ScratchFolder;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -325,7 +324,7 @@ public final class RenderCommand extends Subcommand {
                 .withArchives(archives)
                 .withProgressive(writer != null)
                 .withWatched(watching.isGiven());
-        Optional<ScratchFolder> scratch = watching.isGiven() ? Optional.empty() : output.scratch();
+        Optional<RenderRequest.ScratchFolder> scratch = watching.isGiven() ? Optional.empty() : output.scratch();
         try {
             return Renderer.render(scratch.map(request::withScratch).orElse(request));
         } catch (CancellationException e) {

@@ -1,10 +1,11 @@
-package enlightenment.render;
+package enlightenment.render.aov;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
+import enlightenment.render.Auxiliary;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;

@@ -1,8 +1,9 @@
-package enlightenment.render;
+package enlightenment.render.aov;
 
 import enlightenment.color.DisplayCurve;
 import enlightenment.image.Image;
 import enlightenment.picture.HeatMap;
+import enlightenment.render.Auxiliary;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;

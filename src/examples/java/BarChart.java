@@ -14,10 +14,9 @@ import enlightenment.mesh.MeshBuilder;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Budget;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -55,13 +54,13 @@ public final class BarChart {
         double largest = Arrays.stream(numbers).max().orElse(1);
         double middle = (numbers.length - 1) / 2.0;
         double distance = Math.max(numbers.length, 5);
-        SceneBuilder scene = Scene.builder()
+        Scene.Builder scene = Scene.builder()
                 .name("bars")
                 .size(width, height)
                 .camera(new Camera.Perspective(
                         ExactPoint.of(-distance, 4.5, -1.5 * distance), ExactPoint.of(0, 0.4 * HEIGHT, 0), Vec3.Y, 32))
                 // Physical light: a bright overcast sky, and a sun that gives the bars their shadows.
-                .shading(new PhysicalShading(OptionalInt.empty(), Rgb.gray(0.55)))
+                .shading(new Shading.Physical(OptionalInt.empty(), Rgb.gray(0.55)))
                 .light(new Light.Distant(new Vec3(-0.6, -1, 0.35), Rgb.gray(1.6)))
                 .object(ground(6 * distance), matte(new DisplayRgb(0.93, 0.93, 0.93)));
         for (int i = 0; i < numbers.length; i++) {

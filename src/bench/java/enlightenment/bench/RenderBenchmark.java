@@ -2,7 +2,7 @@ package enlightenment.bench;
 
 import enlightenment.image.Image;
 import enlightenment.render.Renderer;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -40,7 +40,7 @@ public class RenderBenchmark {
         settings = RenderSettings.of(read)
                 .withSize(200, 100)
                 .withAntialias(4)
-                .with(new RayTraceSettings(10))
+                .with(new BuiltInMethod.RayTraceSettings(10))
                 .withThreads(1);
     }
 

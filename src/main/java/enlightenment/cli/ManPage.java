@@ -2,7 +2,7 @@ package enlightenment.cli;
 
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -40,7 +40,7 @@ final class ManPage {
         return BuiltInMethod.ALL.stream()
                 .filter(m -> m.standIn().isPresent())
                 .findFirst()
-                .orElse(RenderDefaults.DEFAULT.method());
+                .orElse(RenderSettings.Defaults.DEFAULT.method());
     }
 
     /** The page of the command with all its subcommands. */

@@ -1,7 +1,7 @@
 package enlightenment.cli;
 
 import enlightenment.cli.render.RenderCommand;
-import enlightenment.scene.CommonSettings;
+import enlightenment.scene.ChosenSettings;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -31,7 +31,7 @@ final class OptionGroups {
                         "--threads",
                         "--help"));
         List<String> picture = new ArrayList<>(List.of("--crop", "--frame", "--antialias"));
-        CommonSettings.ALL.forEach(setting -> picture.add(setting.option()));
+        ChosenSettings.Common.ALL.forEach(setting -> picture.add(setting.option()));
         RENDER.put("Picture", picture);
         RENDER.put("Method", List.of("--shadow-samples", "--proposal", "--large-steps", "--mutations"));
         RENDER.put(

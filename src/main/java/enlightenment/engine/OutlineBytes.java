@@ -7,9 +7,7 @@ import enlightenment.film.SplatScale;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
 import enlightenment.scene.ChosenSettings;
-import enlightenment.scene.CommonSettings;
 import enlightenment.scene.Method;
-import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 import enlightenment.text.Plain;
 import java.io.DataInputStream;
@@ -67,33 +65,35 @@ public final class OutlineBytes {
      */
     private static List<String> chosen(RenderSettings s) {
         List<String> texts = new ArrayList<>();
-        for (MethodSetting setting : listed(s.method())) {
+        for (Method.Setting setting : listed(s.method())) {
             texts.addAll(List.of(setting.key(), s.chosen().value(setting).toString()));
         }
         return texts;
     }
 
-    private static List<MethodSetting> listed(Method method) {
-        List<MethodSetting> listed = new ArrayList<>(Method.influences(method));
-        CommonSettings.ALL.stream().filter(s -> s != CommonSettings.SEED).forEach(listed::add);
+    private static List<Method.Setting> listed(Method method) {
+        List<Method.Setting> listed = new ArrayList<>(Method.influences(method));
+        ChosenSettings.Common.ALL.stream()
+                .filter(s -> s != ChosenSettings.Common.SEED)
+                .forEach(listed::add);
         return listed;
     }
 
     private static ChosenSettings chosen(long seed, Method method, List<String> texts) {
-        ChosenSettings chosen = ChosenSettings.NONE.with(CommonSettings.SEED, seed);
-        List<MethodSetting> settings = listed(method);
+        ChosenSettings chosen = ChosenSettings.NONE.with(ChosenSettings.Common.SEED, seed);
+        List<Method.Setting> settings = listed(method);
         if (texts.size() != 2 * settings.size()) {
             throw new IllegalArgumentException(
                     method.word() + " has " + settings.size() + " settings, not these: " + texts);
         }
         for (int i = 0; i < settings.size(); i++) {
-            MethodSetting setting = settings.get(i);
+            Method.Setting setting = settings.get(i);
             if (!texts.get(2 * i).equals(setting.key())) {
                 throw new IllegalArgumentException("the setting " + setting.key() + " is missing: " + texts);
             }
             String value = texts.get(2 * i + 1);
-            chosen =
-                    chosen.with(setting, setting instanceof MethodSetting.Whole ? (Object) Long.valueOf(value) : value);
+            chosen = chosen.with(
+                    setting, setting instanceof Method.Setting.Whole ? (Object) Long.valueOf(value) : value);
         }
         return chosen;
     }

@@ -6,9 +6,8 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.scene.Animation;
 import enlightenment.scene.Background;
 import enlightenment.scene.Display;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.Optional;
 
 /** Makes a scene of a draft: adds the view and the light that the file lacks, or that the options replace. */
@@ -43,11 +42,11 @@ final class DraftFinish {
             draft.notes().add("", "the axis upwards has no influence: the file has a camera and light");
         }
         addLight(studio, isModel);
-        SceneBuilder scene = Scene.builder()
+        Scene.Builder scene = Scene.builder()
                 .name(name)
                 .size(width, height)
                 .camera(camera)
-                .shading(new PhysicalShading(draft.maxBounces(), draft.background(), Optional.empty()))
+                .shading(new Shading.Physical(draft.maxBounces(), draft.background(), Optional.empty()))
                 .display(new Display(draft.exposure(), Display.DEFAULT.tone()));
         draft.materials().forEach(scene::material);
         draft.lights().forEach(scene::light);

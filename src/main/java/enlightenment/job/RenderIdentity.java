@@ -1,9 +1,8 @@
 package enlightenment.job;
 
 import enlightenment.file.ContentHash;
-import enlightenment.scene.CommonSettings;
+import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
-import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -39,7 +38,7 @@ public record RenderIdentity(ContentHash scene, String settings, String build) {
         words.add("method " + settings.method().word());
         words.add("size " + settings.width() + "x" + settings.height());
         settings.crop().ifPresent(c -> words.add("crop " + c.x() + " " + c.y() + " " + c.width() + " " + c.height()));
-        List<MethodSetting> all = new ArrayList<>(CommonSettings.ALL);
+        List<Method.Setting> all = new ArrayList<>(ChosenSettings.Common.ALL);
         all.addAll(Method.influences(settings.method()));
         all.forEach(setting -> words.add(setting.key() + " " + settings.chosen().value(setting)));
         return new RenderIdentity(scene, String.join(BETWEEN, words), build);

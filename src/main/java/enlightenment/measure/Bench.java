@@ -6,7 +6,7 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -45,7 +45,7 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
     /** The settings of the paper's benchmark, for its scene fire and ice; all else is the scene's own. */
     public static RenderSettings paperSettings(Scene fireAndIce) {
         return RenderSettings.of(fireAndIce)
-                .using(new RayTraceSettings(PAPER_SHADOW_SAMPLES))
+                .using(new BuiltInMethod.RayTraceSettings(PAPER_SHADOW_SAMPLES))
                 .withSize(PAPER_WIDTH, PAPER_HEIGHT)
                 .withAntialias(PAPER_ANTIALIAS)
                 .withThreads(PAPER_THREADS);

@@ -5,8 +5,8 @@ import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Path;
 
@@ -17,7 +17,7 @@ final class StoredPicture {
     static Image read(Scene scene, Path file) throws IOException {
         boolean isFloats =
                 ImageFormat.ofExtension(file).filter(ImageFormat::holdsFloats).isPresent();
-        if (!isFloats || !(scene.shading() instanceof PhysicalShading)) {
+        if (!isFloats || !(scene.shading() instanceof Shading.Physical)) {
             return ImageFiles.read(file);
         }
         return ImageFiles.read(file, Encoding.LINEAR)

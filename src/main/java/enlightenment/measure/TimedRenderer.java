@@ -9,7 +9,7 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
@@ -72,7 +72,7 @@ final class TimedRenderer {
                 s.antialias(),
                 r.image.encoding() == Encoding.LINEAR
                         ? 0
-                        : RayTraceSettings.of(s).shadowSamples(),
+                        : BuiltInMethod.RayTraceSettings.of(s).shadowSamples(),
                 s.threads(),
                 s.budget().samples().orElse(0),
                 s.seed(),

@@ -9,7 +9,7 @@ import enlightenment.film.TilePasses;
 import enlightenment.primitive.Ray;
 import enlightenment.probe.RecordingShader;
 import enlightenment.sampling.SobolSampler;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.path.SeenLight;
@@ -78,7 +78,7 @@ public final class RayTraceMethod implements TileIntegrator {
     /** The same with the scene's shading. */
     public static RayTraceMethod of(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
-        int lightPoints = RayTraceSettings.of(settings).shadowSamples();
+        int lightPoints = BuiltInMethod.RayTraceSettings.of(settings).shadowSamples();
         return of(
                 scene,
                 settings,
@@ -92,7 +92,7 @@ public final class RayTraceMethod implements TileIntegrator {
     /** The same, of whose samples a log is kept. */
     public static RayTraceMethod recorded(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples, SampleLog log) {
-        int lightPoints = RayTraceSettings.of(settings).shadowSamples();
+        int lightPoints = BuiltInMethod.RayTraceSettings.of(settings).shadowSamples();
         return of(
                 scene,
                 settings,

@@ -11,9 +11,8 @@ import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,7 +20,7 @@ import java.util.Optional;
 
 /** Turns entities into the parts of a scene, and notes what gets lost. */
 final class NffSceneBuilder {
-    private final SceneBuilder scene = Scene.builder();
+    private final Scene.Builder scene = Scene.builder();
     private final Notes notes = new Notes();
     private final Map<Material, Material> materials = new HashMap<>();
     private NffFill fill;
@@ -55,8 +54,8 @@ final class NffSceneBuilder {
     }
 
     void background(DisplayRgb color) {
-        ClassicShading d = ClassicShading.DEFAULT;
-        scene.shading(new ClassicShading(d.ambient(), d.shadow(), color, d.maxBounces()));
+        Shading.Classic d = Shading.Classic.DEFAULT;
+        scene.shading(new Shading.Classic(d.ambient(), d.shadow(), color, d.maxBounces()));
     }
 
     /** The format does not say how bright a light of colour 1 is, so only its hue has to be kept. */

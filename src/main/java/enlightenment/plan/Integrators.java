@@ -14,10 +14,7 @@ import enlightenment.method.cluster.PhysicalClusterMethod;
 import enlightenment.method.metropolis.MetropolisMethod;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.ClusterSettings;
 import enlightenment.scene.Method;
-import enlightenment.scene.MetropolisSettings;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
@@ -86,7 +83,7 @@ public final class Integrators {
                         FEWEST_OF_METROPOLIS,
                         MOST_WITHOUT_METROPOLIS,
                         FEWEST_OF_METROPOLIS,
-                        MetropolisSettings.BLOCK_SIDE);
+                        BuiltInMethod.MetropolisSettings.BLOCK_SIDE);
         };
     }
 
@@ -221,7 +218,9 @@ public final class Integrators {
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */
     public static RenderSettings cheapest(RenderSettings settings) {
         Method below = traits(settings.method()).below();
-        return below == BuiltInMethod.RAYTRACE ? settings.using(new RayTraceSettings(1)) : settings.withMethod(below);
+        return below == BuiltInMethod.RAYTRACE
+                ? settings.using(new BuiltInMethod.RayTraceSettings(1))
+                : settings.withMethod(below);
     }
 
     /** What does the work of the planned method, for one thread. */
@@ -254,7 +253,8 @@ public final class Integrators {
                                 scene,
                                 settings,
                                 counters,
-                                Distribution.of(ClusterSettings.of(settings).proposal()),
+                                Distribution.of(BuiltInMethod.ClusterSettings.of(settings)
+                                        .proposal()),
                                 plan.level(),
                                 plan.samples(),
                                 learned.clusters())

@@ -7,8 +7,8 @@ import enlightenment.film.FilmInFile;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Method;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Shading;
 import enlightenment.work.PictureMemory;
 import enlightenment.world.CompiledScene;
 import java.nio.file.Path;
@@ -37,7 +37,7 @@ final class FilmChoice {
         this.request = request;
         settings = request.settings();
         this.images = images;
-        isLinear = request.scene().shading() instanceof PhysicalShading;
+        isLinear = request.scene().shading() instanceof Shading.Physical;
     }
 
     /**

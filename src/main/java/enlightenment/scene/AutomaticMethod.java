@@ -34,15 +34,15 @@ enum AutomaticMethod implements Method {
 
     /** True: what a method cannot render is not chosen. */
     @Override
-    public boolean canRender(LightFeature feature) {
+    public boolean canRender(Shading.LightFeature feature) {
         return true;
     }
 
     /** Those of all methods that may be chosen. */
     @Override
-    public List<MethodSetting> settings() {
+    public List<Method.Setting> settings() {
         return Method.settings(BuiltInMethod.ALL).stream()
-                .filter(setting -> !CommonSettings.has(setting.key()))
+                .filter(setting -> !ChosenSettings.Common.has(setting.key()))
                 .toList();
     }
 

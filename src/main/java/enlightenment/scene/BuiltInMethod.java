@@ -1,5 +1,6 @@
 package enlightenment.scene;
 
+import enlightenment.sampling.Distribution;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -52,12 +53,12 @@ public enum BuiltInMethod implements Method {
 
     private final String word;
     private final String description;
-    private final List<MethodSetting> settings;
+    private final List<Method.Setting> settings;
     private final Method standIn;
     private final Set<Shading.Model> shadings;
 
     BuiltInMethod(
-            String word, String description, List<MethodSetting> settings, Method standIn, Shading.Model... shadings) {
+            String word, String description, List<Method.Setting> settings, Method standIn, Shading.Model... shadings) {
         this.word = word;
         this.description = description;
         this.settings = settings;
@@ -97,7 +98,7 @@ public enum BuiltInMethod implements Method {
     }
 
     @Override
-    public boolean canRender(LightFeature feature) {
+    public boolean canRender(Shading.LightFeature feature) {
         return switch (feature) {
             case SCATTERING -> true;
             case FLUORESCENCE -> true;
@@ -108,7 +109,7 @@ public enum BuiltInMethod implements Method {
     }
 
     @Override
-    public List<MethodSetting> settings() {
+    public List<Method.Setting> settings() {
         return settings;
     }
 
@@ -126,5 +127,129 @@ public enum BuiltInMethod implements Method {
     @Override
     public String toString() {
         return word;
+    }
+
+    /**
+     * The settings of {@link Method#RAYTRACE}.
+     *
+     * @param shadowSamples light samples per hit and light, 1..1,000,000
+     */
+    public record RayTraceSettings(int shadowSamples) implements Method.Settings {
+        /** {@link #shadowSamples}, 10 unless chosen. Methods that do not have it choose their number. */
+        public static final Method.Setting.Whole SHADOW_SAMPLES =
+                new Method.Setting.Whole("shadowSamples", 1, 1_000_000, 10, "light samples per hit and light");
+
+        /**
+         * Checks the range.
+         *
+         * @throws enlightenment.math.InvalidValueException (key {@code shadowSamples}) if the number is out of it
+         */
+        public RayTraceSettings {
+            SHADOW_SAMPLES.checked(shadowSamples);
+        }
+
+        /** What was chosen. */
+        public static RayTraceSettings of(RenderSettings settings) {
+            return new RayTraceSettings(settings.chosen().whole(SHADOW_SAMPLES));
+        }
+
+        @Override
+        public Method method() {
+            return Method.RAYTRACE;
+        }
+
+        @Override
+        public Object value(Method.Setting setting) {
+            return shadowSamples;
+        }
+    }
+
+    /**
+     * The settings of {@link Method#CLUSTER}.
+     *
+     * @param proposal the family of distributions that ray clusters propose light points from: {@code "normal"}, {@code "zeta"} or
+     *     {@code "linear"}
+     */
+    public record ClusterSettings(String proposal) implements Method.Settings {
+        /** {@link #proposal}, {@code "normal"} unless chosen. */
+        public static final Method.Setting.Word PROPOSAL = new Method.Setting.Word(
+                "proposal", Distribution.NAMES, "distribution that ray clusters propose light samples from");
+
+        /**
+         * Checks the name.
+         *
+         * @throws enlightenment.math.InvalidValueException (key {@code proposal}) if there is no such family
+         */
+        public ClusterSettings {
+            PROPOSAL.checked(proposal);
+        }
+
+        /** What was chosen. */
+        public static ClusterSettings of(RenderSettings settings) {
+            return new ClusterSettings(settings.chosen().word(PROPOSAL));
+        }
+
+        @Override
+        public Method method() {
+            return Method.CLUSTER;
+        }
+
+        @Override
+        public Object value(Method.Setting setting) {
+            return proposal;
+        }
+    }
+
+    /**
+     * The settings of {@link Method#METROPOLIS}.
+     *
+     * @param largeSteps how many of a hundred proposals of a chain are new paths altogether, 1..100
+     * @param mutations proposals of each chain, 1..1,000,000
+     */
+    public record MetropolisSettings(int largeSteps, int mutations) implements Method.Settings {
+        /** Side, in pixels, of the blocks of the picture that chains live in. */
+        public static final int BLOCK_SIDE = 64;
+
+        /** {@link #largeSteps}. */
+        public static final Method.Setting.Whole LARGE_STEPS =
+                new Method.Setting.Whole("largeSteps", 1, 100, 5, "new paths among a hundred proposals of a chain");
+
+        /** {@link #mutations}. */
+        public static final Method.Setting.Whole MUTATIONS =
+                new Method.Setting.Whole("mutations", 1, 1_000_000, 250, "proposals of a chain");
+
+        /**
+         * Checks the ranges.
+         *
+         * @throws enlightenment.math.InvalidValueException (key {@code largeSteps} or {@code mutations}) if a number is out of its own
+         */
+        public MetropolisSettings {
+            LARGE_STEPS.checked(largeSteps);
+            MUTATIONS.checked(mutations);
+        }
+
+        /** What was chosen. */
+        public static MetropolisSettings of(RenderSettings settings) {
+            ChosenSettings chosen = settings.chosen();
+            return new MetropolisSettings(chosen.whole(LARGE_STEPS), chosen.whole(MUTATIONS));
+        }
+
+        /** How many blocks a render has: those of the whole picture that the part that is rendered has pixels in. */
+        public static long blocks(RenderSettings settings) {
+            RenderSettings.Crop c = settings.region();
+            long across = (c.x() + c.width() - 1) / BLOCK_SIDE - c.x() / BLOCK_SIDE + 1;
+            long down = (c.y() + c.height() - 1) / BLOCK_SIDE - c.y() / BLOCK_SIDE + 1;
+            return across * down;
+        }
+
+        @Override
+        public Method method() {
+            return Method.METROPOLIS;
+        }
+
+        @Override
+        public Object value(Method.Setting setting) {
+            return setting == LARGE_STEPS ? largeSteps : mutations;
+        }
     }
 }

@@ -1,11 +1,12 @@
 package enlightenment.scene;
 
 import java.util.Collections;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What was chosen of the settings of all methods, whichever is in use, and of the {@link CommonSettings}: a scene may choose for
+ * What was chosen of the settings of all methods, whichever is in use, and of the {@link Common}: a scene may choose for
  * one method and the command line take another, or compare several. What is not chosen has its default, and to choose the default is to
  * choose nothing: so two of these are equal if every method renders the same with both. Immutable.
  */
@@ -20,12 +21,12 @@ public final class ChosenSettings {
     }
 
     /** Those of one method; all others have their defaults. */
-    public static ChosenSettings of(MethodSettings settings) {
+    public static ChosenSettings of(Method.Settings settings) {
         return NONE.with(settings);
     }
 
     /** The value of a setting: what was chosen, or the default. */
-    public Object value(MethodSetting setting) {
+    public Object value(Method.Setting setting) {
         return values.getOrDefault(setting.key(), setting.usual());
     }
 
@@ -34,12 +35,12 @@ public final class ChosenSettings {
      *
      * @throws ArithmeticException if it is none of 32 bits
      */
-    public int whole(MethodSetting.Whole setting) {
+    public int whole(Method.Setting.Whole setting) {
         return Math.toIntExact(setting.checked(value(setting)));
     }
 
     /** The value of a word. */
-    public String word(MethodSetting.Word setting) {
+    public String word(Method.Setting.Word setting) {
         return setting.checked(value(setting));
     }
 
@@ -51,9 +52,9 @@ public final class ChosenSettings {
     /**
      * The same with another value of a setting.
      *
-     * @throws enlightenment.math.InvalidValueException (key {@link MethodSetting#key}) if it may not have it
+     * @throws enlightenment.math.InvalidValueException (key {@link Method.Setting#key}) if it may not have it
      */
-    public ChosenSettings with(MethodSetting setting, Object value) {
+    public ChosenSettings with(Method.Setting setting, Object value) {
         Object checked = setting.checked(value);
         TreeMap<String, Object> changed = new TreeMap<>(values);
         if (checked.equals(setting.usual())) {
@@ -65,9 +66,9 @@ public final class ChosenSettings {
     }
 
     /** The same with other values of all settings of one method. */
-    public ChosenSettings with(MethodSettings settings) {
+    public ChosenSettings with(Method.Settings settings) {
         ChosenSettings changed = this;
-        for (MethodSetting setting : settings.method().settings()) {
+        for (Method.Setting setting : settings.method().settings()) {
             changed = changed.with(setting, settings.value(setting));
         }
         return changed;
@@ -87,5 +88,27 @@ public final class ChosenSettings {
     @Override
     public String toString() {
         return values.toString();
+    }
+
+    /**
+     * The settings that all methods have in common, beside the number of positions per pixel; pictures depend on each. Scene files,
+     * their schema, the command line, reports, protocols and the identity of a picture take them from here.
+     *
+     * <p>All methods may be called by several threads at once.
+     */
+    public static final class Common {
+        /** {@link RenderSettings#seed}. */
+        public static final Method.Setting.Whole SEED =
+                new Method.Setting.Whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, 0, "seed of the random numbers");
+
+        /** All of them, in the order of help and reports. */
+        public static final List<Method.Setting> ALL = List.of(SEED);
+
+        private Common() {}
+
+        /** Whether one of them has this key: then no method's own may. */
+        static boolean has(String key) {
+            return ALL.stream().anyMatch(setting -> setting.key().equals(key));
+        }
     }
 }

@@ -54,8 +54,8 @@ final class Extensions {
             throw new IllegalStateException("there are two methods called " + method.word() + ": "
                     + method.getClass().getName() + " and " + other.getClass().getName());
         }
-        for (MethodSetting mine : method.settings()) {
-            for (MethodSetting theirs : other.settings()) {
+        for (Method.Setting mine : method.settings()) {
+            for (Method.Setting theirs : other.settings()) {
                 if (mine.key().equals(theirs.key()) && !mine.equals(theirs)) {
                     throw new IllegalStateException("the methods " + method.word() + " and " + other.word()
                             + " mean different things by the setting " + mine.key());

@@ -1,10 +1,13 @@
 package enlightenment.scene;
 
+import enlightenment.check.Check;
 import enlightenment.math.InvalidValueException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 
@@ -55,10 +58,10 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
     Set<Shading.Model> shadings();
 
     /** Whether it can render scenes of physical shading that ask for this. */
-    boolean canRender(LightFeature feature);
+    boolean canRender(Shading.LightFeature feature);
 
     /** Its settings, each with its key, its range and its default, in the order in which they are told. */
-    List<MethodSetting> settings();
+    List<Setting> settings();
 
     /** What makes the samples in its place where there are too few of them for its survey; empty if none are too few. */
     Optional<Method> standIn();
@@ -129,17 +132,17 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
     }
 
     /** The settings of these methods, each once although several may have it, in order; then those that all have in common. */
-    static List<MethodSetting> settings(List<? extends Method> methods) {
-        List<MethodSetting> settings = new ArrayList<>(own(methods));
-        settings.addAll(CommonSettings.ALL);
+    static List<Setting> settings(List<? extends Method> methods) {
+        List<Setting> settings = new ArrayList<>(own(methods));
+        settings.addAll(ChosenSettings.Common.ALL);
         return List.copyOf(settings);
     }
 
-    private static List<MethodSetting> own(List<? extends Method> methods) {
+    private static List<Setting> own(List<? extends Method> methods) {
         // By key, which settles it: to compare records takes a hundred classes more to start.
-        Map<String, MethodSetting> settings = new LinkedHashMap<>();
+        Map<String, Setting> settings = new LinkedHashMap<>();
         for (Method method : methods) {
-            for (MethodSetting setting : method.settings()) {
+            for (Setting setting : method.settings()) {
                 settings.putIfAbsent(setting.key(), setting);
             }
         }
@@ -150,7 +153,7 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
      * The settings that have an influence on a method's pictures, beside those that all have in common: its own, and those of what
      * stands in for it where samples are few.
      */
-    static List<MethodSetting> influences(Method method) {
+    static List<Setting> influences(Method method) {
         Optional<Method> standIn = method.standIn();
         return own(standIn.isPresent() ? List.of(method, standIn.get()) : List.of(method));
     }
@@ -158,7 +161,7 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
     /** Whether a method can render a scene, all of what it asks for. */
     static boolean supports(Method method, Scene scene) {
         return method.shadings().contains(scene.shading().model())
-                && LightFeature.of(scene).keySet().stream().allMatch(method::canRender);
+                && Shading.LightFeature.of(scene).keySet().stream().allMatch(method::canRender);
     }
 
     /**
@@ -177,8 +180,8 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
                                     .filter(m -> m.shadings().contains(model))
                                     .toList())));
         }
-        Map<LightFeature, String> asked = LightFeature.of(scene);
-        for (Map.Entry<LightFeature, String> entry : asked.entrySet()) {
+        Map<Shading.LightFeature, String> asked = Shading.LightFeature.of(scene);
+        for (Map.Entry<Shading.LightFeature, String> entry : asked.entrySet()) {
             if (!method.canRender(entry.getKey())) {
                 throw SceneException.of(
                         entry.getValue(),
@@ -193,5 +196,144 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
 
     private static String able(List<String> words) {
         return words.isEmpty() ? "no method can yet" : "what can: " + String.join(", ", words);
+    }
+
+    /**
+     * A setting of some methods, or of all ({@link ChosenSettings.Common}): what it is called, and which values it may have. In scene files it
+     * is a key of the render part, on the command line an option.
+     */
+    sealed interface Setting permits Setting.Whole, Setting.Word {
+        /** The key in scene files and reports: letters and digits, a small letter first. It must be none of the render part's own. */
+        String key();
+
+        /** What it is, in some words without a full stop; ranges and defaults are told beside it. */
+        String description();
+
+        /** The value where none is chosen. */
+        Object usual();
+
+        /**
+         * A value that it may have, as {@link ChosenSettings#values} has it.
+         *
+         * @throws enlightenment.math.InvalidValueException (key {@link #key}) if it may not
+         */
+        Object checked(Object value);
+
+        /** The values that it may have, for people. */
+        String range();
+
+        /** The option on the command line: {@code --shadow-samples} for the key {@code shadowSamples}. */
+        default String option() {
+            return "--" + key().replaceAll("([A-Z])", "-$1").toLowerCase(Locale.ROOT);
+        }
+
+        private static void checkKey(String key, String description) {
+            Objects.requireNonNull(description, "description");
+            if (!key.matches("[a-z][A-Za-z0-9]*")
+                    || List.of("method", "antialias").contains(key)) {
+                throw new IllegalArgumentException(
+                        "a setting needs a key of letters and digits of its own, not \"" + key + "\"");
+            }
+        }
+
+        /**
+         * A whole number.
+         *
+         * @param key as {@link Setting#key}
+         * @param min the least value
+         * @param max the greatest value
+         * @param usualValue the value where none is chosen
+         * @param description as {@link Setting#description}
+         */
+        record Whole(String key, long min, long max, long usualValue, String description) implements Setting {
+            /** Checks that the default lies in the range. */
+            public Whole {
+                checkKey(key, description);
+                if (usualValue < min || usualValue > max) {
+                    throw new IllegalArgumentException(usualValue + " is outside " + min + ".." + max);
+                }
+            }
+
+            @Override
+            public Long usual() {
+                return usualValue;
+            }
+
+            @Override
+            public Long checked(Object value) {
+                boolean isWhole = value instanceof Integer || value instanceof Long;
+                long number = isWhole ? ((Number) value).longValue() : 0;
+                Check.that(
+                        isWhole && number >= min && number <= max, key, "must lie in " + limits() + ", not " + value);
+                return number;
+            }
+
+            /** {@code min..max}. */
+            public String limits() {
+                return min + ".." + max;
+            }
+
+            /** The {@link #limits}, in words if every number of 64 bits lies in them. */
+            @Override
+            public String range() {
+                return min == Long.MIN_VALUE && max == Long.MAX_VALUE ? "any 64-bit whole number" : limits();
+            }
+        }
+
+        /**
+         * One of some words.
+         *
+         * @param key as {@link Setting#key}
+         * @param words the values, the default first
+         * @param description as {@link Setting#description}
+         */
+        record Word(String key, List<String> words, String description) implements Setting {
+            /** Copies the list, which must not be empty. */
+            public Word {
+                checkKey(key, description);
+                words = List.copyOf(words);
+                if (words.isEmpty()) {
+                    throw new IllegalArgumentException("a setting needs a value");
+                }
+            }
+
+            @Override
+            public String usual() {
+                return words.get(0);
+            }
+
+            @Override
+            public String checked(Object value) {
+                Check.that(
+                        value instanceof String s && words.contains(s),
+                        key,
+                        "must be one of " + words + ", not " + value);
+                return (String) value;
+            }
+
+            /** {@code normal (default), zeta or linear}. */
+            @Override
+            public String range() {
+                StringBuilder text = new StringBuilder(usual()).append(" (default)");
+                for (int i = 1; i < words.size(); i++) {
+                    text.append(i < words.size() - 1 ? ", " : " or ").append(words.get(i));
+                }
+                return text.toString();
+            }
+        }
+    }
+
+    /**
+     * The settings of one method, as a record of its own: {@link BuiltInMethod.RayTraceSettings}, {@link BuiltInMethod.ClusterSettings}, or one of an extension.
+     * What was chosen of the settings of all methods is a {@link ChosenSettings}.
+     *
+     * <p>Immutable.
+     */
+    interface Settings {
+        /** Whose settings they are. */
+        Method method();
+
+        /** The value of one of the {@link Method#settings}, which this must have. */
+        Object value(Method.Setting setting);
     }
 }

@@ -17,7 +17,7 @@ public abstract non-sealed class MethodExtension implements Method {
     private final String description;
     private final Kind kind;
     private final Set<Shading.Model> shadings;
-    private final List<MethodSetting> settings;
+    private final List<Method.Setting> settings;
 
     /**
      * Says what the method is.
@@ -28,10 +28,10 @@ public abstract non-sealed class MethodExtension implements Method {
      * @param shadings as {@link Method#shadings}
      * @param settings as {@link Method#settings}
      * @throws IllegalArgumentException if the word is none, nothing can be rendered, or a setting is called as one of
-     *     {@link CommonSettings}
+     *     {@link ChosenSettings.Common}
      */
     protected MethodExtension(
-            String word, String description, Kind kind, Set<Shading.Model> shadings, List<MethodSetting> settings) {
+            String word, String description, Kind kind, Set<Shading.Model> shadings, List<Method.Setting> settings) {
         if (!word.matches("[a-z][a-z0-9-]*") || shadings.isEmpty()) {
             throw new IllegalArgumentException("a method needs a word of small letters, digits and hyphens, not \""
                     + word + "\", and a shading that it can render");
@@ -41,8 +41,8 @@ public abstract non-sealed class MethodExtension implements Method {
         this.kind = Objects.requireNonNull(kind, "kind");
         this.shadings = Set.copyOf(shadings);
         this.settings = List.copyOf(settings);
-        for (MethodSetting setting : settings) {
-            if (CommonSettings.has(setting.key())) {
+        for (Method.Setting setting : settings) {
+            if (ChosenSettings.Common.has(setting.key())) {
                 throw new IllegalArgumentException("all methods have the setting " + setting.key());
             }
         }
@@ -70,12 +70,12 @@ public abstract non-sealed class MethodExtension implements Method {
 
     /** False, unless a subclass says otherwise: what follows light has to know what light may do. */
     @Override
-    public boolean canRender(LightFeature feature) {
+    public boolean canRender(Shading.LightFeature feature) {
         return false;
     }
 
     @Override
-    public final List<MethodSetting> settings() {
+    public final List<Method.Setting> settings() {
         return settings;
     }
 

@@ -14,7 +14,7 @@ import java.util.Optional;
  * @param crop the part to render; its pixels are the same as in the whole picture
  * @param antialias n for n × n positions per pixel, 1..256
  * @param budget what ends the render, if not the number of positions
- * @param chosen the {@link CommonSettings}, and those of methods, any of them: {@link RayTraceSettings#of} and its like tell one's
+ * @param chosen the {@link ChosenSettings.Common}, and those of methods, any of them: {@link BuiltInMethod.RayTraceSettings#of} and its like tell one's
  * @param threads how many threads share the work, 1..4096; has no influence on the picture
  * @param tileSize side of the square tiles in pixels that the work is cut into, at least 1; has no influence on the picture
  */
@@ -73,7 +73,7 @@ public record RenderSettings(
                             + c.width + "," + c.height);
         }
         // One place knows the limits.
-        new RenderDefaults(method, antialias, chosen);
+        new Defaults(method, antialias, chosen);
         Check.that(
                 threads >= 1 && threads <= MAX_THREADS,
                 "threads",
@@ -83,7 +83,7 @@ public record RenderSettings(
 
     /** What the scene asks for, of the whole picture, on all processors. */
     public static RenderSettings of(Scene scene) {
-        RenderDefaults d = scene.render();
+        Defaults d = scene.render();
         return new RenderSettings(
                 d.method(),
                 scene.width(),
@@ -122,28 +122,28 @@ public record RenderSettings(
     }
 
     /** The same settings with other values of one method's own, whichever method is in use. */
-    public RenderSettings with(MethodSettings value) {
+    public RenderSettings with(Method.Settings value) {
         return toBuilder().with(value).build();
     }
 
     /** The same settings with another value of one that some methods have, or all. */
-    public RenderSettings with(MethodSetting setting, Object value) {
+    public RenderSettings with(Method.Setting setting, Object value) {
         return toBuilder().chosen(chosen.with(setting, value)).build();
     }
 
     /** The same settings with the method of these, and with these. */
-    public RenderSettings using(MethodSettings value) {
+    public RenderSettings using(Method.Settings value) {
         return toBuilder().method(value.method()).with(value).build();
     }
 
     /** What all random numbers are derived from. */
     public long seed() {
-        return (Long) chosen.value(CommonSettings.SEED);
+        return (Long) chosen.value(ChosenSettings.Common.SEED);
     }
 
     /** The same settings with other random numbers. */
     public RenderSettings withSeed(long value) {
-        return with(CommonSettings.SEED, value);
+        return with(ChosenSettings.Common.SEED, value);
     }
 
     /** The same settings with another budget. */
@@ -223,7 +223,7 @@ public record RenderSettings(
 
         /** Sets {@link RenderSettings#seed}. */
         public Builder seed(long value) {
-            chosen = chosen.with(CommonSettings.SEED, value);
+            chosen = chosen.with(ChosenSettings.Common.SEED, value);
             return this;
         }
 
@@ -240,7 +240,7 @@ public record RenderSettings(
         }
 
         /** Sets all settings of one method. */
-        public Builder with(MethodSettings value) {
+        public Builder with(Method.Settings value) {
             chosen = chosen.with(value);
             return this;
         }
@@ -264,6 +264,35 @@ public record RenderSettings(
          */
         public RenderSettings build() {
             return new RenderSettings(method, width, height, crop, antialias, budget, chosen, threads, tileSize);
+        }
+    }
+
+    /**
+     * The settings that a scene asks to be rendered with, unless the user says otherwise.
+     *
+     * @param method which samples are taken, {@link Method#RAYTRACE} unless given
+     * @param antialias n for n × n positions per pixel, 1..256
+     * @param chosen what the scene says of all other settings; not only of those of its own method
+     */
+    public record Defaults(Method method, int antialias, ChosenSettings chosen) {
+        /** The largest n for n × n positions per pixel. */
+        public static final int MAX_ANTIALIAS = 256;
+
+        /** What a scene asks for that says nothing. */
+        public static final Defaults DEFAULT = new Defaults(Method.RAYTRACE, 4, ChosenSettings.NONE);
+
+        /**
+         * Checks the ranges.
+         *
+         * @throws enlightenment.math.InvalidValueException if a number is out of its range
+         */
+        public Defaults {
+            Objects.requireNonNull(method, "method");
+            Check.that(
+                    antialias >= 1 && antialias <= MAX_ANTIALIAS,
+                    "antialias",
+                    "must lie in 1.." + MAX_ANTIALIAS + ", not " + antialias);
+            Objects.requireNonNull(chosen, "chosen");
         }
     }
 }

@@ -43,7 +43,7 @@ final class ShadingFit {
 
     ShadingFit(Shading shading, Map<String, Material> named) {
         this.model = shading.model();
-        hasMedium = shading instanceof PhysicalShading p && p.medium().isPresent();
+        hasMedium = shading instanceof Shading.Physical p && p.medium().isPresent();
         this.named = named;
     }
 
@@ -143,10 +143,10 @@ final class ShadingFit {
     }
 
     private void look(Material material, String place) {
-        LightFeature feature = model == Shading.Model.PHYSICAL ? LightFeature.of(material) : null;
-        if (feature == LightFeature.DISPERSION && glass == null) {
+        Shading.LightFeature feature = model == Shading.Model.PHYSICAL ? Shading.LightFeature.of(material) : null;
+        if (feature == Shading.LightFeature.DISPERSION && glass == null) {
             glass = placeOf(named, material, place);
-        } else if (feature == LightFeature.FLUORESCENCE && dye == null) {
+        } else if (feature == Shading.LightFeature.FLUORESCENCE && dye == null) {
             dye = placeOf(named, material, place);
         }
         if (model == Shading.Model.CLASSIC && !material.isForClassicShading()) {

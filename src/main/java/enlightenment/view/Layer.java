@@ -1,8 +1,8 @@
 package enlightenment.view;
 
 import enlightenment.render.Auxiliary;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
@@ -55,7 +55,7 @@ enum Layer {
 
     /** Whether a scene has it. */
     boolean isOf(Scene scene) {
-        return this != ALBEDO || scene.shading() instanceof PhysicalShading;
+        return this != ALBEDO || scene.shading() instanceof Shading.Physical;
     }
 
     /** @throws BadParameter if there is none of this name */

@@ -2,8 +2,8 @@ package enlightenment.view;
 
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.List;
 import java.util.OptionalInt;
 
@@ -38,7 +38,7 @@ record Snapshot(
         Kept kept,
         Layers layers) {
     boolean isLinear() {
-        return scene != null && scene.shading() instanceof PhysicalShading;
+        return scene != null && scene.shading() instanceof Shading.Physical;
     }
 
     /** The last picture as it is shown; null if there is none. */

@@ -4,9 +4,9 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.render.Auxiliary;
 import enlightenment.render.Film;
 import enlightenment.scene.Display;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.Shading;
 import enlightenment.text.Plain;
 import java.util.ArrayList;
 import java.util.List;
@@ -153,7 +153,7 @@ final class ViewSession {
      */
     synchronized void expose(double stops) {
         requireScene();
-        if (!(scene.shading() instanceof PhysicalShading)) {
+        if (!(scene.shading() instanceof Shading.Physical)) {
             throw new InvalidValueException(
                     "exposure", "is for physical shading: this scene's colours are those of a screen");
         }

@@ -9,9 +9,9 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 
 /**
  * Renders a picture of a few pixels that is not shown. Loading the renderer's classes takes longer than the first coarse picture of most scenes: on
@@ -38,7 +38,7 @@ final class WarmUp implements Runnable {
                 .size(WIDTH, HEIGHT)
                 .camera(new Camera.Perspective(
                         ExactPoint.of(0, 0, -DISTANCE), ExactPoint.ORIGIN, Vec3.Y, FIELD_OF_VIEW))
-                .shading(PhysicalShading.DEFAULT)
+                .shading(Shading.Physical.DEFAULT)
                 .object(Sphere.of(ExactPoint.ORIGIN, 1), new Material.Matte(white, true, 0, Rgb.BLACK))
                 .object(Sphere.of(ExactPoint.of(1, 1, -2), LAMP_RADIUS), new Material.Matte(white, true, 0, Rgb.WHITE))
                 .build();

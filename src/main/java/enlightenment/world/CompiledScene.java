@@ -8,8 +8,6 @@ import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.material.Glass;
 import enlightenment.primitive.Primitive;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Shading;
 import enlightenment.world.camera.CompiledCamera;
 import enlightenment.world.contact.CoincidentHits;
@@ -42,7 +40,7 @@ public final class CompiledScene {
     public final Shading shading;
 
     /** The shading, if it is classic; else null. */
-    public final ClassicShading classic;
+    public final Shading.Classic classic;
 
     /** What physical shading needs, if that is the shading; else null. */
     public final PhysicalScene physical;
@@ -127,8 +125,8 @@ public final class CompiledScene {
         frame = made.frame;
         camera = made.camera;
         shading = made.scene.shading();
-        classic = shading instanceof ClassicShading c ? c : null;
-        display = shading instanceof PhysicalShading
+        classic = shading instanceof Shading.Classic c ? c : null;
+        display = shading instanceof Shading.Physical
                 ? DisplayCurve.of(
                         made.scene.display().exposure(), made.scene.display().tone())
                 : DisplayCurve.NONE;

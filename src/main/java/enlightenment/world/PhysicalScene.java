@@ -12,7 +12,7 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Shading;
 import enlightenment.surroundings.Sun;
 import enlightenment.surroundings.Surroundings;
 import enlightenment.world.contact.CoincidentSurfaces;
@@ -117,7 +117,7 @@ public final class PhysicalScene {
     private final int[] lightOfFace;
 
     PhysicalScene(
-            PhysicalShading shading,
+            Shading.Physical shading,
             SceneFrame frame,
             Surroundings surroundings,
             CompiledPrimitives compiled,

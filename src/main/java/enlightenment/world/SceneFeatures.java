@@ -3,9 +3,8 @@ package enlightenment.world;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.camera.Camera;
 import enlightenment.camera.Lens;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.LightFeature;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.world.material.SurfaceMaterial;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,10 +16,10 @@ final class SceneFeatures {
     private final List<String> absent = new ArrayList<>();
 
     SceneFeatures(Scene scene, boolean withBvh, Iterable<SurfaceMaterial> surfaces) {
-        if (scene.shading() instanceof ClassicShading shading) {
+        if (scene.shading() instanceof Shading.Classic shading) {
             addClassic(scene, shading, surfaces);
         } else {
-            addMatter(LightFeature.of(scene).keySet());
+            addMatter(Shading.LightFeature.of(scene).keySet());
             if (hasLens(scene.camera())) {
                 present.add("depth of field");
             }
@@ -37,13 +36,13 @@ final class SceneFeatures {
                         && p.lens().map(Lens::radius).orElse(0.0) > 0;
     }
 
-    private void addMatter(Set<LightFeature> asked) {
-        for (LightFeature feature : LightFeature.values()) {
+    private void addMatter(Set<Shading.LightFeature> asked) {
+        for (Shading.LightFeature feature : Shading.LightFeature.values()) {
             add(asked.contains(feature), feature.description(), feature.description());
         }
     }
 
-    private void addClassic(Scene scene, ClassicShading shading, Iterable<SurfaceMaterial> surfaces) {
+    private void addClassic(Scene scene, Shading.Classic shading, Iterable<SurfaceMaterial> surfaces) {
         boolean mirrors = false;
         boolean glass = false;
         boolean textures = false;

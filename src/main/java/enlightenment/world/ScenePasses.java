@@ -8,10 +8,10 @@ import enlightenment.frame.SceneFrame;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.MeshPrimitive;
 import enlightenment.primitive.Primitive;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import enlightenment.surroundings.Surroundings;
 import enlightenment.world.camera.CompiledCamera;
 import enlightenment.world.camera.RayStarts;
@@ -77,7 +77,7 @@ final class ScenePasses {
         this.scene = scene;
         this.images = images;
         this.poll = poll;
-        isPhysical = scene.shading() instanceof PhysicalShading;
+        isPhysical = scene.shading() instanceof Shading.Physical;
     }
 
     /**
@@ -128,7 +128,7 @@ final class ScenePasses {
     }
 
     private void makeLights() {
-        if (scene.shading() instanceof PhysicalShading shading) {
+        if (scene.shading() instanceof Shading.Physical shading) {
             Surroundings around = CompiledSurroundings.withDistantLights(
                     images.around(shading.background()), shading.background(), scene.lights());
             physical = new PhysicalScene(

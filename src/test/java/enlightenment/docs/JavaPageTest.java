@@ -23,9 +23,9 @@ import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.scene.json.SceneReader;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -68,7 +68,7 @@ class JavaPageTest {
         Scene scene = Scene.builder()
                 .size(160, 120)
                 .camera(new Camera.Perspective(ExactPoint.of(0, 1.5, -6), ExactPoint.of(0, 0.8, 0), Vec3.Y, 30))
-                .shading(new PhysicalShading(OptionalInt.empty(), Rgb.gray(0.2)))
+                .shading(new Shading.Physical(OptionalInt.empty(), Rgb.gray(0.2)))
                 .light(new Light.Sphere(ExactPoint.of(-3, 5, -3), 1, DisplayRgb.WHITE, Emission.radiance(Rgb.gray(12))))
                 .object(Sphere.of(ExactPoint.of(0, 1, 0), 1), Coated.of(red, 0.3))
                 .object(Sphere.of(ExactPoint.of(0, -1000, 0), 1000), Material.Matte.of(grey))

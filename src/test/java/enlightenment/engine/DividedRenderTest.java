@@ -13,9 +13,9 @@ import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -37,7 +37,7 @@ class DividedRenderTest {
                 .withMethod(method)
                 .withSize(75, 42)
                 .withAntialias(2)
-                .with(new RayTraceSettings(2))
+                .with(new BuiltInMethod.RayTraceSettings(2))
                 .withThreads(2);
     }
 

@@ -9,11 +9,9 @@ import enlightenment.camera.Camera;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.plan.RenderPlan;
-import enlightenment.scene.ClusterSettings;
-import enlightenment.scene.CommonSettings;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
-import enlightenment.scene.MethodSetting;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.ToyMethod;
@@ -46,9 +44,9 @@ class OutlineBytesTest {
 
     @Test
     void theSettingsOfEachMethodArriveAndThoseOfAMethodFromOutsideToo() throws IOException {
-        RenderSettings s = SETTINGS.using(new RayTraceSettings(3));
+        RenderSettings s = SETTINGS.using(new BuiltInMethod.RayTraceSettings(3));
         assertEquals(s, again(bytes(s)));
-        s = s.using(new ClusterSettings("zeta"));
+        s = s.using(new BuiltInMethod.ClusterSettings("zeta"));
         assertEquals(s, again(bytes(s)));
         s = SETTINGS.using(new ToyMethod.Settings(5, "square"));
         assertEquals(s, again(bytes(s)));
@@ -57,14 +55,14 @@ class OutlineBytesTest {
     @Test
     void theSettingsThatAllMethodsHaveArrive() throws IOException {
         RenderSettings s = SETTINGS;
-        for (MethodSetting setting : CommonSettings.ALL) {
+        for (Method.Setting setting : ChosenSettings.Common.ALL) {
             s = s.with(
-                    setting, setting instanceof MethodSetting.Whole w ? w.max() : last((MethodSetting.Word) setting));
+                    setting, setting instanceof Method.Setting.Whole w ? w.max() : last((Method.Setting.Word) setting));
             assertEquals(s, again(bytes(s)));
         }
     }
 
-    private static Object last(MethodSetting.Word setting) {
+    private static Object last(Method.Setting.Word setting) {
         return setting.words().get(setting.words().size() - 1);
     }
 
@@ -85,17 +83,18 @@ class OutlineBytesTest {
     /** Bytes are hashed, and a picture that does not depend on something has one hash. */
     @Test
     void whatTheMethodDoesNotLookAtIsNotInTheBytes() throws IOException {
-        RenderSettings s = SETTINGS.using(new RayTraceSettings(3));
-        assertArrayEquals(bytes(s), bytes(s.with(new ClusterSettings("zeta"))));
+        RenderSettings s = SETTINGS.using(new BuiltInMethod.RayTraceSettings(3));
+        assertArrayEquals(bytes(s), bytes(s.with(new BuiltInMethod.ClusterSettings("zeta"))));
         assertArrayEquals(bytes(s), bytes(s.with(ToyMethod.RAYS, 5)));
         // With too few samples cluster is raytrace.
         RenderSettings c = s.withMethod(Method.CLUSTER);
-        assertTrue(!java.util.Arrays.equals(bytes(c), bytes(c.with(new RayTraceSettings(4)))));
+        assertTrue(!java.util.Arrays.equals(bytes(c), bytes(c.with(new BuiltInMethod.RayTraceSettings(4)))));
     }
 
     @Test
     void settingsThatTheMethodDoesNotHaveAreRefused() throws IOException {
-        String text = new String(bytes(SETTINGS.using(new RayTraceSettings(3))), StandardCharsets.ISO_8859_1);
+        String text =
+                new String(bytes(SETTINGS.using(new BuiltInMethod.RayTraceSettings(3))), StandardCharsets.ISO_8859_1);
         for (String wrong : new String[] {"shadowSampler", "SHADOWSAMPLES"}) {
             byte[] bytes = text.replace("shadowSamples", wrong).getBytes(StandardCharsets.ISO_8859_1);
             assertThrows(IllegalArgumentException.class, () -> again(bytes), wrong);

@@ -15,8 +15,8 @@ import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.world.CompiledScene;
@@ -39,7 +39,7 @@ class PassesTest {
     private static final RenderSettings SETTINGS = RenderSettings.of(SCENE)
             .withSize(64, 48)
             .withCrop(new RenderSettings.Crop(31, 20, 3, 2))
-            .with(new RayTraceSettings(1))
+            .with(new BuiltInMethod.RayTraceSettings(1))
             .withBudget(Budget.NONE.withSamples(90_000))
             .withThreads(2);
 

@@ -12,9 +12,9 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -32,7 +32,7 @@ class SceneDocumentTest {
     private static Scene scene(Path file) {
         return Scene.builder()
                 .camera(new Camera.Isometric(ExactPoint.ORIGIN, 4))
-                .shading(PhysicalShading.DEFAULT)
+                .shading(Shading.Physical.DEFAULT)
                 .light(new Light.Ies(ExactPoint.ORIGIN, file, Vec3.X, 0, Rgb.WHITE, Emission.intensity(Rgb.WHITE)))
                 .build();
     }

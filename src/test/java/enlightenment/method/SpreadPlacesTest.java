@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.film.FilmTile;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.world.CompiledScene;
@@ -65,7 +65,7 @@ class SpreadPlacesTest {
     @ValueSource(doubles = {1, 1.3, 2, 2.75, 4, 5.5, 6, 13.9})
     void raytraceTakesSoManySamplesInTheMeanAndPowersOfTwoInEachPixel(double samples) {
         Scene scene = TestScenes.whiteFireAndIce().size(64, 64).build();
-        RenderSettings settings = RenderSettings.of(scene).with(new RayTraceSettings(1));
+        RenderSettings settings = RenderSettings.of(scene).with(new BuiltInMethod.RayTraceSettings(1));
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         FilmTile tile = new FilmTile(0, 0, 64, 64);
         RayTraceMethod.of(compiled, settings, new RayCounters(compiled.kindNames.size()), samples)

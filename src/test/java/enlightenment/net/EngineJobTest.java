@@ -9,7 +9,7 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Budget;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -29,7 +29,7 @@ class EngineJobTest {
     private static final RenderSettings SETTINGS = RenderSettings.of(FIRE_AND_ICE)
             .withSize(24, 16)
             .withAntialias(1)
-            .with(new RayTraceSettings(4))
+            .with(new BuiltInMethod.RayTraceSettings(4))
             .withThreads(1);
 
     private static final RenderResult ONE = Renderer.render(FIRE_AND_ICE, SETTINGS, RenderProgress.NONE, () -> false);

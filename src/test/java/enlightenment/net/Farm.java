@@ -7,7 +7,7 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.ByteArrayOutputStream;
@@ -32,7 +32,7 @@ public final class Farm implements AutoCloseable {
     static final RenderSettings SETTINGS = RenderSettings.of(SCENE)
             .withSize(75, 42)
             .withAntialias(2)
-            .with(new RayTraceSettings(2))
+            .with(new BuiltInMethod.RayTraceSettings(2))
             .withThreads(1);
 
     /** No deadline comes near, however busy the machine is. A test of a deadline makes that one short, and leaves the others. */

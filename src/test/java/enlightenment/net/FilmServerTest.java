@@ -14,7 +14,7 @@ import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
@@ -54,7 +54,7 @@ class FilmServerTest {
         RenderSettings settings = RenderSettings.of(isPhysical ? PHYSICAL_ROOM : ROOM)
                 .withThreads(1)
                 .withSize(40 + number, 21)
-                .with(new RayTraceSettings(1));
+                .with(new BuiltInMethod.RayTraceSettings(1));
         return new FilmServer.Frame(isPhysical ? PHYSICAL_ROOM : ROOM, settings.withSeed(number));
     }
 

@@ -1,6 +1,6 @@
 package enlightenment.net;
 
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 
 /**
@@ -15,7 +15,7 @@ final class ScalingRun {
     /** The share of their time for which so many workers slept. */
     private static double busy(int workers) throws Exception {
         RenderSettings settings =
-                Farm.SETTINGS.withSize(400, 200).withAntialias(1).with(new RayTraceSettings(1));
+                Farm.SETTINGS.withSize(400, 200).withAntialias(1).with(new BuiltInMethod.RayTraceSettings(1));
         ServerOptions.Builder options =
                 Farm.options().awaitWorkers(workers, Farm.TIMEOUT_SECONDS).auditRate(0);
         try (Farm farm = new Farm(Farm.SCENE, settings, options)) {

@@ -15,7 +15,6 @@ import enlightenment.render.TestScenes;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.nio.ByteBuffer;
@@ -47,7 +46,7 @@ class UnitKindsTest {
                 RenderSettings.of(ROOM)
                         .withSize(64, 48)
                         .withCrop(new RenderSettings.Crop(31, 20, 2, 1))
-                        .with(new RayTraceSettings(1))
+                        .with(new BuiltInMethod.RayTraceSettings(1))
                         .withBudget(Budget.NONE.withSamples(90_000)),
                 8),
 

@@ -20,10 +20,10 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
@@ -74,7 +74,7 @@ class NffReaderTest {
         assertEquals(512, scene.width());
         assertEquals(3, scene.lights().size());
         assertEquals(2, scene.materials().size());
-        assertEquals(new DisplayRgb(0.078, 0.361, 0.753), ((ClassicShading) scene.shading()).background());
+        assertEquals(new DisplayRgb(0.078, 0.361, 0.753), ((Shading.Classic) scene.shading()).background());
     }
 
     @Test

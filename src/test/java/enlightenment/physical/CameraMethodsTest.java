@@ -23,10 +23,9 @@ import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -72,14 +71,14 @@ class CameraMethodsTest {
     }
 
     /** With a lamp that is in the picture; and a ball of glass, but for light paths alone, which miss what is seen through it. */
-    private static SceneBuilder scene(BuiltInMethod method) {
-        SceneBuilder scene = opaqueScene();
+    private static Scene.Builder scene(BuiltInMethod method) {
+        Scene.Builder scene = opaqueScene();
         return method == BuiltInMethod.LIGHT
                 ? scene
                 : scene.object(ball(0.45, 0.5, 0.5, 0.35), Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5));
     }
 
-    private static SceneBuilder opaqueScene() {
+    private static Scene.Builder opaqueScene() {
         return room().light(sphereLight(0.2, 1.5, -0.1, 0.3, 6))
                 .light(panel(-0.4, 1.8, 0.2, 0.3, new Rgb(2, 4, 6), false))
                 .object(ball(-0.35, 0.45, -0.7, 0.42), matte(0.8, 0.5, 0.3));
@@ -114,7 +113,7 @@ class CameraMethodsTest {
     void lightInFogIsCarriedToAllPointsOfALens(BuiltInMethod method) {
         Medium fog = Medium.Coefficients.of(Rgb.gray(0.15), Rgb.gray(0.02));
         Scene scene = scene(method)
-                .shading(new PhysicalShading(OptionalInt.of(4), new Background.Constant(Rgb.BLACK), Optional.of(fog)))
+                .shading(new Shading.Physical(OptionalInt.of(4), new Background.Constant(Rgb.BLACK), Optional.of(fog)))
                 .camera(CAMERAS.get("triangular lens"))
                 .build();
         List<Image> traced = Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE, 6), 100, 12);
@@ -147,7 +146,7 @@ class CameraMethodsTest {
     @Test
     void thePlaneInFocusIsSeenAsByAPinhole() {
         double z = FOCUS - 3.5;
-        SceneBuilder wall =
+        Scene.Builder wall =
                 PhysicalScenes.view(16, 16).light(square(-0.4, 1.2, z, 0.3, 2)).light(square(0.5, 0.7, z, 0.2, 5));
         Scene sharp = wall.camera(PINHOLE).build();
         Scene inFocus = wall.camera(CAMERAS.get("round lens")).build();
@@ -191,7 +190,7 @@ class CameraMethodsTest {
         double z = 2 * FOCUS;
         double radius = 0.02;
         int side = 96;
-        SceneBuilder lamp = PhysicalScenes.view(side, side).light(sphereLight(0, 1, z - 3.5, radius, 1000));
+        Scene.Builder lamp = PhysicalScenes.view(side, side).light(sphereLight(0, 1, z - 3.5, radius, 1000));
         Scene scene = lamp.camera(CAMERAS.get("round lens")).build();
         Image image = Renderer.render(scene, settings(scene, BuiltInMethod.RAYTRACE, 32));
         double perPixel = 2 * StrictMath.tan(StrictMath.toRadians(DEGREES / 2)) / side;
@@ -230,7 +229,7 @@ class CameraMethodsTest {
     /** A lens that is as good as a point gives the bytes of a pinhole where no lamp is in the picture, whose image a pinhole samples. */
     @Test
     void aLensAsGoodAsAPointGivesTheBytesOfAPinhole() {
-        SceneBuilder unlit =
+        Scene.Builder unlit =
                 room().light(sphereLight(0, 1, -8, 0.5, 20)).object(ball(0, 0.5, 0, 0.5), matte(0.5, 0.5, 0.5));
         Scene without = unlit.camera(PINHOLE).build();
         Scene with = unlit.camera(PINHOLE.withLens(Lens.round(1e-30, FOCUS))).build();
@@ -256,7 +255,7 @@ class CameraMethodsTest {
                     distance * StrictMath.sin(latitude),
                     level * StrictMath.cos(longitude));
             Vec3 lamp = eye.toVec3().plus(to);
-            SceneBuilder scene =
+            Scene.Builder scene =
                     PhysicalScenes.view(width, height).light(sphereLight(lamp.x(), lamp.y(), lamp.z(), 0.1, 10));
             Scene mono = scene.camera(new Camera.Panorama(eye, eye.plus(Vec3.Z), Vec3.Y))
                     .build();

@@ -29,7 +29,6 @@ import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -65,7 +64,7 @@ final class ClosedForms {
         }
     }
 
-    private static SceneBuilder inside(double x, double y, double z) {
+    private static Scene.Builder inside(double x, double y, double z) {
         return Scene.builder()
                 .size(8, 8)
                 .camera(new Camera.Perspective(at(x, y, z), at(0.1, 0.2, 1), Vec3.Y, 30))
@@ -169,7 +168,7 @@ final class ClosedForms {
 
     private static final double THROUGH_PANE_IN_WATER = (1 - FACE_IN_WATER) / (1 + FACE_IN_WATER);
 
-    private static SceneBuilder inWater(double degrees) {
+    private static Scene.Builder inWater(double degrees) {
         return Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Perspective(at(0, 0, -2), at(0, 0, 0), Vec3.Y, degrees))

@@ -18,7 +18,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -153,7 +152,7 @@ final class DirectedLights {
                 "projector in fog",
                 foggy().light(projector(at(0.1, 1.5, -0.4), new Vec3(-0.2, -1, 0.3), 50, WATTS))
                         .build());
-        SceneBuilder many = furnished();
+        Scene.Builder many = furnished();
         for (int k = 0; k < 24; k++) {
             many.light(new Light.Spot(
                     at(0.8 * Math.sin(k), 1.9, 0.8 * Math.cos(k)),
@@ -167,17 +166,17 @@ final class DirectedLights {
         return scenes;
     }
 
-    private static SceneBuilder specular() {
+    private static Scene.Builder specular() {
         return room().object(ball(-0.4, 0.5, 0.1, 0.35), Material.Mirror.of(linear(0.9, 0.9, 0.9)))
                 .object(ball(0.4, 0.5, -0.2, 0.35), Glass.of(linear(1, 1, 1), 1.5));
     }
 
-    private static SceneBuilder foggy() {
+    private static Scene.Builder foggy() {
         return furnished()
                 .shading(MediaScenes.in(MediaScenes.medium(Rgb.gray(0.4), Rgb.gray(0.05), 0.3), OptionalInt.of(6), 0));
     }
 
-    private static SceneBuilder furnished() {
+    private static Scene.Builder furnished() {
         return room().object(ball(-0.35, 0.45, -0.1, 0.42), PhysicalScenes.WHITE)
                 .object(new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1)), PhysicalScenes.GREEN);
     }

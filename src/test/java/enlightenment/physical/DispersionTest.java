@@ -14,8 +14,6 @@ import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.LightFeature;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
@@ -108,7 +106,7 @@ class DispersionTest {
     private static Scene inFog(At at) {
         Medium fog = new Medium.Coefficients(new Rgb(0.1, 0.2, 0.3), new Rgb(0, 0.02, 0.05), 0.3);
         return PhysicalScenes.view(SIDE, SIDE)
-                .shading(new PhysicalShading(
+                .shading(new Shading.Physical(
                         OptionalInt.empty(), new Background.Constant(Rgb.gray(0.3)), Optional.of(fog)))
                 .light(PhysicalScenes.sphereLight(-1, 2.5, -0.5, 0.4, 10))
                 .object(TestScenes.rectangle(-2, 0, -2, -2, 0, 2, 2, 0, 2, 2, 0, -2), PhysicalScenes.WHITE)
@@ -201,7 +199,7 @@ class DispersionTest {
 
     static Stream<Arguments> all() {
         return SCENES.keySet().stream().flatMap(name -> BuiltInMethod.rendering(Shading.Model.PHYSICAL).stream()
-                .filter(method -> !name.equals("in fog") || method.canRender(LightFeature.SCATTERING))
+                .filter(method -> !name.equals("in fog") || method.canRender(Shading.LightFeature.SCATTERING))
                 .map(method -> Arguments.of(name, method)));
     }
 

@@ -24,10 +24,9 @@ import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -62,7 +61,7 @@ class DistantLightsTest {
         return -direction.normalized().y();
     }
 
-    private static SceneBuilder floor(double background) {
+    private static Scene.Builder floor(double background) {
         return Scene.builder()
                 .size(4, 4)
                 .shading(PhysicalScenes.atMost(1, background))
@@ -99,7 +98,7 @@ class DistantLightsTest {
     @ParameterizedTest
     @EnumSource(BuiltInMethod.class)
     void theIrradiancesOfManyLightsAddUp(BuiltInMethod method) {
-        SceneBuilder scene = floor(0.1);
+        Scene.Builder scene = floor(0.1);
         double sum = REFLECTANCE * 0.1;
         for (int k = 0; k < 7; k++) {
             Vec3 direction = new Vec3(Math.sin(k), -0.3 - k % 3, Math.cos(k));
@@ -113,7 +112,7 @@ class DistantLightsTest {
     @EnumSource(BuiltInMethod.class)
     void aSkyKeepsItsSunBesideADistantLight(BuiltInMethod method) {
         Background.Sky sky = new Background.Sky(40, 20, 3, Rgb.gray(0.2), Rgb.WHITE, true);
-        PhysicalShading shading = new PhysicalShading(OptionalInt.of(1), sky, Optional.empty());
+        Shading.Physical shading = new Shading.Physical(OptionalInt.of(1), sky, Optional.empty());
         Statistics alone = mean(floor(0).shading(shading).build(), BuiltInMethod.RAYTRACE);
         Statistics both = mean(
                 floor(0).shading(shading).light(distant(SLANTED, 1, 2, 2, 2)).build(), method);
@@ -174,7 +173,7 @@ class DistantLightsTest {
     }
 
     /** A room that is open to the viewer and has a window in its roof. */
-    private static SceneBuilder windowed() {
+    private static Scene.Builder windowed() {
         return PhysicalScenes.view(16, 16)
                 .shading(PhysicalScenes.atMost(6, 0))
                 .object(new Box(at(-1, -0.1, -1), at(1, 0, 1)), PhysicalScenes.WHITE)

@@ -31,7 +31,6 @@ import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.DoubleFunction;
@@ -74,7 +73,7 @@ class EdgesOfLightsTest {
         return all;
     }
 
-    private static SceneBuilder view(Camera camera, double hidden) {
+    private static Scene.Builder view(Camera camera, double hidden) {
         return Scene.builder()
                 .size(8, 8)
                 .camera(camera)
@@ -88,7 +87,7 @@ class EdgesOfLightsTest {
     }
 
     /** Half of the ball is hidden, and two of them overlap. */
-    private static SceneBuilder flat(Camera camera, double hidden) {
+    private static Scene.Builder flat(Camera camera, double hidden) {
         return view(camera, hidden)
                 .object(ball(-1.7, 1.3, 7, 1), lamp(RADIANCE))
                 .object(TestScenes.rectangle(-4, 1.2, 4, -4, 4, 4, -0.9, 4, 4, -0.9, 1.2, 4), matte(0.7, 0.7, 0.7))
@@ -106,7 +105,7 @@ class EdgesOfLightsTest {
                 .object(TestScenes.rectangle(-9, -9, 12, -9, 9, 12, 9, 9, 12, 9, -9, 12), matte(0.7, 0.7, 0.7));
     }
 
-    private static SceneBuilder solids(Camera camera, double hidden) {
+    private static Scene.Builder solids(Camera camera, double hidden) {
         return view(camera, hidden)
                 .object(new Box(at(-3, 0.5, 7), at(-1.4, 2.2, 8.5)), lamp(RADIANCE))
                 .object(new Cylinder(at(-0.6, 0.4, 7), at(0.4, 2.3, 8), 0.6, true), lamp(RADIANCE))
@@ -117,7 +116,7 @@ class EdgesOfLightsTest {
                 .object(TestScenes.rectangle(-9, -9, 12, -9, 9, 12, 9, 9, 12, 9, -9, 12), matte(0.7, 0.7, 0.7));
     }
 
-    private static SceneBuilder inMirror(Camera camera, double hidden) {
+    private static Scene.Builder inMirror(Camera camera, double hidden) {
         return view(camera, hidden)
                 .object(TestScenes.rectangle(-5, -5, 9, -5, 5, 10, 5, 5, 9.5, 5, -5, 8.5), TestScenes.mirror(0.8))
                 .object(ball(-1.2, 1.5, 4, 0.6), lamp(RADIANCE))
@@ -127,7 +126,7 @@ class EdgesOfLightsTest {
     }
 
     /** Large images in a mirror and in glass. */
-    private static SceneBuilder inBalls(double hidden) {
+    private static Scene.Builder inBalls(double hidden) {
         return view(EYE, hidden)
                 .object(ball(-1.5, 0.3, 7, 1.8), TestScenes.mirror(0.8))
                 .object(ball(2.4, -1, 7, 1.6), Glass.of(PhysicalScenes.linear(1, 1, 1), 1.5))
@@ -136,7 +135,7 @@ class EdgesOfLightsTest {
     }
 
     /** One reaches from before to behind the eye, one is around it, one covers all of the picture, and one is behind that. */
-    private static SceneBuilder aroundTheEye(double hidden) {
+    private static Scene.Builder aroundTheEye(double hidden) {
         return view(EYE, hidden)
                 .object(TestScenes.rectangle(-1, 1.5, -6, -1, 1.5, 6, 1.4, 1.5, 6, 1.4, 1.5, -6), lamp(RADIANCE))
                 .object(

@@ -22,10 +22,9 @@ import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
@@ -57,7 +56,7 @@ class ExtremeMatterTest {
     private static final Map<String, Scene> SCENES = scenes();
 
     private static Map<String, Scene> scenes() {
-        Map<String, SceneBuilder> all = new TreeMap<>();
+        Map<String, Scene.Builder> all = new TreeMap<>();
         media(all);
         fogs(all);
         glass(all);
@@ -68,7 +67,7 @@ class ExtremeMatterTest {
         return built;
     }
 
-    private static SceneBuilder lit(Material material) {
+    private static Scene.Builder lit(Material material) {
         return view(SIDE, SIDE)
                 .shading(PhysicalScenes.shading(0.5))
                 .light(sphereLight(0.3, 2.2, -0.6, 0.2, 9))
@@ -80,7 +79,7 @@ class ExtremeMatterTest {
         return new Medium.Coefficients(Rgb.gray(1 / meanFreePath), Rgb.BLACK, anisotropy);
     }
 
-    private static void media(Map<String, SceneBuilder> all) {
+    private static void media(Map<String, Scene.Builder> all) {
         for (double path : new double[] {1e-300, 1e-9, 1e-3, 1e9, 1e300}) {
             for (double g : new double[] {-0.999, 0, 0.999}) {
                 all.put("white, path " + path + ", g " + g, lit(Material.Scattering.of(white(path, g))));
@@ -100,13 +99,13 @@ class ExtremeMatterTest {
         all.put("no coefficients", lit(Material.Scattering.of(new Medium.Coefficients(Rgb.BLACK, Rgb.BLACK, 0))));
     }
 
-    private static void fogs(Map<String, SceneBuilder> all) {
+    private static void fogs(Map<String, Scene.Builder> all) {
         for (double path : new double[] {1e-300, 1e-9, 1e9, 1e300}) {
             for (double g : new double[] {-0.999, 0.999}) {
                 all.put(
                         "fog, path " + path + ", g " + g,
                         lit(PhysicalScenes.RED)
-                                .shading(new PhysicalShading(
+                                .shading(new Shading.Physical(
                                         OptionalInt.empty(),
                                         new Background.Constant(Rgb.gray(0.5)),
                                         Optional.of(white(path, g)))));
@@ -114,7 +113,7 @@ class ExtremeMatterTest {
         }
     }
 
-    private static void glass(Map<String, SceneBuilder> all) {
+    private static void glass(Map<String, Scene.Builder> all) {
         for (double index : new double[] {1 - 1e-12, 1 + 1e-12, 1.5}) {
             for (double abbe : new double[] {0.6, 1e9, 1e300}) {
                 Glass glass = Glass.of(linear(1, 1, 1), index).withDispersion(abbe);
@@ -125,7 +124,7 @@ class ExtremeMatterTest {
         all.put("tiny V", lit(Glass.of(linear(1, 1, 1), 1 + 1e-12).withDispersion(1e-11)));
     }
 
-    private static void dyes(Map<String, SceneBuilder> all) {
+    private static void dyes(Map<String, Scene.Builder> all) {
         WavelengthBand[][] bands = {
             {new WavelengthBand(300, 400), new WavelengthBand(400, 780)},
             {new WavelengthBand(300, 780), new WavelengthBand(300, 780)},
@@ -140,7 +139,7 @@ class ExtremeMatterTest {
         }
     }
 
-    private static SceneBuilder inBlackLight(Material dye, double ultraviolet) {
+    private static Scene.Builder inBlackLight(Material dye, double ultraviolet) {
         return lit(dye).light(new Light.Sphere(
                 PhysicalScenes.at(-0.9, 1.5, -0.5),
                 0.1,
@@ -148,14 +147,14 @@ class ExtremeMatterTest {
                 Emission.radiance(Rgb.BLACK).withUltraviolet(ultraviolet)));
     }
 
-    private static void skies(Map<String, SceneBuilder> all) {
+    private static void skies(Map<String, Scene.Builder> all) {
         for (double elevation : new double[] {0, 1e-9, 90}) {
             for (double turbidity : new double[] {2, 10}) {
                 Background sky = new Background.Sky(elevation, 1e9, turbidity, Rgb.WHITE, Rgb.gray(1e6), true);
                 all.put(
                         "sky, elevation " + elevation + ", turbidity " + turbidity,
                         lit(PhysicalScenes.RED)
-                                .shading(new PhysicalShading(OptionalInt.empty(), sky, Optional.empty())));
+                                .shading(new Shading.Physical(OptionalInt.empty(), sky, Optional.empty())));
             }
         }
     }

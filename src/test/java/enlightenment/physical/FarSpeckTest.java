@@ -16,7 +16,6 @@ import enlightenment.render.Renderer;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneException;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -28,7 +27,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class FarSpeckTest {
     private static final int[] EXPONENTS = {30, 200, 260, 360, 395};
 
-    private static SceneBuilder room(Light light) {
+    private static Scene.Builder room(Light light) {
         return PhysicalScenes.view(8, 8)
                 .shading(PhysicalScenes.atMost(6, 0))
                 .object(new Box(at(-1.5, -0.5, -4), at(1.5, 2.5, 1.7)), PhysicalScenes.WHITE)
@@ -37,7 +36,7 @@ class FarSpeckTest {
                 .light(light);
     }
 
-    private static float[] picture(SceneBuilder room, BuiltInMethod method) {
+    private static float[] picture(Scene.Builder room, BuiltInMethod method) {
         Scene scene = room.build();
         return Renderer.render(
                         scene,
@@ -56,7 +55,7 @@ class FarSpeckTest {
         }
         assertTrue(sum / expected.length > 0.01, "it is dark");
         for (int exponent : EXPONENTS) {
-            SceneBuilder larger =
+            Scene.Builder larger =
                     room(light).object(ball(0, 1, Math.scalb(-1.0, exponent), 0.01), PhysicalScenes.GREEN);
             assertArrayEquals(expected, picture(larger, method), "speck at 2^" + exponent);
         }
@@ -73,7 +72,7 @@ class FarSpeckTest {
     @EnumSource(BuiltInMethod.class)
     void whatIsBeyondThePromiseIsRefusedByTheNameOfTheFarthest(BuiltInMethod method) {
         for (int exponent : new int[] {480, 520, 700, 1000}) {
-            SceneBuilder larger = room(PhysicalScenes.sphereLight(0.2, 1.9, -0.3, 0.3, 5))
+            Scene.Builder larger = room(PhysicalScenes.sphereLight(0.2, 1.9, -0.3, 0.3, 5))
                     .object(ball(0, 1, Math.scalb(-1.0, exponent), 0.01), PhysicalScenes.GREEN);
             SceneException e = assertThrows(SceneException.class, () -> picture(larger, method));
             assertEquals("/objects/3", e.problems().get(0).pointer());

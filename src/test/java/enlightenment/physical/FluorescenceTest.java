@@ -31,7 +31,6 @@ import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -115,7 +114,7 @@ class FluorescenceTest {
     @EnumSource(BuiltInMethod.class)
     void ultravioletLightThatNothingShowsChangesNoByte(BuiltInMethod method) {
         Material matte = matte(0.6, 0.5, 0.2);
-        SceneBuilder room = PhysicalScenes.room().object(ball(-0.35, 0.45, -0.1, 0.42), matte);
+        Scene.Builder room = PhysicalScenes.room().object(ball(-0.35, 0.45, -0.1, 0.42), matte);
         Scene without =
                 room.light(lamp(0.1, 1.6, -0.4, 0.2, new Rgb(4, 5, 6), 0)).build();
         Scene with = PhysicalScenes.room()
@@ -170,7 +169,7 @@ class FluorescenceTest {
         return sum;
     }
 
-    private static SceneBuilder glowing(Material wall) {
+    private static Scene.Builder glowing(Material wall) {
         return Scene.builder()
                 .size(8, 8)
                 .camera(new Camera.Perspective(at(0.3, 0.2, -0.1), at(0.1, 0.2, 1), Vec3.Y, 30))

@@ -16,10 +16,9 @@ import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -51,14 +50,14 @@ class FogLampsTest {
         return new Medium.Coefficients(SCATTERING, ABSORPTION, g);
     }
 
-    private static SceneBuilder looking() {
+    private static Scene.Builder looking() {
         return Scene.builder()
                 .size(PIXELS, PIXELS)
                 .camera(new Camera.Orthographic(at(0, 0, 0), at(0, 0, 1), Vec3.Y, 1e-9));
     }
 
-    private static PhysicalShading once(Medium around) {
-        return new PhysicalShading(OptionalInt.of(1), new Background.Constant(Rgb.BLACK), Optional.ofNullable(around));
+    private static Shading.Physical once(Medium around) {
+        return new Shading.Physical(OptionalInt.of(1), new Background.Constant(Rgb.BLACK), Optional.ofNullable(around));
     }
 
     private static Light point(double x, double y, double z) {
@@ -188,7 +187,7 @@ class FogLampsTest {
     @Test
     void ofManyLampsEachCounts() {
         for (int count : new int[] {3, 20}) {
-            SceneBuilder builder = looking().shading(once(fog(0)));
+            Scene.Builder builder = looking().shading(once(fog(0)));
             List<double[]> places = new ArrayList<>();
             for (int k = 0; k < count; k++) {
                 double[] place = {0.003 * (1 + k * k % 7), 0.2 + 0.35 * k};

@@ -10,7 +10,6 @@ import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -26,7 +25,7 @@ class FurnaceOfBlocksTest {
     private final RandomBlocks blocks = new RandomBlocks(14);
 
     private Scene scene() {
-        SceneBuilder builder = PhysicalScenes.view(WIDTH, HEIGHT)
+        Scene.Builder builder = PhysicalScenes.view(WIDTH, HEIGHT)
                 .camera(new Camera.Perspective(at(0, 1.2, -5), at(0, 0.8, 0), Vec3.Y, 40))
                 .shading(PhysicalScenes.atMost(200, 1))
                 .object(TestScenes.rectangle(-6, 0, -6, -6, 0, 6, 6, 0, 6, 6, 0, -6), matte(1, 1, 1));

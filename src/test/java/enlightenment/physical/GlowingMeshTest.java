@@ -18,7 +18,6 @@ import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -33,12 +32,12 @@ class GlowingMeshTest {
     /** The side of a pixel in the distance 10. */
     private static final double PIXEL = 20 * Math.tan(Math.toRadians(20)) / SIZE;
 
-    private static SceneBuilder view() {
+    private static Scene.Builder view() {
         return Scene.builder().size(SIZE, SIZE).shading(shading(0)).camera(EYE);
     }
 
     /** A ball of so many circles of latitude, and twice as many of longitude. */
-    private static SceneBuilder mesh(SceneBuilder to, int n, Vec3 center, double radius) {
+    private static Scene.Builder mesh(Scene.Builder to, int n, Vec3 center, double radius) {
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < 2 * n; j++) {
                 if (i < n - 1) {
@@ -126,7 +125,7 @@ class GlowingMeshTest {
     /** In the larger picture each lamp covers many pixels, or its edges, and camera rays alone find it. */
     @Test
     void theMeanIsTheSameHoweverSmallTheTrianglesAre() {
-        SceneBuilder b = view().object(
+        Scene.Builder b = view().object(
                         TestScenes.rectangle(0.5, -4, 15, 0.5, -0.5, 15, 4, -0.5, 15, 4, -4, 15),
                         Material.Mirror.of(PhysicalScenes.linear(0.9, 0.9, 0.9)))
                 .object(TestScenes.rectangle(-1, -1, 8, -1, 1.2, 8, -0.3, 1.2, 8, -0.3, -1, 8), matte(0, 0, 0))

@@ -11,9 +11,8 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 
 /** A floor that reflects half of its light, a small part of which is all that is seen, and what it shows under a point light. */
 final class GreyFloor {
@@ -31,7 +30,7 @@ final class GreyFloor {
      * @param eye height above the floor from which it is seen
      * @param extent from the middle to the edges
      */
-    static SceneBuilder scene(double eye, double extent, PhysicalShading shading) {
+    static Scene.Builder scene(double eye, double extent, Shading.Physical shading) {
         double e = extent;
         return Scene.builder()
                 .size(4, 4)

@@ -13,7 +13,6 @@ import enlightenment.material.Material;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -27,13 +26,13 @@ class HiddenFacesTest {
         return new Glass(linear(1, 1, 1), index, 1, priority, true).withRoughness(roughness);
     }
 
-    private static SceneBuilder floor(int maxBounces) {
+    private static Scene.Builder floor(int maxBounces) {
         return GreyFloor.scene(0.4, 1, PhysicalScenes.atMost(maxBounces, 0));
     }
 
     /** A pool that eye, floor and lamps are in, and glass between them that the water takes the place of. */
     private static Scene pool(Light light, boolean hasHidden, boolean hasBubble) {
-        SceneBuilder scene = floor(1).object(new Box(at(-3, -1, -3), at(3, 4, 3)), glass(1.33, 1, 0))
+        Scene.Builder scene = floor(1).object(new Box(at(-3, -1, -3), at(3, 4, 3)), glass(1.33, 1, 0))
                 .light(light);
         if (hasHidden) {
             scene.object(new Box(at(-2, 0.6, -2), at(2, 1, 2)), glass(1.5, 0, 0));
@@ -80,7 +79,7 @@ class HiddenFacesTest {
 
     /** A slab of rough glass and one that begins in it, or on it: of the priority of which the place is filled. */
     private static Scene slabs(double bottom, boolean hasBubble) {
-        SceneBuilder scene = floor(1000)
+        Scene.Builder scene = floor(1000)
                 .object(new Box(at(-1, 0.5, -1), at(1, 0.7, 1)), glass(1.5, 1, 0.7))
                 .object(new Box(at(-1, bottom, -1), at(1, 0.9, 1)), glass(1.2, 0, 0.7))
                 .light(PhysicalScenes.panel(0, 1.4, 0, 0.8, Rgb.gray(5), false));

@@ -23,7 +23,6 @@ import enlightenment.material.WavelengthBand;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.Shading;
 import java.util.List;
 
@@ -76,7 +75,7 @@ public final class InvarianceScenes {
 
     /** More lights than are weighed one by one, where many of them are equally strong. */
     public static Scene ofManyLights() {
-        SceneBuilder scene = furnished();
+        Scene.Builder scene = furnished();
         for (int k = 0; k < 27; k++) {
             scene.light(
                     sphereLight(-0.6 + 0.6 * (k % 3), 1 + 0.4 * (k / 3 % 3), -0.6 + 0.6 * (k / 9), 0.05, 5 + k % 4));
@@ -91,7 +90,7 @@ public final class InvarianceScenes {
                 .toList();
     }
 
-    private static SceneBuilder furnished() {
+    private static Scene.Builder furnished() {
         Conductor copper = new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
         Material checkered = Material.Matte.of(
                 new Texture.Checker(List.of(DisplayRgb.of(0.9, 0.8, 0.7), new Rgb(0.05, 0.1, 0.2)), 5));

@@ -19,10 +19,9 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.render.Renderer;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -30,7 +29,7 @@ import org.junit.jupiter.api.Test;
 class InwardMeshTest {
     private static final TriangleMesh BALL = TestMeshes.ball(2);
 
-    private static float[] picture(SceneBuilder scene) {
+    private static float[] picture(Scene.Builder scene) {
         Scene built = scene.build();
         return Renderer.render(built, RenderSettings.of(built).withAntialias(3)).toArray();
     }
@@ -60,7 +59,7 @@ class InwardMeshTest {
         return picture(Scene.builder()
                 .size(24, 24)
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -4), ExactPoint.of(0, 0, 0), Vec3.Y, 40))
-                .shading(new ClassicShading(0.2, 0.1, DisplayRgb.ofBytes(90, 120, 200), 8))
+                .shading(new Shading.Classic(0.2, 0.1, DisplayRgb.ofBytes(90, 120, 200), 8))
                 .object(Mesh.of(ball), Glass.of(linear(1, 0.9, 0.9), 1.3))
                 .light(new Light.Sphere(ExactPoint.of(3, 3, -3), 0.5, DisplayRgb.WHITE)));
     }

@@ -18,7 +18,6 @@ import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -33,7 +32,7 @@ class LampOnGlassTest {
     }
 
     /** A floor and a ceiling, seen from the side. */
-    private static SceneBuilder room() {
+    private static Scene.Builder room() {
         return PhysicalScenes.view(WIDTH, HEIGHT)
                 .camera(new Camera.Perspective(at(0, 1.3, -5), at(0, 0.9, 0), Vec3.Y, 40))
                 .object(TestScenes.rectangle(-3, 0, -3, -3, 0, 3, 3, 0, 3, 3, 0, -3), matte(0.7, 0.7, 0.7))

@@ -15,7 +15,6 @@ import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -26,7 +25,7 @@ class LampOnLampTest {
     private static final double GAP = 1e-6;
 
     /** A floor and a ceiling, seen from between them. */
-    private static SceneBuilder room() {
+    private static Scene.Builder room() {
         return PhysicalScenes.view(WIDTH, HEIGHT)
                 .camera(new Camera.Perspective(at(0, 1.3, -5), at(0, 0.9, 0), Vec3.Y, 40))
                 .object(TestScenes.rectangle(-3, 0, -3, -3, 0, 3, 3, 0, 3, 3, 0, -3), matte(0.7, 0.7, 0.7))
@@ -39,7 +38,7 @@ class LampOnLampTest {
 
     /** A dim lamp on a bright one, seen from both sides: as if it were on both. */
     private static Scene dimOnBright(double gap) {
-        SceneBuilder b = room().light(panel(0, 1.2, 0.8, 6, true)).light(panel(0.5, 1.2 - gap, 0.5, 1, true));
+        Scene.Builder b = room().light(panel(0, 1.2, 0.8, 6, true)).light(panel(0.5, 1.2 - gap, 0.5, 1, true));
         return (gap == 0 ? b : b.light(panel(0.5, 1.2 + gap, 0.5, 1, true))).build();
     }
 
@@ -76,7 +75,7 @@ class LampOnLampTest {
     /** A dim sleeve on a bright tube without ends: of one radius, or one outside and one inside. */
     private static Scene sleeve(double gap) {
         Material.Matte matte = matte(0.5, 0.5, 0.5);
-        SceneBuilder b = room().object(tube(0.7, 0.25), matte.withRadiance(Rgb.gray(4)))
+        Scene.Builder b = room().object(tube(0.7, 0.25), matte.withRadiance(Rgb.gray(4)))
                 .object(tube(0.4, 0.25 + gap), matte.withRadiance(Rgb.gray(0.5)));
         return (gap == 0 ? b : b.object(tube(0.4, 0.25 - gap), matte.withRadiance(Rgb.gray(0.5)))).build();
     }

@@ -13,7 +13,6 @@ import enlightenment.math.Vec3;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -58,7 +57,7 @@ class LampsAmongBlocksTest {
 
     /** A room whose wall is the inside of a box. */
     private Scene scene(int fewest) {
-        SceneBuilder builder = PhysicalScenes.view(WIDTH, HEIGHT)
+        Scene.Builder builder = PhysicalScenes.view(WIDTH, HEIGHT)
                 .camera(new Camera.Perspective(at(0.2, 1.3, -2.8), at(0, 0.8, 0), Vec3.Y, 60))
                 .object(new Box(at(-3, 0, -3), at(3, 3, 3)), matte(0.6, 0.6, 0.6));
         for (int k = 1 + blocks.random.nextInt(3); k > 0; k--) {

@@ -25,10 +25,9 @@ import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -44,22 +43,22 @@ import org.junit.jupiter.params.provider.MethodSource;
 class LightInMediaTest {
     private static final int SEEDS = 12;
     private static final int PARTS = 12;
-    private static final Map<String, SceneBuilder> SCENES = scenes();
+    private static final Map<String, Scene.Builder> SCENES = scenes();
 
     private static Medium medium(double r, double g, double b, double absorbed, double anisotropy) {
         return new Medium.Coefficients(new Rgb(r, g, b), Rgb.gray(absorbed), anisotropy);
     }
 
-    private static SceneBuilder lit() {
+    private static Scene.Builder lit() {
         return room().light(sphereLight(0.2, 1.5, -0.1, 0.3, 6));
     }
 
-    private static PhysicalShading fog(Medium medium, OptionalInt bounces) {
-        return new PhysicalShading(bounces, Background.Constant.BLACK, Optional.of(medium));
+    private static Shading.Physical fog(Medium medium, OptionalInt bounces) {
+        return new Shading.Physical(bounces, Background.Constant.BLACK, Optional.of(medium));
     }
 
-    private static Map<String, SceneBuilder> scenes() {
-        Map<String, SceneBuilder> all = new LinkedHashMap<>();
+    private static Map<String, Scene.Builder> scenes() {
+        Map<String, Scene.Builder> all = new LinkedHashMap<>();
         all.put("wax", lit().object(ball(-0.1, 0.6, -0.3, 0.5), Material.Scattering.of(medium(6, 5, 3, 0.3, 0.3))));
         all.put(
                 "grey cloud that throws light back",
@@ -89,7 +88,7 @@ class LightInMediaTest {
                 Scene.builder()
                         .size(16, 16)
                         .camera(new Camera.Perspective(at(0.3, 0.2, -0.1), at(0.1, 0.2, 1), Vec3.Y, 30))
-                        .shading(PhysicalShading.DEFAULT)
+                        .shading(Shading.Physical.DEFAULT)
                         .object(ball(0, 0, 0, 1), matte(0.6, 0.5, 0.3).withRadiance(new Rgb(0.1, 0.2, 0.3)))
                         .object(ball(0.1, 0.2, 0.5, 0.3), Material.Scattering.of(medium(1, 1, 1, 3, 0.3))));
         return all;
@@ -161,7 +160,7 @@ class LightInMediaTest {
         Scene empty = Scene.builder()
                 .size(16, 16)
                 .camera(room().build().camera())
-                .shading(new PhysicalShading(OptionalInt.empty(), Rgb.gray(0.5)))
+                .shading(new Shading.Physical(OptionalInt.empty(), Rgb.gray(0.5)))
                 .object(ball(0, 0.9, -2, 0.5), Material.Scattering.of(medium(8, 4, 2, 0, anisotropy)))
                 .build();
         List<Image> pictures = Rendered.seeds(empty, by(method, empty), 1, SEEDS);
@@ -179,7 +178,7 @@ class LightInMediaTest {
         Scene scene = Scene.builder()
                 .size(4, 4)
                 .camera(room().build().camera())
-                .shading(new PhysicalShading(
+                .shading(new Shading.Physical(
                         OptionalInt.empty(),
                         new Background.Constant(Rgb.gray(0.5)),
                         Optional.of(medium(0, 0, 0, 1e-9, 0))))

@@ -33,7 +33,6 @@ import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneException;
 import java.util.ArrayList;
 import java.util.List;
@@ -89,7 +88,7 @@ class LightMethodTest {
         assertTrue(s.error() < 0.02, s::toString);
     }
 
-    private static SceneBuilder furnace() {
+    private static Scene.Builder furnace() {
         return Scene.builder()
                 .size(16, 16)
                 .shading(shading(0.5))

@@ -32,10 +32,9 @@ import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -83,7 +82,7 @@ class MaterialDetailTest {
     }
 
     /** A view straight down at the origin from a height, with +z upwards. */
-    private static SceneBuilder down(double from, double height) {
+    private static Scene.Builder down(double from, double height) {
         return Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Orthographic(at(0, from, 0), at(0, 0, 0), Vec3.Z, height))
@@ -120,8 +119,8 @@ class MaterialDetailTest {
     }
 
     /** A lamp of radiance 50 and radius 0.2, 3 above a floor of reflectance 0.5; a black sheet at 1.5, if not null. */
-    private static SceneBuilder lamp(double eye, Material sheet) {
-        SceneBuilder scene = down(eye, 0.5)
+    private static Scene.Builder lamp(double eye, Material sheet) {
+        Scene.Builder scene = down(eye, 0.5)
                 .object(level(0, 2), matte(0.5, 0.5, 0.5))
                 .light(PhysicalScenes.sphereLight(0, 3, 0, 0.2, 50));
         return sheet == null ? scene : scene.object(level(1.5, 5), sheet);
@@ -190,12 +189,13 @@ class MaterialDetailTest {
         assertAlike(means(foggy(null).build(), method, 5), means(foggy(sheet(0)).build(), method, 5));
     }
 
-    private static SceneBuilder foggy(Material sheet) {
+    private static Scene.Builder foggy(Material sheet) {
         Medium fog = new Medium.Coefficients(Rgb.gray(0.25), Rgb.gray(0.125), 0);
-        SceneBuilder scene = Scene.builder()
+        Scene.Builder scene = Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Window(at(0, 0, -1), at(-1, -1, 0), at(-1, 1, 0), at(1, 1, 0), at(1, -1, 0), 0))
-                .shading(new PhysicalShading(OptionalInt.empty(), new Background.Constant(Rgb.BLACK), Optional.of(fog)))
+                .shading(
+                        new Shading.Physical(OptionalInt.empty(), new Background.Constant(Rgb.BLACK), Optional.of(fog)))
                 .object(TestScenes.rectangle(-9, -9, 3, -9, 9, 3, 9, 9, 3, 9, -9, 3), PhysicalScenes.WHITE)
                 .light(PhysicalScenes.sphereLight(1.5, 1.5, 1, 0.3, 50));
         for (int k = 1; sheet != null && k < 6; k++) {
@@ -217,7 +217,7 @@ class MaterialDetailTest {
     }
 
     private static Scene behind(Material sheet) {
-        SceneBuilder scene = Scene.builder()
+        Scene.Builder scene = Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Orthographic(at(0, 0, 0), at(0, 0, 1), Vec3.Y, 4))
                 .shading(PhysicalScenes.shading(0))
@@ -275,7 +275,7 @@ class MaterialDetailTest {
             names = {"CLUSTER", "LIGHT", "BIDIRECTIONAL", "METROPOLIS"})
     void lightThatIsCarriedToTheEyeIsShadedAlike(BuiltInMethod method) {
         Material material = new NormalMap(GREY, linear(0.7, 0.4, 0.85));
-        SceneBuilder scene =
+        Scene.Builder scene =
                 down(2, 0.5).object(level(0, 0.5), material).light(PhysicalScenes.sphereLight(2, 5, 1, 0.5, 50));
         assertAlike(means(scene.build(), BuiltInMethod.RAYTRACE, 6), means(scene.build(), method, 6));
     }

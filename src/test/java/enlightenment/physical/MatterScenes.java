@@ -17,9 +17,8 @@ import enlightenment.material.Texture;
 import enlightenment.material.WavelengthBand;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.surroundings.Pictures;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -47,9 +46,9 @@ public final class MatterScenes {
                 NAMES.get(3), pictureAndMilk(picture));
     }
 
-    private static SceneBuilder floor(Background background, Optional<Medium> medium) {
+    private static Scene.Builder floor(Background background, Optional<Medium> medium) {
         return PhysicalScenes.view(24, 16)
-                .shading(new PhysicalShading(OptionalInt.empty(), background, medium))
+                .shading(new Shading.Physical(OptionalInt.empty(), background, medium))
                 .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), PhysicalScenes.WHITE);
     }
 

@@ -16,8 +16,8 @@ import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -41,15 +41,15 @@ final class MediaScenes {
         return new Medium.Coefficients(scattering, absorption, anisotropy);
     }
 
-    static PhysicalShading in(Medium medium, OptionalInt maxBounces, double background) {
-        return new PhysicalShading(maxBounces, new Background.Constant(Rgb.gray(background)), Optional.of(medium));
+    static Shading.Physical in(Medium medium, OptionalInt maxBounces, double background) {
+        return new Shading.Physical(maxBounces, new Background.Constant(Rgb.gray(background)), Optional.of(medium));
     }
 
-    private static SceneBuilder foggy(Medium medium) {
+    private static Scene.Builder foggy(Medium medium) {
         return room().shading(in(medium, OptionalInt.empty(), 0.5));
     }
 
-    static void addTo(Map<String, SceneBuilder> scenes) {
+    static void addTo(Map<String, Scene.Builder> scenes) {
         solids(scenes);
         fog(scenes);
         scenes.put(
@@ -75,7 +75,7 @@ final class MediaScenes {
                         .object(ball(0.1, 0.4, 0.1, 0.4), PhysicalScenes.GREEN));
     }
 
-    private static void solids(Map<String, SceneBuilder> scenes) {
+    private static void solids(Map<String, Scene.Builder> scenes) {
         scenes.put(
                 "ball of wax",
                 room().light(LAMP)
@@ -96,7 +96,7 @@ final class MediaScenes {
                         .light(POINT));
     }
 
-    private static void fog(Map<String, SceneBuilder> scenes) {
+    private static void fog(Map<String, Scene.Builder> scenes) {
         scenes.put("fog", foggy(FOG).light(LAMP).object(ball(-0.35, 0.45, -0.1, 0.42), PhysicalScenes.WHITE));
         scenes.put(
                 "fog with a mirror and glass",

@@ -18,7 +18,7 @@ import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Scene;
 import java.util.Map;
 
 /** Scenes in which lights, media and surfaces touch each other or lie within each other. */
@@ -28,17 +28,17 @@ final class MeetingScenes {
 
     private MeetingScenes() {}
 
-    static void addTo(Map<String, SceneBuilder> scenes) {
+    static void addTo(Map<String, Scene.Builder> scenes) {
         touching(scenes);
         within(scenes);
     }
 
-    private static SceneBuilder furnished() {
+    private static Scene.Builder furnished() {
         return room().object(ball(-0.35, 0.45, -0.1, 0.42), PhysicalScenes.WHITE)
                 .object(new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1)), PhysicalScenes.GREEN);
     }
 
-    private static void touching(Map<String, SceneBuilder> scenes) {
+    private static void touching(Map<String, Scene.Builder> scenes) {
         scenes.put("sphere light on the floor", furnished().light(sphereLight(-0.5, 0.25, -0.75, 0.25, 6)));
         scenes.put(
                 "lights that cut each other",
@@ -81,7 +81,7 @@ final class MeetingScenes {
                         .object(ball(0.1, 0.8, -0.1, 0.5), Glass.of(linear(1, 0.9, 0.8), 1.5)));
     }
 
-    private static void within(Map<String, SceneBuilder> scenes) {
+    private static void within(Map<String, Scene.Builder> scenes) {
         scenes.put(
                 "under water",
                 furnished()

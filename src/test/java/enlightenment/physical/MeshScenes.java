@@ -18,7 +18,7 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Scene;
 import java.util.Map;
 
 /** Meshes of few triangles that are shaded as if they were smooth, of all kinds of material. */
@@ -34,7 +34,7 @@ final class MeshScenes {
                         new Transform.Scale(new Vec3(radius, radius, radius)), new Transform.Translate(at(x, y, z))));
     }
 
-    static void addTo(Map<String, SceneBuilder> scenes) {
+    static void addTo(Map<String, Scene.Builder> scenes) {
         scenes.put(
                 "smooth meshes of matte, mirror and glass",
                 room().light(panel(0.05, 1.9, 0, 0.6, new Rgb(5, 4, 2), false))

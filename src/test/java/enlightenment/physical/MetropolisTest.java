@@ -10,8 +10,8 @@ import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.Welch;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -52,7 +52,7 @@ class MetropolisTest {
 
     private static RenderSettings chains(Scene scene, int largeSteps, int mutations, double samples) {
         return RenderSettings.of(scene)
-                .using(new MetropolisSettings(largeSteps, mutations))
+                .using(new BuiltInMethod.MetropolisSettings(largeSteps, mutations))
                 .withBudget(Budget.NONE.withSamples(samples));
     }
 
@@ -184,7 +184,7 @@ class MetropolisTest {
         assertEquals(steps, one.report().sampling().proposals());
         assertEquals(accepted, one.report().sampling().accepted());
         assertEquals(0.2 * steps, large, 4 * Math.sqrt(0.16 * steps));
-        assertEquals(2, MetropolisSettings.blocks(settings));
+        assertEquals(2, BuiltInMethod.MetropolisSettings.blocks(settings));
         assertEquals(
                 List.of(), Renderer.render(RenderRequest.of(scene, settings)).chains());
     }

@@ -7,9 +7,9 @@ import enlightenment.material.EmissionPattern;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -52,7 +52,7 @@ final class NaiveScene {
 
     NaiveScene(Scene scene) {
         this.scene = scene;
-        PhysicalShading shading = (PhysicalShading) scene.shading();
+        Shading.Physical shading = (Shading.Physical) scene.shading();
         background = NaiveSky.of(shading.background());
         maxBounces = shading.maxBounces().orElse(Integer.MAX_VALUE);
         for (Light light : scene.lights()) {
@@ -71,7 +71,7 @@ final class NaiveScene {
 
     /** Whether anything scatters light beside surfaces. */
     boolean hasMedia() {
-        return ((PhysicalShading) scene.shading()).medium().isPresent()
+        return ((Shading.Physical) scene.shading()).medium().isPresent()
                 || surfaces.stream().anyMatch(s -> s.material() instanceof Material.Scattering);
     }
 
@@ -175,7 +175,7 @@ final class NaiveScene {
     NaiveMedium fills(Vec3 p) {
         Surface s = medium(p);
         return s == null
-                ? ((PhysicalShading) scene.shading())
+                ? ((Shading.Physical) scene.shading())
                         .medium()
                         .map(NaiveMedium::of)
                         .orElse(NaiveMedium.EMPTY)

@@ -32,7 +32,6 @@ import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -60,7 +59,7 @@ class OneSidedEmissionTest {
 
     /** The floor around the origin, lit by lamps above it. */
     private static Scene floor(List<Shape> lamps, Material material) {
-        SceneBuilder scene = Scene.builder()
+        Scene.Builder scene = Scene.builder()
                 .size(4, 4)
                 .shading(shading(0))
                 .camera(new Camera.Perspective(at(0, 0.25, 0), at(0, 0, 0), Vec3.Z, 0.01))
@@ -273,7 +272,7 @@ class OneSidedEmissionTest {
     /** Lamps with one side, as many as make a tree of lights, with or without a mirror that throws caustics. */
     private static Scene room(boolean hasMirror, EmissionPattern pattern) {
         // A tube that glows inwards shines out of its upper end.
-        SceneBuilder room = PhysicalScenes.room()
+        Scene.Builder room = PhysicalScenes.room()
                 .object(sheet(), lamp(0.5, new Rgb(1, 2, 3), pattern))
                 // Lit from behind by what the wall reflects.
                 .object(

@@ -33,7 +33,6 @@ import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -57,7 +56,7 @@ final class PartnerScenes {
     private PartnerScenes() {}
 
     static Map<String, Scene> all() {
-        Map<String, SceneBuilder> scenes = new TreeMap<>();
+        Map<String, Scene.Builder> scenes = new TreeMap<>();
         lights(scenes);
         glowing(scenes);
         surfaces(scenes);
@@ -80,11 +79,11 @@ final class PartnerScenes {
         return some;
     }
 
-    private static SceneBuilder furnished() {
+    private static Scene.Builder furnished() {
         return room().object(BALL, PhysicalScenes.WHITE).object(BLOCK, PhysicalScenes.GREEN);
     }
 
-    private static void lights(Map<String, SceneBuilder> scenes) {
+    private static void lights(Map<String, Scene.Builder> scenes) {
         scenes.put("sphere light", furnished().light(LAMP));
         scenes.put("sphere light in a wall", furnished().light(sphereLight(-0.9, 1.1, 0.4, 0.35, 6)));
         scenes.put(
@@ -127,7 +126,7 @@ final class PartnerScenes {
                         .light(panel(0.3, 1.8, 0.2, 0.4, WARM, false))
                         .light(new Light.Point(at(0, 1.2, -0.7), Rgb.WHITE, Emission.intensity(Rgb.gray(0.5))))
                         .object(ball(0.8, 0.2, -0.7, 0.15), matte(0.5, 0.5, 0.5).withRadiance(Rgb.gray(4))));
-        SceneBuilder many = furnished();
+        Scene.Builder many = furnished();
         for (int k = 0; k < 24; k++) {
             double angle = k * 2.399963;
             double r = 0.2 + 0.03 * k;
@@ -142,7 +141,7 @@ final class PartnerScenes {
                         .light(sphereLight(0, 1, 0, 5, 0.5)));
     }
 
-    private static void glowing(Map<String, SceneBuilder> scenes) {
+    private static void glowing(Map<String, Scene.Builder> scenes) {
         Material.Matte glow = matte(0.6, 0.3, 0.1).withRadiance(new Rgb(1, 2, 4));
         scenes.put("glowing ball", room().object(BALL, glow).object(BLOCK, PhysicalScenes.WHITE));
         scenes.put("glowing block", room().object(BALL, PhysicalScenes.WHITE).object(BLOCK, glow));
@@ -161,7 +160,7 @@ final class PartnerScenes {
                         .object(BLOCK, new Glossy(WHITE, 0.6, Optional.of(COPPER), true, new Rgb(0.5, 0.2, 2))));
     }
 
-    private static void surfaces(Map<String, SceneBuilder> scenes) {
+    private static void surfaces(Map<String, Scene.Builder> scenes) {
         scenes.put("mirror", room().light(LAMP).object(BALL, MIRROR).object(BLOCK, PhysicalScenes.WHITE));
         scenes.put(
                 "mirrors facing each other",
@@ -244,7 +243,7 @@ final class PartnerScenes {
     }
 
     /** Glass of which a share is an opaque surface that is not matte. */
-    private static void opaqueInPart(Map<String, SceneBuilder> scenes) {
+    private static void opaqueInPart(Map<String, Scene.Builder> scenes) {
         Texture tint = linear(0.9, 0.6, 0.5);
         Glass half = new Glass(tint, 1.5, 0.4, 0, true);
         scenes.put(
@@ -266,7 +265,7 @@ final class PartnerScenes {
                                 half.withOpaque(plastic)));
     }
 
-    private static void glass(Map<String, SceneBuilder> scenes) {
+    private static void glass(Map<String, Scene.Builder> scenes) {
         scenes.put("glass", room().light(CEILING).object(BALL, GLASS).object(BLOCK, PhysicalScenes.WHITE));
         scenes.put(
                 "glass that absorbs",
@@ -337,8 +336,8 @@ final class PartnerScenes {
                         .object(ball(0.1, 1, -3.4, 0.6), inner));
     }
 
-    private static void surroundings(Map<String, SceneBuilder> scenes) {
-        SceneBuilder open = view(16, 16)
+    private static void surroundings(Map<String, Scene.Builder> scenes) {
+        Scene.Builder open = view(16, 16)
                 .shading(shading(0.4))
                 .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), PhysicalScenes.RED)
                 .object(BLOCK, Glossy.of(linear(0.9, 0.8, 0.7), 0.6));
@@ -359,7 +358,7 @@ final class PartnerScenes {
                                 0)));
     }
 
-    private static void limits(Map<String, SceneBuilder> scenes) {
+    private static void limits(Map<String, Scene.Builder> scenes) {
         for (int most = 0; most <= 3; most++) {
             scenes.put(
                     "at most " + most,

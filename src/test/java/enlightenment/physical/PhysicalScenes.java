@@ -11,9 +11,8 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.OptionalInt;
 
 /** What small scenes of physical light are made of. */
@@ -60,16 +59,16 @@ final class PhysicalScenes {
                 Emission.radiance(radiance));
     }
 
-    static PhysicalShading shading(double background) {
-        return new PhysicalShading(OptionalInt.empty(), Rgb.gray(background));
+    static Shading.Physical shading(double background) {
+        return new Shading.Physical(OptionalInt.empty(), Rgb.gray(background));
     }
 
-    static PhysicalShading atMost(int bounces, double background) {
-        return new PhysicalShading(OptionalInt.of(bounces), Rgb.gray(background));
+    static Shading.Physical atMost(int bounces, double background) {
+        return new Shading.Physical(OptionalInt.of(bounces), Rgb.gray(background));
     }
 
     /** A view along +z from (0, 1, −3.5) without anything to see. */
-    static SceneBuilder view(int width, int height) {
+    static Scene.Builder view(int width, int height) {
         return Scene.builder()
                 .size(width, height)
                 .camera(new Camera.Perspective(at(0.02, 1.01, -3.5), at(0.01, 0.98, 0), Vec3.Y, 37))
@@ -77,7 +76,7 @@ final class PhysicalScenes {
     }
 
     /** The walls of a room from −1 to 1, 2 high, open to the viewer; seen in 16 × 16 pixels. */
-    static SceneBuilder room() {
+    static Scene.Builder room() {
         return view(16, 16)
                 .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), WHITE)
                 .object(TestScenes.rectangle(-1, 2, -1, -1, 2, 1, 1, 2, 1, 1, 2, -1), WHITE)

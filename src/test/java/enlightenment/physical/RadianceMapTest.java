@@ -19,7 +19,6 @@ import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -106,7 +105,7 @@ class RadianceMapTest {
 
     /** A ball, a ring and a mesh that glow in a room, with or without a mirror that throws caustics. */
     private static Scene room(boolean hasMirror) {
-        SceneBuilder room = Scene.builder()
+        Scene.Builder room = Scene.builder()
                 .size(16, 16)
                 .shading(shading(0.05))
                 .camera(new Camera.Perspective(at(0, 1.2, -3), at(0, 0.6, 0), Vec3.Y, 50))

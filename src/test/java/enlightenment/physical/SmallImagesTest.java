@@ -19,7 +19,6 @@ import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
 import java.util.List;
@@ -42,7 +41,7 @@ class SmallImagesTest {
                 .build();
     }
 
-    private static SceneBuilder withLamps(Camera camera) {
+    private static Scene.Builder withLamps(Camera camera) {
         return Scene.builder()
                 .size(SMALL, SMALL)
                 .shading(shading(0))

@@ -26,11 +26,10 @@ import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.Shading;
 import enlightenment.surroundings.Daylight;
 import enlightenment.surroundings.Pictures;
 import java.io.IOException;
@@ -70,12 +69,12 @@ class SurroundingsTest {
         return new Background.Picture(texture, Rgb.WHITE, turn);
     }
 
-    private static PhysicalShading shading(int bounces, Background background) {
-        return new PhysicalShading(
+    private static Shading.Physical shading(int bounces, Background background) {
+        return new Shading.Physical(
                 bounces < 0 ? OptionalInt.empty() : OptionalInt.of(bounces), background, Optional.empty());
     }
 
-    private static SceneBuilder floor(Material material) {
+    private static Scene.Builder floor(Material material) {
         return view(8, 8)
                 .camera(new Camera.Perspective(at(0, 3, 0), at(0, 0, 0), Vec3.Z, 20))
                 .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), material);
@@ -93,7 +92,7 @@ class SurroundingsTest {
         Background even = picture("even", 8, 8, 0, (x, y) -> grey(1));
         Medium medium = Medium.Coefficients.of(new Rgb(0, 0.1, 0.2), Rgb.BLACK);
         Scene scene = floor(matte(0.5, 0.5, 0.5))
-                .shading(new PhysicalShading(OptionalInt.empty(), even, Optional.of(medium)))
+                .shading(new Shading.Physical(OptionalInt.empty(), even, Optional.of(medium)))
                 .build();
         assertShown(scene, method, 8, new double[] {0.5, 0, 0});
     }
@@ -160,7 +159,7 @@ class SurroundingsTest {
 
     /** What the sun's disk adds, by the same sky without it. */
     private static void assertSunAdds(
-            BuiltInMethod method, SceneBuilder builder, int bounces, double expected, int antialias) {
+            BuiltInMethod method, Scene.Builder builder, int bounces, double expected, int antialias) {
         double[] with = meanOf(builder.shading(shading(bounces, sky(true))).build(), method, antialias);
         double[] without = meanOf(builder.shading(shading(bounces, sky(false))).build(), method, antialias);
         double error = Math.hypot(with[1], without[1]);
@@ -192,7 +191,7 @@ class SurroundingsTest {
             value = BuiltInMethod.class,
             names = {"RAYTRACE", "CLUSTER", "LIGHT"})
     void aMirrorThrowsTheSunOntoAWall(BuiltInMethod method) {
-        SceneBuilder scene = view(8, 8)
+        Scene.Builder scene = view(8, 8)
                 .camera(new Camera.Perspective(at(0, 1, -3.5), at(0, 1, 0), Vec3.Y, 10))
                 .object(TestScenes.rectangle(-2, 0, -4, -2, 0, 0, 2, 0, 0, 2, 0, -4), MIRROR)
                 .object(TestScenes.rectangle(-1, 0.1, 0, -1, 2, 0, 1, 2, 0, 1, 0.1, 0), matte(0.5, 0.5, 0.5));

@@ -18,7 +18,6 @@ import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -32,15 +31,15 @@ class TinyLampsTest {
     private static final ExactPoint CENTER = at(0.2, 2.2, -0.5);
 
     /** A closed room with a ball in it, seen from within. */
-    private static SceneBuilder room(int bounces) {
+    private static Scene.Builder room(int bounces) {
         return PhysicalScenes.view(8, 8)
                 .shading(PhysicalScenes.atMost(bounces, 0))
                 .object(new Box(at(-1.5, -0.5, -4), at(1.5, 2.5, 1.7)), PhysicalScenes.WHITE)
                 .object(ball(-0.3, 0.4, 0.6, 0.35), PhysicalScenes.RED);
     }
 
-    private static SceneBuilder behind(String what, int bounces) {
-        SceneBuilder room = room(bounces);
+    private static Scene.Builder behind(String what, int bounces) {
+        Scene.Builder room = room(bounces);
         return switch (what) {
             case "pane" ->
                 room.object(

@@ -11,7 +11,6 @@ import enlightenment.material.Material;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,7 +35,7 @@ class TouchingGlassTest {
     }
 
     /** Slabs on each other above a floor, seen from a height; the upper one is sunk by an overlap into the lower one. */
-    private static SceneBuilder slabs(double eye, double half, double overlap, Material lower, Material upper) {
+    private static Scene.Builder slabs(double eye, double half, double overlap, Material lower, Material upper) {
         return GreyFloor.scene(eye, half, PhysicalScenes.shading(0))
                 .object(new Box(at(-half, 0.5, -half), at(half, 0.7, half)), lower)
                 .object(new Box(at(-half, 0.7 - overlap, -half), at(half, 0.9, half)), upper);

@@ -20,7 +20,6 @@ import enlightenment.render.TestScenes;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneObject;
 import java.util.Collections;
 import java.util.List;
@@ -53,7 +52,7 @@ class TouchingShapesTest {
         Rendered.assertContactIsLimit(mean(gap, method, antialias), mean(contact, method, antialias), relative);
     }
 
-    private static SceneBuilder small(Vec3 eye) {
+    private static Scene.Builder small(Vec3 eye) {
         return PhysicalScenes.view(2, 2).camera(new Camera.Orthographic(at(eye), at(eye.plus(Vec3.Z)), Vec3.Y, 0.1));
     }
 
@@ -85,7 +84,7 @@ class TouchingShapesTest {
 
     /** A glowing shade around a glass that does nothing lights the floor under it as without the glass. */
     private static Scene shade(boolean isFull) {
-        SceneBuilder b = PhysicalScenes.view(WIDTH, HEIGHT)
+        Scene.Builder b = PhysicalScenes.view(WIDTH, HEIGHT)
                 .camera(new Camera.Perspective(at(0, -0.2, -3), at(0, -0.6, 0), Vec3.Y, 30))
                 .object(new Disk(at(0, -0.6, 0), Vec3.Y, 3), matte(1, 1, 1))
                 .object(new Cylinder(at(0, -0.5, 0), at(0, 0.5, 0), 0.7, false), GLOWING);
@@ -101,7 +100,7 @@ class TouchingShapesTest {
     /** A cube of fog of which one face glows, and a box of fog with a glowing label: the same. */
     private static Scene fog(boolean isCube, Vec3 eye, Vec3 lookAt, Vec3 rotation) {
         Material fog = Material.Scattering.of(Medium.Coefficients.of(Rgb.WHITE, Rgb.BLACK));
-        SceneBuilder b =
+        Scene.Builder b =
                 PhysicalScenes.view(WIDTH, HEIGHT).camera(new Camera.Perspective(at(eye), at(lookAt), Vec3.Y, 35));
         double radius = Math.sqrt(0.75);
         if (!isCube) {

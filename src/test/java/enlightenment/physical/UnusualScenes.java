@@ -23,7 +23,7 @@ import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Scene;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -37,13 +37,13 @@ final class UnusualScenes {
 
     private UnusualScenes() {}
 
-    static void addTo(Map<String, SceneBuilder> scenes) {
+    static void addTo(Map<String, Scene.Builder> scenes) {
         surfaces(scenes);
         lights(scenes);
         cameras(scenes);
     }
 
-    private static void surfaces(Map<String, SceneBuilder> scenes) {
+    private static void surfaces(Map<String, Scene.Builder> scenes) {
         scenes.put(
                 "nearly mirrors",
                 room().light(CEILING)
@@ -91,14 +91,14 @@ final class UnusualScenes {
                                         .withMultipleScattering(false)));
     }
 
-    private static void lights(Map<String, SceneBuilder> scenes) {
+    private static void lights(Map<String, Scene.Builder> scenes) {
         Material.Matte glow = matte(0.6, 0.3, 0.1).withRadiance(new Rgb(1, 2, 4));
         scenes.put("glowing cube", room().object(CUBE, glow).object(BALL, PhysicalScenes.WHITE));
         scenes.put(
                 "glowing metal cube",
                 room().object(CUBE, new Glossy(linear(0.9, 0.5, 0.2), 0.5, Optional.empty(), true, new Rgb(1, 2, 4)))
                         .object(BALL, matte(0.7, 0.7, 0.7).withRoughness(1)));
-        SceneBuilder many = room().object(BALL, PhysicalScenes.WHITE)
+        Scene.Builder many = room().object(BALL, PhysicalScenes.WHITE)
                 .object(CUBE, Glossy.of(linear(0.9, 0.7, 0.5), 0.7))
                 .shading(shading(0.05));
         for (int k = 0; k < 12; k++) {
@@ -123,7 +123,7 @@ final class UnusualScenes {
                         .object(new Box(at(-3, -0.1, -3), at(3, -0.05, 3)), PhysicalScenes.WHITE));
     }
 
-    private static void cameras(Map<String, SceneBuilder> scenes) {
+    private static void cameras(Map<String, Scene.Builder> scenes) {
         scenes.put(
                 "wide angle in a small room",
                 room().light(CEILING)

@@ -13,10 +13,9 @@ import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,7 +24,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** What is seen through a window begins there: the medium between the eye and the window takes nothing. */
 class WindowInMediumTest {
     /** A tiny window, 2 before the eye and 1 before a panel of radiance 1. */
-    private static SceneBuilder view() {
+    private static Scene.Builder view() {
         Light panel = new Light.Rectangle(
                 at(-5, -5, 0), at(-5, 5, 0), at(5, 5, 0), at(5, -5, 0), Rgb.WHITE, true, Emission.RADIANCE_1);
         return PhysicalScenes.view(4, 4)
@@ -48,7 +47,7 @@ class WindowInMediumTest {
     @EnumSource(BuiltInMethod.class)
     void aMediumThatFillsTheSceneTakesLightFromTheWindowOn(BuiltInMethod method) {
         Medium medium = Medium.Coefficients.of(Rgb.BLACK, Rgb.gray(1));
-        Scene scene = view().shading(new PhysicalShading(
+        Scene scene = view().shading(new Shading.Physical(
                         OptionalInt.empty(), new Background.Constant(Rgb.BLACK), Optional.of(medium)))
                 .build();
         assertShown(scene, method, Math.exp(-1));

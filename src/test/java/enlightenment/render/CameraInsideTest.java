@@ -18,10 +18,9 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.parts.RayCounters;
@@ -39,11 +38,11 @@ class CameraInsideTest {
     }
 
     /** A ball-shaped room around the origin, lit from a point without shadows: what is seen depends on the direction. */
-    private static SceneBuilder room(ExactPoint eye, Vec3 along, double fieldOfView) {
+    private static Scene.Builder room(ExactPoint eye, Vec3 along, double fieldOfView) {
         return Scene.builder()
                 .size(24, 24)
                 .camera(new Camera.Perspective(eye, eye.plus(along), new Vec3(0.1, 1, 0.2), fieldOfView))
-                .shading(new ClassicShading(AMBIENT, 1, DisplayRgb.BLACK, 1000))
+                .shading(new Shading.Classic(AMBIENT, 1, DisplayRgb.BLACK, 1000))
                 .object(Sphere.of(ExactPoint.ORIGIN, ROOM), TestScenes.matte(1, 1, 1))
                 .light(new Light.Point(ExactPoint.of(LAMP.x(), LAMP.y(), LAMP.z()), DisplayRgb.WHITE));
     }
@@ -153,7 +152,7 @@ class CameraInsideTest {
             ExactPoint inside = box instanceof Box || box instanceof Sphere ? eye : ExactPoint.of(0.05, 0.2, 0.05);
             for (Vec3 along : new Vec3[] {Vec3.Z, Vec3.X, new Vec3(-1, -2, -3)}) {
                 Scene scene = room(inside, along, 110)
-                        .shading(new ClassicShading(AMBIENT, 0, DisplayRgb.WHITE, 10))
+                        .shading(new Shading.Classic(AMBIENT, 0, DisplayRgb.WHITE, 10))
                         .object(box, TestScenes.matte(0.5, 0.5, 0.5))
                         .build();
                 DoublePicture p = DoublePicture.of(scene, 1, 1);

@@ -9,7 +9,6 @@ import enlightenment.image.Image;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
@@ -49,7 +48,7 @@ class CancelledPlanTest {
             return RenderSettings.of(scene)
                     .withMethod(method)
                     .withSize(24, 16)
-                    .with(new RayTraceSettings(1))
+                    .with(new BuiltInMethod.RayTraceSettings(1))
                     .withThreads(1)
                     .withBudget(budget);
         }

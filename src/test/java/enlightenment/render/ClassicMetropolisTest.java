@@ -7,8 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
-import enlightenment.scene.MetropolisSettings;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.Arrays;
@@ -26,7 +25,7 @@ class ClassicMetropolisTest {
 
     private static RenderSettings settings(Scene scene, int mutations) {
         return RenderSettings.of(scene)
-                .using(new MetropolisSettings(10, mutations))
+                .using(new BuiltInMethod.MetropolisSettings(10, mutations))
                 .withSize(WIDTH, HEIGHT)
                 .withBudget(Budget.NONE.withSamples(8));
     }
@@ -42,7 +41,7 @@ class ClassicMetropolisTest {
         RenderSettings traced = RenderSettings.of(scene)
                 .withSize(WIDTH, HEIGHT)
                 .withAntialias(4)
-                .with(new RayTraceSettings(4));
+                .with(new BuiltInMethod.RayTraceSettings(4));
         Verdict v = BLOCKS.compare(
                 rgb(ManySeeds.render(scene, settings(scene, mutations), 0, SEEDS)),
                 rgb(ManySeeds.render(scene, traced, 1000, SEEDS)));

@@ -13,21 +13,20 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** Glass of index 1 is not there; glass of extreme index spoils no pixel (numerics, N25, N26). */
 class ClearGlassTest {
     /** Ambient light would hide a ray that goes astray: these lights shade smoothly, and nothing throws a shadow. */
-    private static SceneBuilder room() {
+    private static Scene.Builder room() {
         return Scene.builder()
                 .size(48, 48)
                 .camera(new Camera.Perspective(
                         ExactPoint.of(0.31, 0.47, -4.13), ExactPoint.of(0.02, 0.01, 0), Vec3.Y, 40))
-                .shading(new ClassicShading(0.25, 1, DisplayRgb.BLACK, 10_000))
+                .shading(new Shading.Classic(0.25, 1, DisplayRgb.BLACK, 10_000))
                 .object(Sphere.of(ExactPoint.of(0.2, -0.1, 0.3), 9), TestScenes.matte(0.9, 0.8, 0.7))
                 .object(Sphere.of(ExactPoint.of(0.6, 0.2, 2.5), 0.9), TestScenes.matte(0.3, 0.9, 0.5))
                 .object(Sphere.of(ExactPoint.of(-0.9, 0.4, 2.9), 0.8), TestScenes.mirror(0.9))
@@ -53,7 +52,7 @@ class ClearGlassTest {
     @Test
     void allShapesOfIndexOneInOneAnotherAreInvisible() {
         DoublePicture without = DoublePicture.of(room().build(), 2, 1);
-        SceneBuilder all = room();
+        Scene.Builder all = room();
         int priority = 0;
         for (Shape s : Solids.all().values()) {
             all.object(s, glass(1, ++priority % 3));

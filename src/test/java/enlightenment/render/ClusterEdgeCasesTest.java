@@ -16,13 +16,12 @@ import enlightenment.math.Vec3;
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicMethods;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
@@ -35,14 +34,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Scenes and sizes at the borders of what there is. */
 class ClusterEdgeCasesTest {
-    private static final ClassicShading DARK = new ClassicShading(0.1, 0, new DisplayRgb(0.25, 0.5, 0.75), 20);
+    private static final Shading.Classic DARK = new Shading.Classic(0.1, 0, new DisplayRgb(0.25, 0.5, 0.75), 20);
 
     private static ExactPoint at(double x, double y, double z) {
         return ExactPoint.of(x, y, z);
     }
 
     /** A floor with two balls on it, one before a wall with a hole, seen from in front; no light. */
-    private static SceneBuilder room(ExactPoint eye) {
+    private static Scene.Builder room(ExactPoint eye) {
         return Scene.builder()
                 .size(24, 16)
                 .shading(DARK)
@@ -59,7 +58,7 @@ class ClusterEdgeCasesTest {
                         TestScenes.matte(1, 1, 1));
     }
 
-    private static SceneBuilder room() {
+    private static Scene.Builder room() {
         return room(at(0, 1.5, -3));
     }
 
@@ -68,7 +67,7 @@ class ClusterEdgeCasesTest {
     }
 
     static Stream<Arguments> scenes() {
-        SceneBuilder many = room();
+        Scene.Builder many = room();
         for (int k = 0; k < 9; k++) {
             many.light(lamp(k - 4.0));
         }
@@ -128,7 +127,7 @@ class ClusterEdgeCasesTest {
 
     /** Alarms falsely at 1 % per scene and budget, whatever the seeds; finds differences of 1/sqrt(seeds) in size. */
     private static void compareWithTraced(String what, Scene scene, int seeds) {
-        RenderSettings traced = RenderSettings.of(scene).withAntialias(3).with(new RayTraceSettings(4));
+        RenderSettings traced = RenderSettings.of(scene).withAntialias(3).with(new BuiltInMethod.RayTraceSettings(4));
         List<double[]> expected = rgb(ManySeeds.render(scene, traced, 1000, seeds));
         BlockMeans blocks = new BlockMeans(24, 16);
         for (double samples : new double[] {1, 20}) {

@@ -10,7 +10,7 @@ import enlightenment.film.FilmTile;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.sampling.Distribution;
 import enlightenment.scene.Budget;
-import enlightenment.scene.ClusterSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
@@ -179,7 +179,7 @@ class ClusterInvarianceTest {
                 scene,
                 settings,
                 counters,
-                Distribution.of(ClusterSettings.of(settings).proposal()),
+                Distribution.of(BuiltInMethod.ClusterSettings.of(settings).proposal()),
                 effort,
                 samples);
     }

@@ -6,9 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
-import enlightenment.scene.ClusterSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -54,7 +53,8 @@ class ClusterUnbiasedTest {
 
     private static List<double[]> traced(Scene scene, int width, int height, int seeds) {
         RenderSettings s = settings(scene, Method.RAYTRACE, width, height);
-        return rgb(ManySeeds.render(scene, s.withAntialias(4).with(new RayTraceSettings(4)), APART, seeds));
+        return rgb(
+                ManySeeds.render(scene, s.withAntialias(4).with(new BuiltInMethod.RayTraceSettings(4)), APART, seeds));
     }
 
     private static final Map<String, List<double[]>> CLUSTERED = new ConcurrentHashMap<>();
@@ -122,7 +122,7 @@ class ClusterUnbiasedTest {
 
     private static List<double[]> guided(String family, int seeds) {
         Scene scene = ManySeeds.shipped("keyhole");
-        RenderSettings s = cluster(scene, 40).with(new ClusterSettings(family));
+        RenderSettings s = cluster(scene, 40).with(new BuiltInMethod.ClusterSettings(family));
         List<Picture> pictures = ManySeeds.render(scene, s, 5000, seeds);
         double clusters = pictures.stream()
                 .mapToLong(p -> p.sampling().clusters())
@@ -146,7 +146,7 @@ class ClusterUnbiasedTest {
     void stoppingWhereTheFirstSamplesAgreeWouldBeDetected() {
         Scene scene = ManySeeds.shipped("keyhole");
         List<double[]> expected = traced(scene);
-        RenderSettings s = settings(scene, Method.RAYTRACE, WIDTH, HEIGHT).with(new RayTraceSettings(1));
+        RenderSettings s = settings(scene, Method.RAYTRACE, WIDTH, HEIGHT).with(new BuiltInMethod.RayTraceSettings(1));
         List<Picture> few = ManySeeds.render(scene, s.withAntialias(2), 0, SEEDS);
         List<Picture> many = ManySeeds.render(scene, s.withAntialias(4), 0, SEEDS);
         List<double[]> stopped = new ArrayList<>();

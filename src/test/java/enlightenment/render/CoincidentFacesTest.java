@@ -16,10 +16,9 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -43,11 +42,11 @@ class CoincidentFacesTest {
     }
 
     private static DoublePicture picture(List<SceneObject> objects, boolean lit, int side) {
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .size(side, side)
                 .camera(new Camera.Perspective(
                         ExactPoint.of(1.31, 2.47, -4.13), ExactPoint.of(0.3, 0.4, 0), Vec3.Y, 40))
-                .shading(new ClassicShading(lit ? 0.25 : 1, 0.25, new DisplayRgb(0.4, 0.6, 0.8), 100));
+                .shading(new Shading.Classic(lit ? 0.25 : 1, 0.25, new DisplayRgb(0.4, 0.6, 0.8), 100));
         objects.forEach(b::object);
         if (lit) {
             b.light(new Light.Point(ExactPoint.of(-3, 7, -4), DisplayRgb.WHITE));

@@ -16,8 +16,8 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import org.junit.jupiter.api.Test;
 
 /** No light leaks in where things touch the floor (numerics, N21). */
@@ -30,7 +30,7 @@ class ContactTest {
         Scene scene = Scene.builder()
                 .size(48, 32)
                 .camera(camera)
-                .shading(new ClassicShading(AMBIENT, 0, DisplayRgb.BLACK, 10))
+                .shading(new Shading.Classic(AMBIENT, 0, DisplayRgb.BLACK, 10))
                 .object(thing, TestScenes.matte(1, 1, 1))
                 .object(FLOOR, TestScenes.matte(1, 1, 1))
                 .light(light)
@@ -78,7 +78,7 @@ class ContactTest {
             Scene scene = Scene.builder()
                     .size(64, 64)
                     .camera(above)
-                    .shading(new ClassicShading(AMBIENT, 0, DisplayRgb.BLACK, 10))
+                    .shading(new Shading.Classic(AMBIENT, 0, DisplayRgb.BLACK, 10))
                     .object(thing, glass)
                     .object(FLOOR, TestScenes.matte(1, 1, 1))
                     .light(new Light.Point(ExactPoint.of(0, 8, 0), DisplayRgb.WHITE))

@@ -2,7 +2,7 @@ package enlightenment.render;
 
 import enlightenment.film.FilmTile;
 import enlightenment.method.RayTraceMethod;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.world.CompiledScene;
@@ -23,7 +23,11 @@ public final class DoublePicture {
     }
 
     public static DoublePicture of(Scene scene, int antialias, int shadowSamples) {
-        return of(scene, RenderSettings.of(scene).withAntialias(antialias).with(new RayTraceSettings(shadowSamples)));
+        return of(
+                scene,
+                RenderSettings.of(scene)
+                        .withAntialias(antialias)
+                        .with(new BuiltInMethod.RayTraceSettings(shadowSamples)));
     }
 
     public static DoublePicture of(Scene scene, RenderSettings settings) {

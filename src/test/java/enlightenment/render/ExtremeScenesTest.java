@@ -2,8 +2,8 @@ package enlightenment.render;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -54,7 +54,7 @@ class ExtremeScenesTest {
             RenderSettings settings = RenderSettings.of(scene)
                     .withMethod(method)
                     .withAntialias(1)
-                    .with(new RayTraceSettings(2))
+                    .with(new BuiltInMethod.RayTraceSettings(2))
                     .withThreads(1);
             for (double c : RawPicture.of(scene, settings).rgb()) {
                 if (!(c >= 0 && c <= 1 + 1e-9)) {

@@ -9,9 +9,8 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
@@ -25,7 +24,7 @@ final class FineScenes {
     static final int HEIGHT = 96;
 
     private static final double PIXEL = 1 / 32.0;
-    private static final ClassicShading DIM = new ClassicShading(0.15, 0, DisplayRgb.BLACK, 8);
+    private static final Shading.Classic DIM = new Shading.Classic(0.15, 0, DisplayRgb.BLACK, 8);
 
     static final List<String> NAMES = List.of("wires", "slats", "grid", "lamps", "noise", "spot");
 
@@ -33,7 +32,7 @@ final class FineScenes {
 
     /** @param directory where a scene may keep its texture */
     static Scene of(String name, Path directory) {
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .name(name)
                 .size(WIDTH, HEIGHT)
                 .shading(DIM)
@@ -52,7 +51,7 @@ final class FineScenes {
         return b.build();
     }
 
-    private static void wall(SceneBuilder b, double z, Material material) {
+    private static void wall(Scene.Builder b, double z, Material material) {
         b.object(TestScenes.rectangle(-9, -9, z, -9, 9, z, 9, 9, z, 9, -9, z), material);
     }
 
@@ -65,7 +64,7 @@ final class FineScenes {
     }
 
     /** White wires at all angles before a dark wall, of widths in this range of pixels. */
-    private static void wires(SceneBuilder b, double least, double most) {
+    private static void wires(Scene.Builder b, double least, double most) {
         wall(b, 1, TestScenes.matte(0.1, 0.12, 0.15));
         Random random = new Random(1);
         for (int k = 0; k < 16; k++) {
@@ -85,7 +84,7 @@ final class FineScenes {
     }
 
     /** Slats of 0.45 of a pixel every 1.03 pixels, a little askew, over half of the picture; dark behind. */
-    private static void slats(SceneBuilder b) {
+    private static void slats(Scene.Builder b) {
         wall(b, 1, TestScenes.matte(0.05, 0.05, 0.08));
         double step = 1.03 * PIXEL;
         double width = 0.45 * PIXEL;
@@ -99,8 +98,8 @@ final class FineScenes {
     }
 
     /** One slat for each column of 48, in its middle: every pixel is like the others, and its corners show none of it. */
-    private static void comb(SceneBuilder b) {
-        b.shading(new ClassicShading(1, 1, DisplayRgb.BLACK, 8));
+    private static void comb(Scene.Builder b) {
+        b.shading(new Shading.Classic(1, 1, DisplayRgb.BLACK, 8));
         wall(b, 1, TestScenes.matte(0, 0, 0));
         double step = 4 / 48.0;
         for (int k = 0; k < 48; k++) {
@@ -111,7 +110,7 @@ final class FineScenes {
     }
 
     /** A hundred thin cylinders across and a hundred down, 1.28 pixels apart, their shadow on a wall. */
-    private static void grid(SceneBuilder b) {
+    private static void grid(Scene.Builder b) {
         wall(b, 0.7, TestScenes.matte(0.7, 0.6, 0.5));
         for (int k = 0; k < 100; k++) {
             double x = -2.03 + 4.08 * k / 99;
@@ -128,7 +127,7 @@ final class FineScenes {
     }
 
     /** A floor with balls and posts under 36 small lights. */
-    private static void lamps(SceneBuilder b) {
+    private static void lamps(Scene.Builder b) {
         b.camera(new Camera.Perspective(ExactPoint.of(0, 2.2, -5), ExactPoint.of(0, 0.4, 0), Vec3.Y, 40));
         b.object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), TestScenes.matte(0.9, 0.9, 0.9));
         for (int k = 0; k < 12; k++) {
@@ -146,7 +145,7 @@ final class FineScenes {
     }
 
     /** A texture of black and white texels of about 0.8 of a pixel. */
-    private static void noise(SceneBuilder b, Path directory) {
+    private static void noise(Scene.Builder b, Path directory) {
         Path file = NoiseTexture.write(directory, 160, 120);
         Material texture = Material.Matte.of(new Texture.File(file, Texture.Filter.NEAREST, Texture.Encoding.SRGB));
         b.object(TestScenes.rectangle(-2.1, -1.55, 0, -2, 1.55, 0, 2.1, 1.5, 0, 2, -1.6, 0), texture);
@@ -154,8 +153,8 @@ final class FineScenes {
     }
 
     /** One lit spot, a fortieth of the width, in the dark. */
-    private static void spot(SceneBuilder b) {
-        b.shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 8));
+    private static void spot(Scene.Builder b) {
+        b.shading(new Shading.Classic(0, 0, DisplayRgb.BLACK, 8));
         wall(b, 0, TestScenes.matte(1, 1, 1));
         b.camera(new Camera.Orthographic(ExactPoint.of(0, 0, -3), ExactPoint.of(0, 0, 0), Vec3.Y, 3));
         double hole = 0.04;

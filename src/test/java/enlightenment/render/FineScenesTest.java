@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.nio.file.Path;
@@ -31,7 +31,7 @@ class FineScenesTest {
     private RenderSettings settings(Scene scene, Method method, double samples) {
         return RenderSettings.of(scene)
                 .withMethod(method)
-                .with(new RayTraceSettings(1))
+                .with(new BuiltInMethod.RayTraceSettings(1))
                 .withBudget(Budget.NONE.withSamples(samples));
     }
 
@@ -122,8 +122,9 @@ class FineScenesTest {
     /** @param lightPoints for each ray of the pictures that are compared with */
     private void assertSame(String name, double samples, int seeds, int lightPoints) {
         Scene scene = FineScenes.of(name, directory);
-        RenderSettings traced =
-                settings(scene, Method.RAYTRACE, 16).withSize(48, 36).with(new RayTraceSettings(lightPoints));
+        RenderSettings traced = settings(scene, Method.RAYTRACE, 16)
+                .withSize(48, 36)
+                .with(new BuiltInMethod.RayTraceSettings(lightPoints));
         List<double[]> expected = rgb(ManySeeds.render(scene, traced, APART, seeds));
         RenderSettings clustered = settings(scene, Method.CLUSTER, samples).withSize(48, 36);
         List<double[]> actual = rgb(ManySeeds.render(scene, clustered, 0, seeds));

@@ -3,7 +3,7 @@ package enlightenment.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import enlightenment.image.Image;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,7 +38,7 @@ class FireAndIceTruthTest {
         Scene scene = TestScenes.whiteFireAndIce().build();
         RenderSettings settings = RenderSettings.of(scene)
                 .withAntialias(16)
-                .with(new RayTraceSettings(16))
+                .with(new BuiltInMethod.RayTraceSettings(16))
                 .withCrop(new RenderSettings.Crop(x, y, 1, 1));
         Image image = Renderer.render(scene, settings);
         double truth = bruteForce(x, y);

@@ -13,9 +13,8 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
@@ -23,11 +22,11 @@ import org.junit.jupiter.api.Test;
 class FurnaceTest {
     private static final Camera CAMERA =
             new Camera.Perspective(ExactPoint.of(0.31, 0.47, -4.13), ExactPoint.of(0.02, 0.01, 0), Vec3.Y, 40);
-    private static final ClassicShading ALL_AMBIENT = new ClassicShading(1, 0, DisplayRgb.BLACK, 100_000);
+    private static final Shading.Classic ALL_AMBIENT = new Shading.Classic(1, 0, DisplayRgb.BLACK, 100_000);
     private static final Material WHITE = TestScenes.matte(1, 1, 1);
 
     /** A thing within a white ball; a ray that gets lost sees black. */
-    private static SceneBuilder furnace(Shape thing, Material material) {
+    private static Scene.Builder furnace(Shape thing, Material material) {
         return Scene.builder()
                 .size(32, 32)
                 .camera(CAMERA)
@@ -52,7 +51,7 @@ class FurnaceTest {
     @Test
     void anyNumberOfLightsKeepsWhiteExactlyWhite() {
         for (int n = 1; n <= 60; n++) {
-            SceneBuilder b = furnace(Solids.solid().get("torus"), WHITE).size(4, 4);
+            Scene.Builder b = furnace(Solids.solid().get("torus"), WHITE).size(4, 4);
             for (int i = 0; i < n; i++) {
                 b.light(new Light.Point(ExactPoint.of(3, i * 0.1, -3), DisplayRgb.WHITE));
             }
@@ -104,7 +103,7 @@ class FurnaceTest {
         return Scene.builder()
                 .size(32, 32)
                 .camera(camera)
-                .shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 100_000))
+                .shading(new Shading.Classic(0, 0, DisplayRgb.BLACK, 100_000))
                 .object(thing, material)
                 .light(new Light.Sphere(middle, 9, DisplayRgb.WHITE))
                 .build();

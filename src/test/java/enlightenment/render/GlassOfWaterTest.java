@@ -12,9 +12,8 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -43,12 +42,12 @@ class GlassOfWaterTest {
     }
 
     /** Smooth light without shadows from outside and a room without edges but for one ball. */
-    private static SceneBuilder room(double eyeHeight, int size) {
+    private static Scene.Builder room(double eyeHeight, int size) {
         return Scene.builder()
                 .size(size, size)
                 .camera(new Camera.Perspective(
                         ExactPoint.of(0.31, eyeHeight, -5.13), ExactPoint.of(0.12, 0.01, 0.2), Vec3.Y, 32))
-                .shading(new ClassicShading(0.25, 1, DisplayRgb.BLACK, 100_000))
+                .shading(new Shading.Classic(0.25, 1, DisplayRgb.BLACK, 100_000))
                 .object(Sphere.of(ExactPoint.of(0.2, -0.1, 0.3), 12), TestScenes.matte(0.9, 0.8, 0.7))
                 .object(Sphere.of(ExactPoint.of(0.3, 0.4, 3.5), 0.9), TestScenes.matte(0.3, 0.9, 0.5))
                 .light(new Light.Point(ExactPoint.of(2.5, 4.5, -4.5), DisplayRgb.WHITE))

@@ -13,13 +13,12 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
-import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -53,12 +52,13 @@ final class HardScenes {
     private HardScenes() {}
 
     static Scene of(String name) {
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .name(name)
                 .size(WIDTH, HEIGHT)
                 .camera(new Camera.Orthographic(
                         ExactPoint.of(0, 0, -10), ExactPoint.of(0, 0, 0), new Vec3(0.2, 1, 0), 2))
-                .render(new RenderDefaults(Method.RAYTRACE, 1, ChosenSettings.of(new RayTraceSettings(1))));
+                .render(new RenderSettings.Defaults(
+                        Method.RAYTRACE, 1, ChosenSettings.of(new BuiltInMethod.RayTraceSettings(1))));
         switch (name) {
             case "slats" -> slats(b.light(LAMP), 0.0191, 0.4);
             case "screen" -> screen(b);
@@ -77,7 +77,7 @@ final class HardScenes {
         return b.build();
     }
 
-    private static void slats(SceneBuilder b, double pitch, double share) {
+    private static void slats(Scene.Builder b, double pitch, double share) {
         for (int k = -110; k < 110; k++) {
             double x = k * pitch;
             b.object(new Box(ExactPoint.of(x, -2, 0), ExactPoint.of(x + share * pitch, 2, 0.05)), WHITE);
@@ -85,13 +85,13 @@ final class HardScenes {
     }
 
     /** Slats before a lit wall, with their shadows on it, under a perspective camera. */
-    private static void screen(SceneBuilder b) {
+    private static void screen(Scene.Builder b) {
         slats(b.light(LAMP), 0.0283, 0.5);
         b.camera(new Camera.Perspective(ExactPoint.of(0.4, 0.3, -4), ExactPoint.of(0, 0, 0), new Vec3(0, 1, 0), 30))
                 .object(TestScenes.rectangle(-6, -6, 1, -6, 6, 1, 6, 6, 1, 6, -6, 1), TestScenes.matte(0.8, 0.5, 0.3));
     }
 
-    private static void grid(SceneBuilder b, int lines, double radius) {
+    private static void grid(Scene.Builder b, int lines, double radius) {
         for (int k = 0; k < lines; k++) {
             double at = -1.6 + 3.2 * (k + 0.5) / lines;
             b.object(new Cylinder(ExactPoint.of(at, -2, 0), ExactPoint.of(at, 2, 0), radius, true), WHITE);
@@ -100,7 +100,7 @@ final class HardScenes {
     }
 
     /** Five balls smaller than a pixel on black. */
-    private static void dots(SceneBuilder b) {
+    private static void dots(Scene.Builder b) {
         Random random = new Random(3);
         for (int k = 0; k < 5; k++) {
             ExactPoint at = ExactPoint.of(2.4 * random.nextDouble() - 1.2, 1.8 * random.nextDouble() - 0.9, 0);
@@ -141,16 +141,16 @@ final class HardScenes {
     }
 
     /** A checkerboard towards the horizon. */
-    private static void floor(SceneBuilder b) {
+    private static void floor(Scene.Builder b) {
         b.camera(new Camera.Perspective(ExactPoint.of(0, 1, -5), ExactPoint.of(0, 0.8, 0), new Vec3(0, 1, 0), 40))
                 .light(LAMP)
                 .object(TestScenes.rectangle(-40, 0, -5, -40, 0, 75, 40, 0, 75, 40, 0, -5), checker(80));
     }
 
     /** A floor with balls under a field of small lights. */
-    private static void lights(SceneBuilder b) {
+    private static void lights(Scene.Builder b) {
         b.camera(new Camera.Perspective(ExactPoint.of(0, 3, -6), ExactPoint.of(0, 0.2, 0), new Vec3(0, 1, 0), 35))
-                .shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 100))
+                .shading(new Shading.Classic(0, 0, DisplayRgb.BLACK, 100))
                 .object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), WHITE);
         for (int k = 0; k < 36; k++) {
             ExactPoint at = ExactPoint.of(-2.5 + k % 6, 2 + 0.1 * (k % 5), -2.5 + k / 6);
@@ -162,7 +162,7 @@ final class HardScenes {
     }
 
     /** Noise of a texture in the left half, a ball and its shadow in the right. */
-    private static void half(SceneBuilder b) {
+    private static void half(Scene.Builder b) {
         b.object(
                 TestScenes.rectangle(-3.4, -1.7, 0, -3.4, 1.7, 0, 0, 1.7, 0, 0, -1.7, 0),
                 texture(noise(), Texture.Filter.NEAREST));

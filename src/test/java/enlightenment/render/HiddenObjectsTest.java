@@ -18,8 +18,8 @@ import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -158,7 +158,7 @@ class HiddenObjectsTest {
                 .withSize(36, 24)
                 .withThreads(1)
                 .withAntialias(2)
-                .with(new RayTraceSettings(3))
+                .with(new BuiltInMethod.RayTraceSettings(3))
                 .withBudget(Budget.NONE);
         RenderSettings cluster = settings.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(8));
         RawPicture evenly = RawPicture.of(scene, settings);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.geometry.Sphere;
 import enlightenment.math.ExactPoint;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -84,7 +84,7 @@ class ImageInvarianceTest {
     }
 
     private static RenderSettings shippedSettings(Scene scene, int width, int height) {
-        return quick(scene).withSize(width, height).withAntialias(2).with(new RayTraceSettings(3));
+        return quick(scene).withSize(width, height).withAntialias(2).with(new BuiltInMethod.RayTraceSettings(3));
     }
 
     private static void assertScaledAndMovedIsSame(Scene scene, RenderSettings settings, int... exponents) {

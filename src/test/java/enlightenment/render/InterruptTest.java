@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.engine.DividedRender;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class InterruptTest {
     private static final Scene SCENE = TestScenes.whiteFireAndIce().size(80, 40).build();
     private static final RenderSettings QUICK =
-            RenderSettings.of(SCENE).withAntialias(1).with(new RayTraceSettings(1));
+            RenderSettings.of(SCENE).withAntialias(1).with(new BuiltInMethod.RayTraceSettings(1));
     private static final int TILE = 8 * 8;
 
     @AfterEach

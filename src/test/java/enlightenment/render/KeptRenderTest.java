@@ -10,7 +10,6 @@ import enlightenment.image.Image;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
@@ -46,7 +45,7 @@ class KeptRenderTest {
                     .withSize(scene == FIRE ? 40 : 24, scene == FIRE ? 24 : 16)
                     .withThreads(2)
                     .withBudget(Budget.NONE.withSamples(samples));
-            return scene == FIRE ? settings.with(new RayTraceSettings(2)) : settings;
+            return scene == FIRE ? settings.with(new BuiltInMethod.RayTraceSettings(2)) : settings;
         }
 
         @Override

@@ -17,10 +17,9 @@ import enlightenment.geometry.Torus;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -42,11 +41,11 @@ class LightOnSurfaceTest {
     }
 
     private static DoublePicture picture(Light light, List<SceneObject> objects, int scale) {
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .size(64, 64)
                 .camera(new Camera.Perspective(
                         ExactPoint.of(1.31, 1.47, -6.13), ExactPoint.of(0.1, 0.4, 0.2), Vec3.Y, 50))
-                .shading(new ClassicShading(0.1, 0, new DisplayRgb(0.4, 0.6, 0.8), 6))
+                .shading(new Shading.Classic(0.1, 0, new DisplayRgb(0.4, 0.6, 0.8), 6))
                 .light(light);
         objects.forEach(b::object);
         return DoublePicture.of(MovedScene.scaledByPowerOfTen(b.build(), scale), 1, 4);

@@ -11,9 +11,8 @@ import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -22,11 +21,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LightTouchTest {
     private static final Rectangle FLOOR = TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9);
 
-    private static SceneBuilder floor(Camera camera) {
+    private static Scene.Builder floor(Camera camera) {
         return Scene.builder()
                 .size(32, 32)
                 .camera(camera)
-                .shading(new ClassicShading(0, 0.5, DisplayRgb.BLACK, 10))
+                .shading(new Shading.Classic(0, 0.5, DisplayRgb.BLACK, 10))
                 .object(FLOOR, TestScenes.matte(1, 1, 1));
     }
 
@@ -48,7 +47,7 @@ class LightTouchTest {
         for (Camera camera : cameras) {
             for (double shadow : new double[] {0, 0.5, 1}) {
                 Scene scene = floor(camera)
-                        .shading(new ClassicShading(0, shadow, DisplayRgb.BLACK, 10))
+                        .shading(new Shading.Classic(0, shadow, DisplayRgb.BLACK, 10))
                         .object(Sphere.of(ExactPoint.of(0.9, 0.2, 0.1), 0.2), TestScenes.matte(1, 1, 1))
                         .light(ball(height, 0.5))
                         .build();
@@ -110,7 +109,7 @@ class LightTouchTest {
             Scene scene = Scene.builder()
                     .size(32, 32)
                     .camera(new Camera.Perspective(ExactPoint.of(-5.1, 4.3, -6.7), ExactPoint.of(0, 0, 0), Vec3.Y, 30))
-                    .shading(new ClassicShading(0, 0.5, DisplayRgb.BLACK, 10))
+                    .shading(new Shading.Classic(0, 0.5, DisplayRgb.BLACK, 10))
                     .object(planes[i], TestScenes.matte(1, 1, 1))
                     .light(new Light.Rectangle(
                             l.lowerLeft(), l.upperLeft(), l.upperRight(), l.lowerRight(), DisplayRgb.WHITE))
@@ -133,7 +132,7 @@ class LightTouchTest {
         Scene scene = Scene.builder()
                 .size(32, 32)
                 .camera(new Camera.Perspective(ExactPoint.of(0.1, 0.3, -6.7), ExactPoint.of(0, 0, 0), Vec3.Y, 10))
-                .shading(new ClassicShading(0, 0.5, DisplayRgb.BLACK, 10))
+                .shading(new Shading.Classic(0, 0.5, DisplayRgb.BLACK, 10))
                 .object(
                         new Rectangle(corner, corner.plus(up), corner.plus(up).plus(right), corner.plus(right)),
                         TestScenes.matte(1, 1, 1))

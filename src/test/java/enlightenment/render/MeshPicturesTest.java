@@ -24,13 +24,10 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.PhysicalShading;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -73,11 +70,11 @@ class MeshPicturesTest {
         return mesh.withNormals(normals);
     }
 
-    private static SceneBuilder view() {
+    private static Scene.Builder view() {
         return Scene.builder()
                 .size(48, 24)
                 .camera(new Camera.Perspective(ExactPoint.of(0.1, 1.3, -5), ExactPoint.of(0, 0.7, 0), Vec3.Y, 30))
-                .shading(new PhysicalShading(OptionalInt.empty(), new Rgb(0.3, 0.4, 0.5)))
+                .shading(new Shading.Physical(OptionalInt.empty(), new Rgb(0.3, 0.4, 0.5)))
                 .object(
                         TestScenes.rectangle(-4, -0.5, -4, -4, -0.5, 4, 4, -0.5, 4, 4, -0.5, -4),
                         Material.Matte.of(Texture.of(Rgb.gray(0.5))))
@@ -217,7 +214,7 @@ class MeshPicturesTest {
         return Scene.builder()
                 .size(24, 24)
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 0, -5), ExactPoint.of(0, 0, 0), Vec3.Y, 2.4))
-                .shading(new ClassicShading(0.3, 0.5, DisplayRgb.BLACK, 5))
+                .shading(new Shading.Classic(0.3, 0.5, DisplayRgb.BLACK, 5))
                 .object(shape, TestScenes.matte(1, 0.8, 0.6))
                 .light(new Light.Point(ExactPoint.of(0.5, 1, -6), DisplayRgb.WHITE))
                 .build();
@@ -226,7 +223,7 @@ class MeshPicturesTest {
     private static double[] classicErrors(boolean isSmooth) {
         Scene ball = classic(Sphere.of(ExactPoint.of(0, 0, 0), 1));
         RenderSettings settings =
-                RenderSettings.of(ball).withAntialias(1).withThreads(1).with(new RayTraceSettings(1));
+                RenderSettings.of(ball).withAntialias(1).withThreads(1).with(new BuiltInMethod.RayTraceSettings(1));
         RawPicture expected = RawPicture.of(ball, settings);
         double[] errors = new double[4];
         for (int cuts = 1; cuts <= 4; cuts++) {

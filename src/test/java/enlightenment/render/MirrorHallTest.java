@@ -11,8 +11,8 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -46,7 +46,7 @@ class MirrorHallTest {
         Scene scene = Scene.builder()
                 .size(2, 2)
                 .camera(straightAhead(1e-7))
-                .shading(new ClassicShading(1, 1, DisplayRgb.BLACK, limit))
+                .shading(new Shading.Classic(1, 1, DisplayRgb.BLACK, limit))
                 .object(panel(2, 9), pane)
                 .object(panel(4, 9), TestScenes.mirror(reflectance))
                 .object(panel(-4, 9), TestScenes.mirror(reflectance))
@@ -77,7 +77,7 @@ class MirrorHallTest {
             Scene scene = Scene.builder()
                     .size(1, 1)
                     .camera(new Camera.Perspective(ExactPoint.of(0, 0, 0), ExactPoint.of(0, slope, 1), Vec3.Y, 1e-12))
-                    .shading(new ClassicShading(0, 1, DisplayRgb.BLACK, limit))
+                    .shading(new Shading.Classic(0, 1, DisplayRgb.BLACK, limit))
                     .object(
                             TestScenes.rectangle(-9, -9, 4, -9, beyond, 4, 9, beyond, 4, 9, -9, 4),
                             TestScenes.mirror(1))
@@ -99,7 +99,7 @@ class MirrorHallTest {
             Scene scene = Scene.builder()
                     .size(1, 1)
                     .camera(new Camera.Perspective(ExactPoint.of(0, 0, 0), ExactPoint.of(0, slope, 1), Vec3.Y, 1e-9))
-                    .shading(new ClassicShading(0, 1, DisplayRgb.BLACK, 100))
+                    .shading(new Shading.Classic(0, 1, DisplayRgb.BLACK, 100))
                     .object(panel(4, 9), TestScenes.mirror(0.5))
                     .object(panel(-4, 9), TestScenes.mirror(0.5))
                     .light(new Light.Rectangle(

@@ -20,9 +20,9 @@ import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
@@ -85,7 +85,7 @@ final class MovedScene {
     }
 
     private Scene scene(Scene s) {
-        physical = s.shading() instanceof PhysicalShading;
+        physical = s.shading() instanceof Shading.Physical;
         return new Scene(
                 s.name(),
                 s.width(),

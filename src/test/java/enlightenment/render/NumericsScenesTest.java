@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import enlightenment.camera.Camera;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -22,7 +22,7 @@ class NumericsScenesTest {
 
     private static RawPicture picture(Scene scene) {
         RenderSettings small =
-                RenderSettings.of(scene).withSize(128, 72).withAntialias(2).with(new RayTraceSettings(5));
+                RenderSettings.of(scene).withSize(128, 72).withAntialias(2).with(new BuiltInMethod.RayTraceSettings(5));
         return RawPicture.of(scene, small.withThreads(1));
     }
 

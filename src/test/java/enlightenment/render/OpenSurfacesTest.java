@@ -12,9 +12,8 @@ import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -52,11 +51,11 @@ class OpenSurfacesTest {
                     DisplayRgb.WHITE));
 
     private static DoublePicture picture(Light light, Material material, Shape... shapes) {
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .size(64, 64)
                 .camera(new Camera.Perspective(
                         ExactPoint.of(1.31, 4.47, -4.13), ExactPoint.of(0.1, 0.8, -0.2), Vec3.Y, 30))
-                .shading(new ClassicShading(0.1, 0, new DisplayRgb(0.4, 0.6, 0.8), 6))
+                .shading(new Shading.Classic(0.1, 0, new DisplayRgb(0.4, 0.6, 0.8), 6))
                 .light(light);
         for (Shape s : shapes) {
             b.object(s, material);

@@ -21,10 +21,9 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.render.aov.AuxiliaryPicture;
 import enlightenment.scene.Budget;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -75,7 +74,7 @@ class PathPartPassTest {
         return Scene.builder()
                 .size(SIDE, SIDE)
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -5), ExactPoint.of(0, 0, 0), Vec3.Y, 30))
-                .shading(new PhysicalShading(OptionalInt.of(bounces), new Rgb(0.5, 0.25, 0.125)))
+                .shading(new Shading.Physical(OptionalInt.of(bounces), new Rgb(0.5, 0.25, 0.125)))
                 .object(new Sphere(ExactPoint.of(0, 0, 0), 1, 0), Material.Matte.of(color(0.5, 1, 0.25)))
                 .object(new Sphere(ExactPoint.of(0, 2, 0), 0.9, 0), Material.Matte.of(color(0.5, 0.5, 0.5)))
                 .light(new Light.Sphere(ExactPoint.of(0, 0.5, -4), 0.1, DisplayRgb.WHITE))
@@ -141,7 +140,7 @@ class PathPartPassTest {
     @Test
     void classicShadingDoesNotTellThemApart() {
         Scene scene = shipped("cube");
-        assertTrue(scene.shading() instanceof ClassicShading);
+        assertTrue(scene.shading() instanceof Shading.Classic);
         InvalidValueException e = assertThrows(InvalidValueException.class, () -> render(scene, settings(scene, 1)));
         assertEquals("auxiliary", e.key());
         assertTrue(e.problem().contains("physical shading"), e.problem());

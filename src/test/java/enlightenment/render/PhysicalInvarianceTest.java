@@ -13,7 +13,6 @@ import enlightenment.physical.InvarianceScenes;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
 import enlightenment.scene.Scene;
@@ -169,8 +168,8 @@ class PhysicalInvarianceTest {
                         ? SceneObject.of(o.shape(), m.withRadiance(times(m.radiance(), factor)))
                         : o)
                 .toList();
-        PhysicalShading shading = (PhysicalShading) s.shading();
-        Shading brighter = new PhysicalShading(
+        Shading.Physical shading = (Shading.Physical) s.shading();
+        Shading brighter = new Shading.Physical(
                 shading.maxBounces(), times(((Background.Constant) shading.background()).radiance(), factor));
         return new Scene(
                 s.name(),

@@ -14,7 +14,6 @@ import enlightenment.picture.Exposure;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -61,7 +60,7 @@ class PictureInFileTest {
     }
 
     static Stream<Kind> kinds() {
-        RenderSettings fire = of(FIRE, BuiltInMethod.RAYTRACE, 4).with(new RayTraceSettings(2));
+        RenderSettings fire = of(FIRE, BuiltInMethod.RAYTRACE, 4).with(new BuiltInMethod.RayTraceSettings(2));
         RenderSettings room = of(ROOM, BuiltInMethod.RAYTRACE, 8);
         RenderSettings.Crop crop = new RenderSettings.Crop(11, 5, 21, 30);
         return Stream.of(

@@ -11,7 +11,6 @@ import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
@@ -283,7 +282,7 @@ class PlannerTest {
     @ValueSource(doubles = {1.37, 2.5, 12.3})
     void raytraceTakesTheSamplesThatItMayTake(double samples) {
         Scene scene = ManySeeds.shipped("fire-and-ice");
-        RenderSettings s = settings(scene, Method.RAYTRACE, 96, 48).with(new RayTraceSettings(1));
+        RenderSettings s = settings(scene, Method.RAYTRACE, 96, 48).with(new BuiltInMethod.RayTraceSettings(1));
         for (RenderSettings settings : List.of(s, s.withCrop(new RenderSettings.Crop(13, 5, 61, 33)))) {
             RenderReport report = render(scene, settings.withBudget(Budget.NONE.withSamples(samples)))
                     .report();

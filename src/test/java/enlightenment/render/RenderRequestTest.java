@@ -16,11 +16,10 @@ import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicMethods;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
@@ -37,11 +36,11 @@ class RenderRequestTest {
     private static final Set<Auxiliary> ALL = EnumSet.range(Auxiliary.ERROR, Auxiliary.OBJECT);
     private static final Scene SMALL = TestScenes.whiteFireAndIce()
             .size(80, 40)
-            .shading(new ClassicShading(0.1, 0.5, new DisplayRgb(0.5, 0.5, 0.5), 10))
+            .shading(new Shading.Classic(0.1, 0.5, new DisplayRgb(0.5, 0.5, 0.5), 10))
             .build();
     private static final RenderSettings QUICK = RenderSettings.of(SMALL)
             .withAntialias(4)
-            .with(new RayTraceSettings(4))
+            .with(new BuiltInMethod.RayTraceSettings(4))
             .withThreads(2);
 
     /** A ball of radius 1 straight ahead, 5 before the eye, a wall beside it, a light beyond, and nothing elsewhere. */
@@ -162,7 +161,7 @@ class RenderRequestTest {
     @CsvSource({"RAYTRACE,4", "RAYTRACE,1", "CLUSTER,2", "CLUSTER,4"})
     void thePassesDoNotChangeABit(BuiltInMethod method, int antialias) {
         RenderSettings settings =
-                QUICK.withMethod(method).withAntialias(antialias).with(new RayTraceSettings(1));
+                QUICK.withMethod(method).withAntialias(antialias).with(new BuiltInMethod.RayTraceSettings(1));
         RenderResult plain = Renderer.render(RenderRequest.of(SMALL, settings));
         RenderResult passes = Renderer.render(
                 RenderRequest.of(SMALL, settings).withProgressive(true).withAuxiliary(ALL));
@@ -241,7 +240,7 @@ class RenderRequestTest {
     @ParameterizedTest
     @ClassicMethods
     void aTimeBecomesANumberOfSamplesThatMakesTheSamePicture(Method method) {
-        RenderSettings settings = QUICK.withMethod(method).with(new RayTraceSettings(1));
+        RenderSettings settings = QUICK.withMethod(method).with(new BuiltInMethod.RayTraceSettings(1));
         AtomicReference<String> told = new AtomicReference<>();
         RenderResult timed = Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withSeconds(0.5)))
                 .withProgress(new RenderProgress() {

@@ -18,12 +18,11 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -37,7 +36,7 @@ class RendererTest {
     private static final Scene SMALL = TestScenes.whiteFireAndIce().size(80, 40).build();
     private static final RenderSettings QUICK = RenderSettings.of(SMALL)
             .withAntialias(2)
-            .with(new RayTraceSettings(4))
+            .with(new BuiltInMethod.RayTraceSettings(4))
             .withThreads(1);
 
     @Test
@@ -75,7 +74,7 @@ class RendererTest {
     void theOrderOfObjectsDoesNotChangeABit() {
         List<enlightenment.scene.SceneObject> shuffled = new ArrayList<>(SMALL.objects());
         Collections.shuffle(shuffled, new Random(7));
-        SceneBuilder b = Scene.builder().size(80, 40).camera(SMALL.camera());
+        Scene.Builder b = Scene.builder().size(80, 40).camera(SMALL.camera());
         SMALL.lights().forEach(b::light);
         shuffled.forEach(b::object);
         assertArrayEquals(
@@ -110,7 +109,7 @@ class RendererTest {
             Scene scene = Scene.builder()
                     .size(1, 1)
                     .camera(new Camera.Perspective(ExactPoint.of(0, 0, 0), ExactPoint.of(0, 0, 1), Vec3.Y, 1))
-                    .shading(new ClassicShading(1, 1, DisplayRgb.BLACK, limit))
+                    .shading(new Shading.Classic(1, 1, DisplayRgb.BLACK, limit))
                     .object(panel(2), pane)
                     .object(panel(4), TestScenes.mirror(r))
                     .object(panel(-4), TestScenes.mirror(r))
@@ -137,7 +136,7 @@ class RendererTest {
             Scene scene = Scene.builder()
                     .size(4, 4)
                     .camera(new Camera.Perspective(ExactPoint.of(0, 0, 0), ExactPoint.of(0, 0, 1), Vec3.Y, 20))
-                    .shading(new ClassicShading(ambient, 0.5, DisplayRgb.BLACK, 10))
+                    .shading(new Shading.Classic(ambient, 0.5, DisplayRgb.BLACK, 10))
                     .object(panel(3), TestScenes.matte(1, 0.5, 0.25))
                     .build();
             Image image = Renderer.render(scene, RenderSettings.of(scene));
@@ -150,12 +149,12 @@ class RendererTest {
     @Test
     void glassOfIndexOneIsInvisible() {
         Scene without = SMALL;
-        SceneBuilder b = Scene.builder().size(80, 40).camera(SMALL.camera());
+        Scene.Builder b = Scene.builder().size(80, 40).camera(SMALL.camera());
         SMALL.objects().forEach(b::object);
         b.object(Sphere.of(ExactPoint.of(0.3, 1.2, 3), 0.9), new Glass(Texture.of(DisplayRgb.WHITE), 1, 1, 0, true));
         // Glass throws shadows in classic shading, so both scenes are lit by ambient light only.
         RenderSettings s = QUICK;
-        SceneBuilder plain = Scene.builder().size(80, 40).camera(SMALL.camera());
+        Scene.Builder plain = Scene.builder().size(80, 40).camera(SMALL.camera());
         without.objects().forEach(plain::object);
         float[] p = Renderer.render(plain.build(), s).toArray();
         float[] q = Renderer.render(b.build(), s).toArray();
@@ -168,7 +167,7 @@ class RendererTest {
         Scene scene = Scene.builder()
                 .size(64, 64)
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -20), ExactPoint.of(0, 0, 0), Vec3.Y, 12))
-                .shading(new ClassicShading(1, 1, DisplayRgb.BLACK, 10))
+                .shading(new Shading.Classic(1, 1, DisplayRgb.BLACK, 10))
                 .object(Sphere.of(ExactPoint.of(0, 0, 0), 1), Glass.of(Texture.of(DisplayRgb.WHITE), 1.5))
                 .object(TestScenes.rectangle(-9, 0, 8, -9, 9, 8, 9, 9, 8, 9, 0, 8), TestScenes.matte(1, 0, 0))
                 .object(TestScenes.rectangle(-9, -9, 8, -9, 0, 8, 9, 0, 8, 9, -9, 8), TestScenes.matte(0, 0, 1))
@@ -183,11 +182,11 @@ class RendererTest {
     @Test
     void lightsAreAveraged() {
         Light white = SMALL.lights().get(0);
-        SceneBuilder twice = Scene.builder().size(80, 40).camera(SMALL.camera());
+        Scene.Builder twice = Scene.builder().size(80, 40).camera(SMALL.camera());
         SMALL.objects().forEach(twice::object);
         twice.light(new Light.Point(ExactPoint.of(0, 1, 1), DisplayRgb.WHITE))
                 .light(new Light.Point(ExactPoint.of(0, 1, 1), DisplayRgb.WHITE));
-        SceneBuilder once = Scene.builder().size(80, 40).camera(SMALL.camera());
+        Scene.Builder once = Scene.builder().size(80, 40).camera(SMALL.camera());
         SMALL.objects().forEach(once::object);
         once.light(new Light.Point(ExactPoint.of(0, 1, 1), DisplayRgb.WHITE));
         assertArrayEquals(
@@ -230,7 +229,7 @@ class RendererTest {
         Scene scene = Scene.builder()
                 .size(3, 2)
                 .camera(SMALL.camera())
-                .shading(new ClassicShading(0.5, 0.5, new DisplayRgb(0.25, 0.5, 0.75), 10))
+                .shading(new Shading.Classic(0.5, 0.5, new DisplayRgb(0.25, 0.5, 0.75), 10))
                 .build();
         Image image = Renderer.render(scene, RenderSettings.of(scene));
         assertEquals(0.25f, image.component(0, 0, 0));
@@ -247,7 +246,7 @@ class RendererTest {
     }
 
     private static Scene scaled(int k) {
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .size(80, 40)
                 .camera(new Camera.Window(
                         p(k, 0, 1, -3), p(k, -3, 0, 0), p(k, -3, 3, 0), p(k, 3, 3, 0), p(k, 3, 0, 0), 0))

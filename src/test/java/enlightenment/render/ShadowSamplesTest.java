@@ -11,10 +11,10 @@ import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.sampling.RunningStatistics;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -46,7 +46,7 @@ class ShadowSamplesTest {
         return Scene.builder()
                 .size(1, 1)
                 .camera(new Camera.Perspective(ExactPoint.of(3, 2, -3), ExactPoint.of(0.9, 0, 0.1), Vec3.Y, 1e-9))
-                .shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 4))
+                .shading(new Shading.Classic(0, 0, DisplayRgb.BLACK, 4))
                 .object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), TestScenes.matte(1, 1, 1))
                 .object(Sphere.of(ExactPoint.of(0, 2, 0), 0.8), TestScenes.matte(1, 1, 1))
                 .light(lamp.light)
@@ -56,7 +56,7 @@ class ShadowSamplesTest {
     private static double render(Scene scene, int shadowSamples, long seed) {
         RenderSettings settings = RenderSettings.of(scene)
                 .withAntialias(1)
-                .with(new RayTraceSettings(shadowSamples))
+                .with(new BuiltInMethod.RayTraceSettings(shadowSamples))
                 .withThreads(1)
                 .withSeed(seed);
         Image image = Renderer.render(scene, settings);

@@ -17,7 +17,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -49,11 +48,11 @@ class SliverTest {
                 () -> new Triangle(p("0", "0", width), p("0", "0", width), p("1", "2", "3")));
     }
 
-    private static SceneBuilder room(Camera camera) {
+    private static Scene.Builder room(Camera camera) {
         return Scene.builder().size(16, 16).camera(camera).light(new Light.Point(p("2", "3", "-4"), DisplayRgb.WHITE));
     }
 
-    private static DoublePicture picture(SceneBuilder scene) {
+    private static DoublePicture picture(Scene.Builder scene) {
         return DoublePicture.of(scene.build(), 2, 1);
     }
 
@@ -94,8 +93,8 @@ class SliverTest {
         middle = new ExactPoint(middle.x(), middle.y().add(new java.math.BigDecimal(width)), middle.z());
         ExactPoint below = p("0.5", "-5", "0.4");
         ExactPoint above = p("0.5", "5", "0.4");
-        SceneBuilder pieces = room(camera);
-        SceneBuilder whole = room(camera);
+        Scene.Builder pieces = room(camera);
+        Scene.Builder whole = room(camera);
         for (Shape s : new Shape[] {
             new Triangle(left, right, middle),
             new Triangle(left, below, right),

@@ -19,12 +19,11 @@ import enlightenment.math.Vec3;
 import enlightenment.picture.Rounding;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -58,7 +57,7 @@ class StampTest {
     private static final Scene SCENE = scene();
 
     private static Scene scene() {
-        SceneBuilder builder = Scene.builder()
+        Scene.Builder builder = Scene.builder()
                 .size(WIDTH, HEIGHT)
                 .camera(new Camera.Orthographic(
                         ExactPoint.of(WIDTH / 2.0, -HEIGHT / 2.0, -10),
@@ -308,8 +307,9 @@ class StampTest {
 
     private static void rounding(int width, int height) {
         Scene scene = TestScenes.whiteFireAndIce().size(width, height).build();
-        RenderSettings settings =
-                RenderSettings.of(scene).with(new RayTraceSettings(4)).withThreads(2);
+        RenderSettings settings = RenderSettings.of(scene)
+                .with(new BuiltInMethod.RayTraceSettings(4))
+                .withThreads(2);
         Image truth = Renderer.render(scene, settings.withSeed(77).withBudget(Budget.NONE.withSamples(512)));
         double asked = 0.004;
         RenderResult result = Renderer.render(RenderRequest.of(

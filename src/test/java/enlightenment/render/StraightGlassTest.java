@@ -15,9 +15,8 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,11 +28,11 @@ class StraightGlassTest {
         return new Glass(Texture.of(DisplayRgb.WHITE), ior, 1, priority, true);
     }
 
-    private static SceneBuilder room(int maxBounces) {
+    private static Scene.Builder room(int maxBounces) {
         return Scene.builder()
                 .size(20, 16)
                 .camera(new Camera.Perspective(ExactPoint.of(0.2, 0.3, -6), ExactPoint.of(0.1, 0, 0), Vec3.Y, 34))
-                .shading(new ClassicShading(0.3, 1, DisplayRgb.WHITE, maxBounces))
+                .shading(new Shading.Classic(0.3, 1, DisplayRgb.WHITE, maxBounces))
                 .object(
                         TestScenes.rectangle(-4, -4, 4, -4, 4, 4, 4, 4, 4, 4, -4, 4),
                         Material.Matte.of(
@@ -41,7 +40,7 @@ class StraightGlassTest {
                 .light(new Light.Point(ExactPoint.of(-3, 4, -5), DisplayRgb.WHITE));
     }
 
-    private static DoublePicture picture(SceneBuilder scene) {
+    private static DoublePicture picture(Scene.Builder scene) {
         return DoublePicture.of(scene.build(), 1, 1);
     }
 
@@ -55,7 +54,7 @@ class StraightGlassTest {
         for (int maxBounces : new int[] {100, 2}) {
             DoublePicture one = picture(room(maxBounces).object(ball(1.4), glass(1.5, 0)));
             assertTrue(one.least() > 0);
-            SceneBuilder nested = room(maxBounces);
+            Scene.Builder nested = room(maxBounces);
             for (int i = 0; i < n; i++) {
                 nested.object(ball(1.4 * (n - i) / n), glass(1.5, i % 3));
             }
@@ -66,14 +65,14 @@ class StraightGlassTest {
     /** Balls that bend are counted still: in and out again, and no path has more than it may. */
     @Test
     void bordersThatBendAreBounces() {
-        SceneBuilder tooMany = room(1).object(ball(1.4), glass(1.5, 0));
+        Scene.Builder tooMany = room(1).object(ball(1.4), glass(1.5, 0));
         assertEquals(0, picture(tooMany).at(10, 8, 0));
     }
 
     @Test
     void manyThingsOfIndexOneAreNothing() {
         DoublePicture nothing = picture(room(0));
-        SceneBuilder many = room(0);
+        Scene.Builder many = room(0);
         for (int i = 1; i <= 60; i++) {
             double z = -3 + i / 10.0;
             many.object(TestScenes.rectangle(-4, -4, z, -4, 4, z, 4, 4, z, 4, -4, z), glass(1.5, 0));
@@ -89,7 +88,7 @@ class StraightGlassTest {
     /** Whatever rounding does to borders in one place, paths end. */
     @Test
     void coincidentBordersEnd() {
-        SceneBuilder scene = room(3);
+        Scene.Builder scene = room(3);
         for (int i = 0; i < 40; i++) {
             double radius = 1.2 * (1 + (i - 20) * 0x1p-52);
             scene.object(Sphere.of(ExactPoint.of(0, 0, 0), radius), glass(i % 2 == 0 ? 1.5 : 1.5 + 0x1p-52, i % 3));

@@ -9,7 +9,6 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 
 /** Scenes that several tests share. */
 public final class TestScenes {
@@ -24,7 +23,7 @@ public final class TestScenes {
     }
 
     /** The paper's fire and ice in plain white, so that a pixel shows the coefficient of its shading. */
-    public static SceneBuilder whiteFireAndIce() {
+    public static Scene.Builder whiteFireAndIce() {
         Material white = matte(1, 1, 1);
         Material sky = new Material.Matte(Texture.of(DisplayRgb.WHITE), false);
         return Scene.builder()

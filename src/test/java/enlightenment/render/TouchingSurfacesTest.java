@@ -21,10 +21,9 @@ import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -47,18 +46,18 @@ class TouchingSurfacesTest {
     /** Far above the tolerance of the comparison, far below a pixel. */
     private static final double HAIR = 1e-9;
 
-    private static SceneBuilder view() {
+    private static Scene.Builder view() {
         return Scene.builder()
                 .size(64, 64)
                 .camera(new Camera.Perspective(
                         ExactPoint.of(1.31, 2.47, -4.13), ExactPoint.of(0.3, 0.6, 0), Vec3.Y, 40))
-                .shading(new ClassicShading(0.25, 0.25, new DisplayRgb(0.4, 0.6, 0.8), 20))
+                .shading(new Shading.Classic(0.25, 0.25, new DisplayRgb(0.4, 0.6, 0.8), 20))
                 .light(new Light.Sphere(ExactPoint.of(-3.1, 7.3, -4.7), 0.4, DisplayRgb.WHITE))
                 .light(new Light.Point(ExactPoint.of(4.3, 5.1, -3.3), new DisplayRgb(0.8, 0.7, 0.6)));
     }
 
     private static DoublePicture picture(SceneObject... objects) {
-        SceneBuilder b = view();
+        Scene.Builder b = view();
         List.of(objects).forEach(b::object);
         return DoublePicture.of(b.build(), 1, 4);
     }
@@ -140,7 +139,7 @@ class TouchingSurfacesTest {
     }
 
     private static Scene scene(SceneObject... objects) {
-        SceneBuilder b = view();
+        Scene.Builder b = view();
         List.of(objects).forEach(b::object);
         return b.build();
     }

@@ -9,10 +9,9 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.image.Image;
 import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -30,11 +29,11 @@ class WatchedRequestTest {
     /** Everything in it is lit, at least by ambient light, and beyond it there is grey: no pixel of a whole picture is black. */
     private static final Scene SMALL = TestScenes.whiteFireAndIce()
             .size(80, 40)
-            .shading(new ClassicShading(0.1, 0.5, new DisplayRgb(0.5, 0.5, 0.5), 10))
+            .shading(new Shading.Classic(0.1, 0.5, new DisplayRgb(0.5, 0.5, 0.5), 10))
             .build();
 
     private static final RenderSettings QUICK =
-            RenderSettings.of(SMALL).with(new RayTraceSettings(1)).withThreads(2);
+            RenderSettings.of(SMALL).with(new BuiltInMethod.RayTraceSettings(1)).withThreads(2);
 
     /** Keeps what it is shown. */
     private static final class Looking implements RenderProgress {

@@ -34,49 +34,54 @@ class LightFeatureTest {
             new Material.Fluorescent(GRAY, new WavelengthBand(320, 450), new WavelengthBand(500, 600), 0.5);
     private static final Material PRISM = Glass.of(GRAY, 1.5).withDispersion(36);
 
-    private static SceneBuilder scene(Shading shading) {
+    private static Scene.Builder scene(Shading shading) {
         return Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -5), ExactPoint.ORIGIN, Vec3.Y, 40))
                 .shading(shading);
     }
 
-    private static SceneBuilder physical() {
-        return scene(PhysicalShading.DEFAULT);
+    private static Scene.Builder physical() {
+        return scene(Shading.Physical.DEFAULT);
     }
 
-    private static PhysicalShading in(Background background, Optional<Medium> medium) {
-        return new PhysicalShading(OptionalInt.empty(), background, medium);
+    private static Shading.Physical in(Background background, Optional<Medium> medium) {
+        return new Shading.Physical(OptionalInt.empty(), background, medium);
     }
 
     @Test
     void aSceneAsksForWhatItsObjectsAndItsShadingAreMadeOfAndSaysWhere() {
         assertEquals(
                 Map.of(),
-                LightFeature.of(physical().object(BALL, Material.Matte.of(GRAY)).build()));
+                Shading.LightFeature.of(
+                        physical().object(BALL, Material.Matte.of(GRAY)).build()));
         assertEquals(
-                Map.of(LightFeature.SCATTERING, "/objects/1/material/type"),
-                LightFeature.of(physical()
+                Map.of(Shading.LightFeature.SCATTERING, "/objects/1/material/type"),
+                Shading.LightFeature.of(physical()
                         .object(BALL, Material.Matte.of(GRAY))
                         .object(BALL, WAX)
                         .object(BALL, WAX)
                         .build()));
         assertEquals(
-                Map.of(LightFeature.FLUORESCENCE, "/materials/a~1b/type"),
-                LightFeature.of(
+                Map.of(Shading.LightFeature.FLUORESCENCE, "/materials/a~1b/type"),
+                Shading.LightFeature.of(
                         physical().material("a/b", MARKER).object(BALL, MARKER).build()));
         SceneObject cube =
                 new SceneObject("", new Cube(ExactPoint.ORIGIN, 1, Vec3.ZERO), WAX, Collections.nCopies(6, PRISM));
         assertEquals(
                 Map.of(
-                        LightFeature.SCATTERING,
+                        Shading.LightFeature.SCATTERING,
                         "/objects/0/material/type",
-                        LightFeature.DISPERSION,
+                        Shading.LightFeature.DISPERSION,
                         "/objects/0/faces/0/dispersion"),
-                LightFeature.of(physical().object(cube).build()));
+                Shading.LightFeature.of(physical().object(cube).build()));
         assertEquals(
-                Map.of(LightFeature.SCATTERING, "/shading/medium", LightFeature.SURROUNDINGS, "/shading/background"),
-                LightFeature.of(
+                Map.of(
+                        Shading.LightFeature.SCATTERING,
+                        "/shading/medium",
+                        Shading.LightFeature.SURROUNDINGS,
+                        "/shading/background"),
+                Shading.LightFeature.of(
                         scene(in(Background.Sky.of(30, 0), Optional.of(MILK))).build()));
     }
 
@@ -87,14 +92,14 @@ class LightFeatureTest {
                 .object(BALL, Glass.of(GRAY, 1).withDispersion(36))
                 .object(BALL, new Glass(GRAY, 1.5, 0, 0, true).withDispersion(36))
                 .build();
-        assertEquals(Map.of(), LightFeature.of(scene));
+        assertEquals(Map.of(), Shading.LightFeature.of(scene));
         assertEquals(
                 Map.of(),
-                LightFeature.of(
-                        scene(ClassicShading.DEFAULT).object(BALL, PRISM).build()));
+                Shading.LightFeature.of(
+                        scene(Shading.Classic.DEFAULT).object(BALL, PRISM).build()));
         assertEquals(
                 Map.of(),
-                LightFeature.of(scene(in(new Background.Constant(Rgb.WHITE), Optional.empty()))
+                Shading.LightFeature.of(scene(in(new Background.Constant(Rgb.WHITE), Optional.empty()))
                         .build()));
     }
 
@@ -102,7 +107,7 @@ class LightFeatureTest {
     void aMethodThatCannotRenderAFeatureRefusesTheSceneByNameAndPlaceBeforeTheFirstRay() {
         for (Material material : List.of(WAX, MARKER, PRISM)) {
             Scene scene = physical().object(BALL, material).build();
-            LightFeature feature = LightFeature.of(material);
+            Shading.LightFeature feature = Shading.LightFeature.of(material);
             for (Method method : BuiltInMethod.ALL) {
                 RenderSettings settings = RenderSettings.of(scene).withMethod(method);
                 assertEquals(method.canRender(feature), Method.supports(method, scene));
@@ -111,7 +116,7 @@ class LightFeatureTest {
                 } else {
                     SceneException e = assertThrows(SceneException.class, () -> Renderer.inspect(scene, settings));
                     assertEquals(
-                            LightFeature.of(scene).get(feature),
+                            Shading.LightFeature.of(scene).get(feature),
                             e.problems().get(0).pointer());
                     String said = e.problems().get(0).message();
                     assertTrue(
@@ -125,7 +130,7 @@ class LightFeatureTest {
     @Test
     void aMethodFromOutsideCanRenderNoneOfIt() {
         Method toy = Method.named(ToyMethod.WORD);
-        for (LightFeature feature : LightFeature.values()) {
+        for (Shading.LightFeature feature : Shading.LightFeature.values()) {
             assertFalse(toy.canRender(feature));
         }
         Scene scene = physical().object(BALL, WAX).build();
@@ -140,18 +145,18 @@ class LightFeatureTest {
     @Test
     void classicShadingRefusesWhatItDoesNotKnowAndIgnoresWhatItKnowsInPart() {
         for (Material material : List.of(WAX, MARKER)) {
-            SceneBuilder scene = scene(ClassicShading.DEFAULT).object(BALL, material);
+            Scene.Builder scene = scene(Shading.Classic.DEFAULT).object(BALL, material);
             assertThrows(enlightenment.math.InvalidValueException.class, scene::build);
         }
-        scene(ClassicShading.DEFAULT).object(BALL, PRISM).build();
+        scene(Shading.Classic.DEFAULT).object(BALL, PRISM).build();
     }
 
     @Test
     void everyFeatureIsSaidInOtherWords() {
         assertEquals(
-                LightFeature.values().length,
-                Set.copyOf(java.util.Arrays.stream(LightFeature.values())
-                                .map(LightFeature::description)
+                Shading.LightFeature.values().length,
+                Set.copyOf(java.util.Arrays.stream(Shading.LightFeature.values())
+                                .map(Shading.LightFeature::description)
                                 .toList())
                         .size());
     }

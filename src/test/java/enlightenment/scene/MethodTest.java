@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 
 /** The registry of methods, and what is chosen of their settings. */
 class MethodTest {
-    private static final Scene SCENE = scene(ClassicShading.DEFAULT);
+    private static final Scene SCENE = scene(Shading.Classic.DEFAULT);
 
     private static Scene scene(Shading shading) {
         return Scene.builder()
@@ -59,7 +59,7 @@ class MethodTest {
             assertTrue(method.word().matches("[a-z][a-z0-9-]*"), method.word());
             assertTrue(!method.description().isBlank() && !method.description().endsWith("."), method.word());
             assertTrue(!method.shadings().isEmpty(), method.word());
-            for (MethodSetting setting : method.settings()) {
+            for (Method.Setting setting : method.settings()) {
                 assertEquals(setting.usual(), setting.checked(setting.usual()), setting.key());
                 assertThrows(InvalidValueException.class, () -> setting.checked(null), setting.key());
                 assertThrows(InvalidValueException.class, () -> setting.checked(0.5), setting.key());
@@ -69,20 +69,21 @@ class MethodTest {
 
     @Test
     void optionsAreCalledAsTheirKeysAre() {
-        assertEquals("--shadow-samples", RayTraceSettings.SHADOW_SAMPLES.option());
-        assertEquals("--proposal", ClusterSettings.PROPOSAL.option());
-        assertEquals("normal (default), zeta or linear", ClusterSettings.PROPOSAL.range());
-        assertEquals("1..1000000", RayTraceSettings.SHADOW_SAMPLES.range());
+        assertEquals("--shadow-samples", BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES.option());
+        assertEquals("--proposal", BuiltInMethod.ClusterSettings.PROPOSAL.option());
+        assertEquals("normal (default), zeta or linear", BuiltInMethod.ClusterSettings.PROPOSAL.range());
+        assertEquals("1..1000000", BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES.range());
     }
 
     @Test
     void whatIsChosenForOneMethodStaysWhenAnotherIsTaken() {
-        RenderSettings s =
-                RenderSettings.of(SCENE).with(new RayTraceSettings(3)).with(new ClusterSettings("zeta"));
+        RenderSettings s = RenderSettings.of(SCENE)
+                .with(new BuiltInMethod.RayTraceSettings(3))
+                .with(new BuiltInMethod.ClusterSettings("zeta"));
         for (Method method : Method.all()) {
             RenderSettings with = s.withMethod(method);
-            assertEquals(3, RayTraceSettings.of(with).shadowSamples());
-            assertEquals("zeta", ClusterSettings.of(with).proposal());
+            assertEquals(3, BuiltInMethod.RayTraceSettings.of(with).shadowSamples());
+            assertEquals("zeta", BuiltInMethod.ClusterSettings.of(with).proposal());
         }
         ToyMethod.Settings toy = new ToyMethod.Settings(5, "square");
         assertEquals(toy, ToyMethod.Settings.of(s.using(toy)));
@@ -92,38 +93,41 @@ class MethodTest {
 
     @Test
     void toChooseTheDefaultIsToChooseNothing() {
-        ChosenSettings three = ChosenSettings.of(new RayTraceSettings(3));
+        ChosenSettings three = ChosenSettings.of(new BuiltInMethod.RayTraceSettings(3));
         assertEquals(Map.of("shadowSamples", 3L), three.values());
         assertNotEquals(ChosenSettings.NONE, three);
-        assertEquals(ChosenSettings.NONE, three.with(new RayTraceSettings(10)));
+        assertEquals(ChosenSettings.NONE, three.with(new BuiltInMethod.RayTraceSettings(10)));
         assertEquals(
                 ChosenSettings.NONE.hashCode(),
-                three.with(new RayTraceSettings(10)).hashCode());
-        assertEquals(RenderSettings.of(SCENE), RenderSettings.of(SCENE).with(new ClusterSettings("normal")));
+                three.with(new BuiltInMethod.RayTraceSettings(10)).hashCode());
+        assertEquals(
+                RenderSettings.of(SCENE), RenderSettings.of(SCENE).with(new BuiltInMethod.ClusterSettings("normal")));
     }
 
     @Test
     void wrongValuesAreRefusedByTheirKeys() {
-        InvalidValueException e = assertThrows(InvalidValueException.class, () -> new RayTraceSettings(0));
+        InvalidValueException e =
+                assertThrows(InvalidValueException.class, () -> new BuiltInMethod.RayTraceSettings(0));
         assertEquals("shadowSamples", e.key());
-        assertThrows(InvalidValueException.class, () -> new RayTraceSettings(1_000_001));
-        e = assertThrows(InvalidValueException.class, () -> new ClusterSettings("gauss"));
+        assertThrows(InvalidValueException.class, () -> new BuiltInMethod.RayTraceSettings(1_000_001));
+        e = assertThrows(InvalidValueException.class, () -> new BuiltInMethod.ClusterSettings("gauss"));
         assertEquals("proposal", e.key());
         RenderSettings s = RenderSettings.of(SCENE);
-        assertThrows(InvalidValueException.class, () -> s.with(RayTraceSettings.SHADOW_SAMPLES, "ten"));
+        assertThrows(InvalidValueException.class, () -> s.with(BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES, "ten"));
     }
 
     @Test
     void aStandInsSettingsHaveAnInfluenceToo() {
         assertEquals(
-                List.of(ClusterSettings.PROPOSAL, RayTraceSettings.SHADOW_SAMPLES), Method.influences(Method.CLUSTER));
-        assertEquals(List.of(RayTraceSettings.SHADOW_SAMPLES), Method.influences(Method.RAYTRACE));
+                List.of(BuiltInMethod.ClusterSettings.PROPOSAL, BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES),
+                Method.influences(Method.CLUSTER));
+        assertEquals(List.of(BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES), Method.influences(Method.RAYTRACE));
         assertEquals(List.of(ToyMethod.RAYS, ToyMethod.SHAPE), Method.influences(Method.named("toy")));
     }
 
     @Test
     void aShadingThatAMethodCannotRenderIsRefusedWithPlaceMethodAndWhatItCan() {
-        Scene physical = scene(PhysicalShading.DEFAULT);
+        Scene physical = scene(Shading.Physical.DEFAULT);
         for (Method method : Method.all()) {
             if (method.shadings().contains(Shading.Model.PHYSICAL)) {
                 Method.requireSupport(method, physical);
@@ -141,27 +145,27 @@ class MethodTest {
     }
 
     /** A method that is like another in some way. */
-    private static Method like(String word, MethodSetting setting) {
+    private static Method like(String word, Method.Setting setting) {
         return new MethodExtension(
                 word, "a double", Method.Kind.TILES, Set.of(Shading.Model.CLASSIC), List.of(setting)) {};
     }
 
     @Test
     void methodsThatCannotBeToldApartAreRefused() {
-        MethodSetting.Whole own = RayTraceSettings.SHADOW_SAMPLES;
+        Method.Setting.Whole own = BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES;
         Extensions.requireDistinct(like("other", own), Method.RAYTRACE);
         assertThrows(
                 IllegalStateException.class,
                 () -> Extensions.requireDistinct(like(Method.RAYTRACE.word(), own), Method.RAYTRACE));
-        MethodSetting.Whole wider =
-                new MethodSetting.Whole(own.key(), own.min(), own.max() + 1, own.usualValue(), own.description());
+        Method.Setting.Whole wider =
+                new Method.Setting.Whole(own.key(), own.min(), own.max() + 1, own.usualValue(), own.description());
         assertThrows(
                 IllegalStateException.class, () -> Extensions.requireDistinct(like("other", wider), Method.RAYTRACE));
         assertThrows(IllegalArgumentException.class, () -> like("Other Method", own));
-        assertThrows(IllegalArgumentException.class, () -> new MethodSetting.Whole("antialias", 0, 1, 0, "reserved"));
-        for (MethodSetting common : CommonSettings.ALL) {
+        assertThrows(IllegalArgumentException.class, () -> new Method.Setting.Whole("antialias", 0, 1, 0, "reserved"));
+        for (Method.Setting common : ChosenSettings.Common.ALL) {
             assertThrows(IllegalArgumentException.class, () -> like("other", common), common.key());
-            MethodSetting namesake = new MethodSetting.Whole(common.key(), 0, 1, 0, "reserved");
+            Method.Setting namesake = new Method.Setting.Whole(common.key(), 0, 1, 0, "reserved");
             assertThrows(IllegalArgumentException.class, () -> like("other", namesake), common.key());
         }
     }

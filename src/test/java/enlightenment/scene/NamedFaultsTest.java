@@ -90,7 +90,7 @@ class NamedFaultsTest {
                 .withRoughness(2));
         fails("eta: must be a number greater than 0, not 0.0", () -> new Conductor(Rgb.BLACK, Rgb.WHITE));
         fails("exposure: must lie in -1000.0..1000.0, not NaN", () -> new Display(Double.NaN, Tone.CLIP));
-        fails("ambient: must lie in 0.0..1.0, not 3.0", () -> new ClassicShading(3, 0, DisplayRgb.BLACK, 1));
+        fails("ambient: must lie in 0.0..1.0, not 3.0", () -> new Shading.Classic(3, 0, DisplayRgb.BLACK, 1));
         fails("g: must lie in 0.0..1.0, not 255.0", () -> DisplayRgb.of(0, 255, 0));
         fails("y: must be a finite number, not Infinity", () -> ExactPoint.of(0, 1 / 0.0, 0));
         fails("depth: must be 8 or 16 bits per component, not 24", () -> new ImageFiles.PngOptions(24, Map.of()));
@@ -128,7 +128,7 @@ class NamedFaultsTest {
     void theSceneNamesItsObjects() {
         Camera camera = new Camera.Perspective(ExactPoint.of(0, 0, -5), O, Vec3.Y, 40);
         SceneObject ball = new SceneObject("ball", Sphere.of(O, 1), Material.Matte.of(WHITE), java.util.List.of());
-        SceneBuilder twice =
+        Scene.Builder twice =
                 Scene.builder().size(8, 8).camera(camera).object(ball).object(ball);
         fails("objects/1/name: \"ball\" is used twice", twice::build);
     }
@@ -220,7 +220,7 @@ class NamedFaultsTest {
         nullFails("keys", () -> new Animation.Track("/seed", null));
     }
 
-    private static SceneBuilder scene() {
+    private static Scene.Builder scene() {
         return Scene.builder().camera(new Camera.Orthographic(ExactPoint.of(0, 0, -5), O, new Vec3(0, 1, 0), 4));
     }
 

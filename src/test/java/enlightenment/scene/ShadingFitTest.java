@@ -44,32 +44,32 @@ class ShadingFitTest {
             new Texture.File(Path.of("heights.png"), Texture.Filter.BILINEAR, Texture.Encoding.LINEAR);
     private static final Sphere BALL = Sphere.of(ExactPoint.ORIGIN, 1);
 
-    private static SceneBuilder scene(Shading shading) {
+    private static Scene.Builder scene(Shading shading) {
         return Scene.builder()
                 .camera(new Camera.Isometric(ExactPoint.ORIGIN, 3))
                 .shading(shading);
     }
 
-    private static InvalidValueException refused(SceneBuilder scene) {
+    private static InvalidValueException refused(Scene.Builder scene) {
         return assertThrows(InvalidValueException.class, scene::build);
     }
 
     @Test
     void aMaterialThatClassicShadingDoesNotKnowIsRefusedWhereItIsUsed() {
-        InvalidValueException e = refused(scene(ClassicShading.DEFAULT)
+        InvalidValueException e = refused(scene(Shading.Classic.DEFAULT)
                 .object(BALL, Material.Matte.of(WHITE))
                 .object(BALL, BRASS));
         assertEquals("objects/1/material/type", e.key());
         assertTrue(e.problem().startsWith("\"glossy\" needs \"shading\": {\"model\": \"physical\"}"), e.problem());
-        scene(PhysicalShading.DEFAULT).object(BALL, BRASS).build();
+        scene(Shading.Physical.DEFAULT).object(BALL, BRASS).build();
     }
 
     @Test
     void aPupilBeyondAllMeasureIsRefusedInPhysicalShadingWhereItIsALens() {
         Camera eye = eye(1001);
-        scene(ClassicShading.DEFAULT).camera(eye).build();
-        scene(PhysicalShading.DEFAULT).camera(eye(1000)).build();
-        InvalidValueException e = refused(scene(PhysicalShading.DEFAULT).camera(eye));
+        scene(Shading.Classic.DEFAULT).camera(eye).build();
+        scene(Shading.Physical.DEFAULT).camera(eye(1000)).build();
+        InvalidValueException e = refused(scene(Shading.Physical.DEFAULT).camera(eye));
         assertEquals("camera/pupilRadius", e.key());
         assertTrue(e.problem().startsWith("must be at most 1000 times the distance"), e.problem());
     }
@@ -78,8 +78,8 @@ class ShadingFitTest {
     void classicShadingRefusesALens() {
         Camera lens = new Camera.Perspective(ExactPoint.of(0, 0, -5), ExactPoint.ORIGIN, Vec3.Y, 40)
                 .withLens(Lens.round(0.1, 5));
-        scene(PhysicalShading.DEFAULT).camera(lens).build();
-        InvalidValueException e = refused(scene(ClassicShading.DEFAULT).camera(lens));
+        scene(Shading.Physical.DEFAULT).camera(lens).build();
+        InvalidValueException e = refused(scene(Shading.Classic.DEFAULT).camera(lens));
         assertEquals("camera/lens", e.key());
         assertTrue(e.problem().startsWith("needs \"shading\": {\"model\": \"physical\"}"), e.problem());
     }
@@ -87,12 +87,13 @@ class ShadingFitTest {
     @Test
     void aViewFromInfinitelyFarIsRefusedWhereAMediumHasNoEnd() {
         Medium medium = Medium.Coefficients.of(Rgb.BLACK, Rgb.WHITE);
-        Shading fog = new PhysicalShading(OptionalInt.empty(), new Background.Constant(Rgb.BLACK), Optional.of(medium));
+        Shading fog =
+                new Shading.Physical(OptionalInt.empty(), new Background.Constant(Rgb.BLACK), Optional.of(medium));
         InvalidValueException e = refused(scene(fog));
         assertEquals("camera/type", e.key());
         assertTrue(e.problem().startsWith("must not be \"isometric\""), e.problem());
         scene(fog).camera(eye(0)).build();
-        scene(PhysicalShading.DEFAULT).build();
+        scene(Shading.Physical.DEFAULT).build();
     }
 
     private static Camera eye(double pupilRadius) {
@@ -109,7 +110,7 @@ class ShadingFitTest {
     void aMaterialWithANameIsRefusedAtItsName() {
         assertEquals(
                 "materials/door~1handle~0/type",
-                refused(scene(ClassicShading.DEFAULT)
+                refused(scene(Shading.Classic.DEFAULT)
                                 .material("door/handle~", BRASS)
                                 .object(BALL, BRASS))
                         .key());
@@ -117,8 +118,8 @@ class ShadingFitTest {
 
     @Test
     void materialsThatNothingUsesDoNoHarm() {
-        scene(ClassicShading.DEFAULT).material("brass", BRASS).build();
-        scene(PhysicalShading.DEFAULT).material("sky", SKY).build();
+        scene(Shading.Classic.DEFAULT).material("brass", BRASS).build();
+        scene(Shading.Physical.DEFAULT).material("sky", SKY).build();
     }
 
     @Test
@@ -130,21 +131,21 @@ class ShadingFitTest {
         Material frosted = Glass.of(WHITE, 1.5).withRoughness(Amount.of(checks));
         for (Material material : new Material[] {rough, fog, frosted}) {
             InvalidValueException e = refused(
-                    scene(PhysicalShading.DEFAULT).object(BALL, material).object(tube, material));
+                    scene(Shading.Physical.DEFAULT).object(BALL, material).object(tube, material));
             assertEquals("objects/1/material", e.key());
             assertTrue(e.problem().contains("this shape encloses no volume"), e.problem());
-            scene(PhysicalShading.DEFAULT)
+            scene(Shading.Physical.DEFAULT)
                     .object(new Cylinder(tube.base(), tube.top(), tube.radius(), true), material)
                     .build();
         }
-        scene(ClassicShading.DEFAULT).object(tube, rough).build();
-        scene(PhysicalShading.DEFAULT).object(tube, Glass.of(WHITE, 1.5)).build();
+        scene(Shading.Classic.DEFAULT).object(tube, rough).build();
+        scene(Shading.Physical.DEFAULT).object(tube, Glass.of(WHITE, 1.5)).build();
     }
 
     @Test
     void surfacesWithoutShadowsAreRefusedInPhysicalShading() {
-        scene(ClassicShading.DEFAULT).object(BALL, SKY).build();
-        InvalidValueException e = refused(scene(PhysicalShading.DEFAULT).object(BALL, SKY));
+        scene(Shading.Classic.DEFAULT).object(BALL, SKY).build();
+        InvalidValueException e = refused(scene(Shading.Physical.DEFAULT).object(BALL, SKY));
         assertEquals("objects/0/material/receivesShadows", e.key());
         assertEquals(
                 "must be true in physical shading: what stands in the way of light takes it from every surface alike",
@@ -158,7 +159,7 @@ class ShadingFitTest {
         SceneObject object = new SceneObject("", cube, white, List.of(white, white, white, SKY, white, white));
         assertEquals(
                 "objects/0/faces/3/receivesShadows",
-                refused(scene(PhysicalShading.DEFAULT).object(object)).key());
+                refused(scene(Shading.Physical.DEFAULT).object(object)).key());
     }
 
     @Test
@@ -177,7 +178,7 @@ class ShadingFitTest {
         for (Material material : List.of(normals, bump, inside)) {
             for (Shape shape : unknown) {
                 InvalidValueException e = refused(
-                        scene(PhysicalShading.DEFAULT).object(BALL, material).object(shape, material));
+                        scene(Shading.Physical.DEFAULT).object(BALL, material).object(shape, material));
                 assertEquals("objects/1/material", e.key());
                 assertTrue(
                         e.problem()
@@ -188,10 +189,10 @@ class ShadingFitTest {
         SceneObject faces = new SceneObject("", cube, BRASS, List.of(BRASS, BRASS, inside, BRASS, BRASS, BRASS));
         assertEquals(
                 "objects/0/faces/2",
-                refused(scene(PhysicalShading.DEFAULT).object(faces)).key());
+                refused(scene(Shading.Physical.DEFAULT).object(faces)).key());
         Material holes = new Mask(BRASS, WHITE);
         unknown.forEach(
-                shape -> scene(PhysicalShading.DEFAULT).object(shape, holes).build());
+                shape -> scene(Shading.Physical.DEFAULT).object(shape, holes).build());
     }
 
     @Test
@@ -211,17 +212,17 @@ class ShadingFitTest {
 
     @Test
     void partsOfMaterialsAreLookedAtToo() {
-        InvalidValueException e = refused(scene(PhysicalShading.DEFAULT).object(BALL, new Mix(BRASS, SKY, WHITE)));
+        InvalidValueException e = refused(scene(Shading.Physical.DEFAULT).object(BALL, new Mix(BRASS, SKY, WHITE)));
         assertEquals("objects/0/material/materials/1/receivesShadows", e.key());
         assertEquals(
                 "objects/0/material/type",
-                refused(scene(ClassicShading.DEFAULT).object(BALL, new Mask(Material.Matte.of(WHITE), WHITE)))
+                refused(scene(Shading.Classic.DEFAULT).object(BALL, new Mask(Material.Matte.of(WHITE), WHITE)))
                         .key());
     }
 
     @Test
     void allPlacesAreToldAtOnceButNotThousands() {
-        SceneBuilder scene = scene(ClassicShading.DEFAULT);
+        Scene.Builder scene = scene(Shading.Classic.DEFAULT);
         Collections.nCopies(1000, BRASS).forEach(m -> scene.object(BALL, m));
         String problem = refused(scene).problem();
         assertTrue(

@@ -12,10 +12,10 @@ import java.util.Set;
 /** A method that is in the tests only: the program finds it as a service, and nothing in the program names it. */
 public final class ToyMethod extends MethodExtension implements IntegratorFactory {
     public static final String WORD = "toy";
-    public static final MethodSetting.Whole RAYS =
-            new MethodSetting.Whole("toyRays", 1, 64, 8, "rays of the toy per hit");
-    public static final MethodSetting.Word SHAPE =
-            new MethodSetting.Word("toyShape", List.of("round", "square"), "shape of what the toy looks at");
+    public static final Method.Setting.Whole RAYS =
+            new Method.Setting.Whole("toyRays", 1, 64, 8, "rays of the toy per hit");
+    public static final Method.Setting.Word SHAPE =
+            new Method.Setting.Word("toyShape", List.of("round", "square"), "shape of what the toy looks at");
 
     public ToyMethod() {
         super(
@@ -32,7 +32,7 @@ public final class ToyMethod extends MethodExtension implements IntegratorFactor
     }
 
     /** Its settings. */
-    public record Settings(int rays, String shape) implements MethodSettings {
+    public record Settings(int rays, String shape) implements Method.Settings {
         public static Settings of(RenderSettings settings) {
             return new Settings(settings.chosen().whole(RAYS), settings.chosen().word(SHAPE));
         }
@@ -43,7 +43,7 @@ public final class ToyMethod extends MethodExtension implements IntegratorFactor
         }
 
         @Override
-        public Object value(MethodSetting setting) {
+        public Object value(Method.Setting setting) {
             return setting.equals(RAYS) ? (Object) rays : shape;
         }
     }

@@ -6,8 +6,6 @@ import enlightenment.plan.IntegratorFactory;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Method;
 import enlightenment.scene.MethodExtension;
-import enlightenment.scene.MethodSetting;
-import enlightenment.scene.MethodSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
@@ -21,8 +19,8 @@ import java.util.Set;
  */
 public final class AmbientOcclusion extends MethodExtension implements IntegratorFactory {
     public static final String WORD = "ambient-occlusion";
-    static final MethodSetting.Whole RAYS =
-            new MethodSetting.Whole("occlusionRays", 1, 1024, 4, "rays into the hemisphere of each hit");
+    static final Method.Setting.Whole RAYS =
+            new Method.Setting.Whole("occlusionRays", 1, 1024, 4, "rays into the hemisphere of each hit");
 
     /** Found as a service. */
     public AmbientOcclusion() {
@@ -46,14 +44,14 @@ public final class AmbientOcclusion extends MethodExtension implements Integrato
     }
 
     /** Its settings. */
-    public record Settings(int rays) implements MethodSettings {
+    public record Settings(int rays) implements Method.Settings {
         @Override
         public Method method() {
             return Method.named(WORD);
         }
 
         @Override
-        public Object value(MethodSetting setting) {
+        public Object value(Method.Setting setting) {
             return rays;
         }
     }

@@ -27,10 +27,9 @@ import enlightenment.method.RayTraceMethod;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.primitive.Ray;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.world.parts.RayCounters;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
@@ -134,7 +133,7 @@ class HierarchyTest {
     @Test
     void aPictureIsTheSameWithAndWithoutAHierarchy() {
         Random r = new Random(11);
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .size(48, 32)
                 .camera(new Camera.Perspective(ExactPoint.of(0, 2, -12), ExactPoint.of(0, 0, 0), Vec3.Y, 50))
                 .light(new Light.Sphere(ExactPoint.of(4, 9, -6), 1.5, DisplayRgb.WHITE))
@@ -160,7 +159,7 @@ class HierarchyTest {
                         ExactPoint.of(20, -6, -20)),
                 materials[0]);
         Scene scene = b.build();
-        RenderSettings settings = RenderSettings.of(scene).withAntialias(2).with(new RayTraceSettings(5));
+        RenderSettings settings = RenderSettings.of(scene).withAntialias(2).with(new BuiltInMethod.RayTraceSettings(5));
         FilmTile tree = render(scene, settings, true);
         FilmTile loop = render(scene, settings, false);
         for (int y = 0; y < 32; y++) {

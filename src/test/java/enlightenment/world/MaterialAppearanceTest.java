@@ -13,9 +13,9 @@ import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -28,7 +28,7 @@ class MaterialAppearanceTest {
         Scene scene = Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -5), ExactPoint.ORIGIN, Vec3.Y, 50))
-                .shading(PhysicalShading.DEFAULT)
+                .shading(Shading.Physical.DEFAULT)
                 .object(Sphere.of(ExactPoint.ORIGIN, 1), material)
                 .build();
         return SceneCompiler.compile(scene, RenderSettings.of(scene))

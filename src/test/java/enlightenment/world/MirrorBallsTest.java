@@ -14,10 +14,9 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.SpherePrimitive;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.Polls;
@@ -33,10 +32,10 @@ class MirrorBallsTest {
     private static final Texture GREY = Texture.of(Rgb.WHITE);
     private static final Material MIRROR = Material.Mirror.of(GREY);
 
-    private static SceneBuilder empty() {
+    private static Scene.Builder empty() {
         return Scene.builder()
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -9), ExactPoint.of(0, 0, 0), Vec3.Y, 60))
-                .shading(new PhysicalShading(OptionalInt.empty(), Rgb.BLACK));
+                .shading(new Shading.Physical(OptionalInt.empty(), Rgb.BLACK));
     }
 
     private static Material glowing(double radiance) {
@@ -54,7 +53,7 @@ class MirrorBallsTest {
         SplittableRandom r = new SplittableRandom(seed);
         boolean onGrid = r.nextBoolean();
         boolean areLarge = r.nextInt(4) == 0;
-        SceneBuilder b = empty();
+        Scene.Builder b = empty();
         for (int k = 0; k < mirrors; k++) {
             double radius = areLarge ? 20 + k : onGrid ? 0.25 * (1 + r.nextInt(2)) : r.nextDouble(0.01, 0.5);
             Material m = r.nextInt(8) == 0 ? new Material.Mirror(GREY, true, new Rgb(2, 1, 0)) : MIRROR;
@@ -133,9 +132,9 @@ class MirrorBallsTest {
         assertTrue(few > 20 && many > 40, few + " with fewer than eight, " + many + " with eight");
     }
 
-    private static SceneBuilder crowd(Material material, int n) {
+    private static Scene.Builder crowd(Material material, int n) {
         SplittableRandom r = new SplittableRandom(5);
-        SceneBuilder b = empty();
+        Scene.Builder b = empty();
         for (int k = 0; k < n; k++) {
             b.object(Sphere.of(place(r, false), 0.02), material);
             b.object(Sphere.of(place(r, false), 0.01), glowing(1));

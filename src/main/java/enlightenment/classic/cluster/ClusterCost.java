@@ -8,7 +8,7 @@ import enlightenment.method.cluster.EffortSearch;
 import enlightenment.method.cluster.SeenBlocks;
 import enlightenment.sampling.Distribution;
 import enlightenment.sampling.Hash;
-import enlightenment.scene.ClusterSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
@@ -76,7 +76,7 @@ public final class ClusterCost implements EffortCost {
                 scene,
                 settings,
                 counters,
-                Distribution.of(ClusterSettings.of(settings).proposal()),
+                Distribution.of(BuiltInMethod.ClusterSettings.of(settings).proposal()),
                 effort,
                 samples);
         method.stopWhen(cancelled);

@@ -10,8 +10,8 @@ import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.WholeFile;
 import enlightenment.measure.Bench;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -143,7 +143,7 @@ public final class BenchCommand extends Subcommand {
 
     private static String describe(RenderSettings s) {
         return s.method() + " " + s.width() + "x" + s.height() + " aa " + s.antialias() + " sh "
-                + RayTraceSettings.of(s).shadowSamples() + " th " + s.threads();
+                + BuiltInMethod.RayTraceSettings.of(s).shadowSamples() + " th " + s.threads();
     }
 
     static final class Repeats extends WholeNumber {

@@ -26,12 +26,12 @@ import enlightenment.measure.Trade;
 import enlightenment.measure.trade.Sweep;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.PhysicalShading;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -178,8 +178,9 @@ public final class TradeCommand extends Subcommand {
     }
 
     private TradeSettings settings(Scene scene) throws IOException {
-        if (scene.shading() instanceof PhysicalShading
-                && sweeps.stream().anyMatch(s -> s.name().equals(RayTraceSettings.SHADOW_SAMPLES.key()))) {
+        if (scene.shading() instanceof Shading.Physical
+                && sweeps.stream()
+                        .anyMatch(s -> s.name().equals(BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES.key()))) {
             throw CliException.wrongUsage(
                     "--sweep shadowSamples has nothing to vary with physical shading, where a path takes"
                             + " one light sample at a time");

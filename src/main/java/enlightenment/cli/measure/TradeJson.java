@@ -16,7 +16,7 @@ import enlightenment.measure.analysis.TradeAnalysis;
 import enlightenment.measure.analysis.Verdict;
 import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.TradeResult;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import java.util.Locale;
 import java.util.Optional;
@@ -164,7 +164,8 @@ final class TradeJson {
         json.writeNumberProperty("width", s.region().width());
         json.writeNumberProperty("height", s.region().height());
         json.writeNumberProperty("antialias", s.antialias());
-        json.writeNumberProperty("shadowSamples", RayTraceSettings.of(s).shadowSamples());
+        json.writeNumberProperty(
+                "shadowSamples", BuiltInMethod.RayTraceSettings.of(s).shadowSamples());
         ReportJson.common(json, s);
         json.writeNumberProperty("threads", s.threads());
         json.writeEndObject();

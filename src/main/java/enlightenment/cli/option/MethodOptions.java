@@ -3,7 +3,6 @@ package enlightenment.cli.option;
 import enlightenment.math.InvalidValueException;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,7 +17,7 @@ public final class MethodOptions {
     private final CommandSpec spec = CommandSpec.create();
 
     public MethodOptions() {
-        for (MethodSetting setting : Method.settings(BuiltInMethod.ALL)) {
+        for (Method.Setting setting : Method.settings(BuiltInMethod.ALL)) {
             spec.addOption(option(setting));
         }
     }
@@ -30,7 +29,7 @@ public final class MethodOptions {
 
     /** Adds the options of methods from outside to the command into which the others were mixed. */
     public void addOthers(CommandSpec command) {
-        for (MethodSetting setting : Method.settings(Method.all())) {
+        for (Method.Setting setting : Method.settings(Method.all())) {
             if (!command.optionsMap().containsKey(setting.option())) {
                 command.addOption(option(setting));
             }
@@ -57,18 +56,18 @@ public final class MethodOptions {
         return words;
     }
 
-    private OptionSpec option(MethodSetting setting) {
+    private OptionSpec option(Method.Setting setting) {
         Setter setter = new Setter(setting);
         setters.add(setter);
         OptionSpec.Builder option = OptionSpec.builder(setting.option()).setter(setter);
-        if (setting instanceof MethodSetting.Whole whole) {
+        if (setting instanceof Method.Setting.Whole whole) {
             return option.paramLabel("N")
                     .type(Long.class)
                     .converters(new Number(whole))
                     .description(setting.description() + ", " + setting.range())
                     .build();
         }
-        Words words = new Words(((MethodSetting.Word) setting).words());
+        Words words = new Words(((Method.Setting.Word) setting).words());
         return option.paramLabel("KIND")
                 .type(String.class)
                 .converters(words)
@@ -79,10 +78,10 @@ public final class MethodOptions {
 
     /** What one option was given. */
     private static final class Setter implements ISetter {
-        private final MethodSetting setting;
+        private final Method.Setting setting;
         private Object value;
 
-        Setter(MethodSetting setting) {
+        Setter(Method.Setting setting) {
             this.setting = setting;
         }
 
@@ -95,7 +94,7 @@ public final class MethodOptions {
         }
     }
 
-    private record Number(MethodSetting.Whole setting) implements ITypeConverter<Long> {
+    private record Number(Method.Setting.Whole setting) implements ITypeConverter<Long> {
         @Override
         public Long convert(String text) {
             try {

@@ -4,8 +4,8 @@ import enlightenment.cli.option.BadValue;
 import enlightenment.cli.option.WordOption;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.render.Auxiliary;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
@@ -23,7 +23,7 @@ public record AovSet(Set<Auxiliary> kinds) {
                 .filter(Auxiliary::needsPaths)
                 .map(Auxiliary::word)
                 .toList();
-        if (!words.isEmpty() && !(scene.shading() instanceof PhysicalShading)) {
+        if (!words.isEmpty() && !(scene.shading() instanceof Shading.Physical)) {
             throw CliException.wrongUsage("--aov " + String.join(",", words)
                     + " is for physical shading: classic shading does not tell it apart");
         }

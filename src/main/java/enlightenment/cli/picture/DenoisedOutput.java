@@ -7,9 +7,9 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.render.RenderResult;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -43,7 +43,7 @@ public final class DenoisedOutput {
         if (!isGiven()) {
             return;
         }
-        if (!(scene.shading() instanceof PhysicalShading)) {
+        if (!(scene.shading() instanceof Shading.Physical)) {
             throw CliException.wrongUsage(
                     OPTION
                             + " is for physical shading: of classic shading not enough is known of each pixel to remove its grain");

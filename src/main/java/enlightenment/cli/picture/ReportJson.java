@@ -5,10 +5,9 @@ import enlightenment.json.JsonText;
 import enlightenment.net.AuditReport;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.CommonSettings;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
-import enlightenment.scene.MethodSetting;
-import enlightenment.scene.MetropolisSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.Map;
@@ -97,8 +96,8 @@ public final class ReportJson {
 
     /** The settings that all methods have. */
     public static void common(JsonGenerator json, RenderSettings s) {
-        numbers(json, s, CommonSettings.ALL);
-        words(json, s, CommonSettings.ALL);
+        numbers(json, s, ChosenSettings.Common.ALL);
+        words(json, s, ChosenSettings.Common.ALL);
     }
 
     /** The whole numbers among the settings that have an influence with the method in use. */
@@ -106,9 +105,9 @@ public final class ReportJson {
         numbers(json, s, Method.influences(s.method()));
     }
 
-    private static void numbers(JsonGenerator json, RenderSettings s, List<MethodSetting> settings) {
-        for (MethodSetting setting : settings) {
-            if (setting instanceof MethodSetting.Whole whole) {
+    private static void numbers(JsonGenerator json, RenderSettings s, List<Method.Setting> settings) {
+        for (Method.Setting setting : settings) {
+            if (setting instanceof Method.Setting.Whole whole) {
                 json.writeNumberProperty(whole.key(), whole.checked(s.chosen().value(whole)));
             }
         }
@@ -119,9 +118,9 @@ public final class ReportJson {
         words(json, s, Method.influences(s.method()));
     }
 
-    private static void words(JsonGenerator json, RenderSettings s, List<MethodSetting> settings) {
-        for (MethodSetting setting : settings) {
-            if (setting instanceof MethodSetting.Word word) {
+    private static void words(JsonGenerator json, RenderSettings s, List<Method.Setting> settings) {
+        for (Method.Setting setting : settings) {
+            if (setting instanceof Method.Setting.Word word) {
                 json.writeStringProperty(word.key(), s.chosen().word(word));
             }
         }
@@ -147,7 +146,7 @@ public final class ReportJson {
         }
         boolean areChains = s.method() == Method.METROPOLIS;
         if (areChains) {
-            json.writeNumberProperty("blocks", MetropolisSettings.blocks(report.settings()));
+            json.writeNumberProperty("blocks", BuiltInMethod.MetropolisSettings.blocks(report.settings()));
         }
         json.writeNumberProperty(areChains ? "chains" : "clusters", s.clusters());
         json.writeNumberProperty("proposals", s.proposals());

@@ -1,8 +1,8 @@
 package enlightenment.cli.picture;
 
 import enlightenment.report.RenderReport;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.MetropolisSettings;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
@@ -80,7 +80,7 @@ final class StatsTable {
                     areChains ? "steps proposed" : "proposals",
                     percent);
             if (areChains) {
-                row("  in blocks", MetropolisSettings.blocks(report.settings()));
+                row("  in blocks", BuiltInMethod.MetropolisSettings.blocks(report.settings()));
             }
         }
     }

@@ -8,8 +8,8 @@ import enlightenment.color.DisplayCurve;
 import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.picture.Exposure;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import picocli.CommandLine.ITypeConverter;
@@ -52,7 +52,7 @@ public final class ViewOption {
 
     /** Fails if the option was given for a scene whose pictures are display-referred. */
     public void check(Scene scene) {
-        check(scene.shading() instanceof PhysicalShading);
+        check(scene.shading() instanceof Shading.Physical);
     }
 
     private void check(boolean isLinear) {

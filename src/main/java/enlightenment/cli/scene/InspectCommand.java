@@ -22,13 +22,12 @@ import enlightenment.mesh.tree.TriangleTree;
 import enlightenment.render.MethodChoice;
 import enlightenment.render.Renderer;
 import enlightenment.scene.BuiltInMethod;
-import enlightenment.scene.MethodSetting;
-import enlightenment.scene.PhysicalShading;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import enlightenment.text.Plain;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -100,8 +99,9 @@ public final class InspectCommand extends Subcommand {
     private static List<String> method(RenderSettings settings, Scene scene) {
         List<String> lines = new ArrayList<>();
         lines.add(settings.method().word() + ": " + settings.method().description());
-        for (MethodSetting setting : settings.method().settings()) {
-            boolean isIdle = setting == RayTraceSettings.SHADOW_SAMPLES && scene.shading() instanceof PhysicalShading;
+        for (Method.Setting setting : settings.method().settings()) {
+            boolean isIdle = setting == BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES
+                    && scene.shading() instanceof Shading.Physical;
             lines.add(setting.key() + "=" + settings.chosen().value(setting) + ": "
                     + (isIdle
                             ? "of classic shading; a physical path takes one point of a light at a time"

@@ -1,9 +1,8 @@
 package enlightenment.cli.setting;
 
 import enlightenment.cli.option.DecimalNumber;
-import enlightenment.scene.CommonSettings;
+import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
-import enlightenment.scene.MethodSetting;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -28,9 +27,9 @@ public final class SettingsLine {
         if (s.budget().error().isPresent()) {
             line.append(" error=").append(DecimalNumber.plain(s.budget().error().getAsDouble()));
         }
-        List<MethodSetting> settings = new ArrayList<>(Method.influences(s.method()));
-        settings.addAll(CommonSettings.ALL);
-        for (MethodSetting setting : settings) {
+        List<Method.Setting> settings = new ArrayList<>(Method.influences(s.method()));
+        settings.addAll(ChosenSettings.Common.ALL);
+        for (Method.Setting setting : settings) {
             line.append(' ').append(setting.key()).append('=').append(s.chosen().value(setting));
         }
         if (s.crop().isPresent()) {

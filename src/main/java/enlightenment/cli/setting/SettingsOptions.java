@@ -7,7 +7,6 @@ import enlightenment.cli.option.WholeNumber;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.math.InvalidValueException;
-import enlightenment.scene.RenderDefaults;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.util.ArrayList;
@@ -116,7 +115,7 @@ public final class SettingsOptions {
 
     static final class Antialias extends WholeNumber {
         Antialias() {
-            super(1, RenderDefaults.MAX_ANTIALIAS);
+            super(1, RenderSettings.Defaults.MAX_ANTIALIAS);
         }
     }
 }

@@ -5,7 +5,7 @@ import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
 import enlightenment.importer.support.NamedChoice;
-import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Shading;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -117,7 +117,7 @@ public final class MitsubaReader {
         // A path of depth 1 is light that is seen, of depth 2 light that was scattered once.
         int depth = p.whole("max_depth", -1);
         if (depth >= 0 && !e.type().equals("direct")) {
-            scene.draft().maxBounces(StrictMath.min(StrictMath.max(depth - 1, 0), PhysicalShading.MAX_BOUNCES));
+            scene.draft().maxBounces(StrictMath.min(StrictMath.max(depth - 1, 0), Shading.Physical.MAX_BOUNCES));
         }
     }
 }

@@ -3,7 +3,7 @@ package enlightenment.importer.pbrt;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
-import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Shading;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.util.ArrayDeque;
@@ -74,7 +74,7 @@ final class Directives {
         });
         handlers.put("Integrator", place -> {
             name();
-            draft.maxBounces(parameters("").integer("maxdepth", USUAL_DEPTH, 0, PhysicalShading.MAX_BOUNCES));
+            draft.maxBounces(parameters("").integer("maxdepth", USUAL_DEPTH, 0, Shading.Physical.MAX_BOUNCES));
         });
         handlers.put("WorldBegin", this::beginWorld);
         handlers.put("ReverseOrientation", place -> state.isReversed = !state.isReversed);

@@ -3,8 +3,8 @@ package enlightenment.measure.analysis;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
 import java.util.ArrayList;
@@ -25,7 +25,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
     public static Configuration ofScene(TradeSettings settings, String method) {
         int lightSamples = settings.shading() == Shading.Model.PHYSICAL
                 ? 0
-                : RayTraceSettings.of(settings.base()).shadowSamples();
+                : BuiltInMethod.RayTraceSettings.of(settings.base()).shadowSamples();
         return new Configuration(method, lightSamples, false);
     }
 
@@ -46,7 +46,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
         for (int n = 1; 2 * n <= own.lightSamples; n *= STEP) {
             variants.add(new Configuration(own.method, n, false));
         }
-        if (own.lightSamples <= RayTraceSettings.SHADOW_SAMPLES.max() / STEP) {
+        if (own.lightSamples <= BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES.max() / STEP) {
             variants.add(new Configuration(own.method, STEP * own.lightSamples, false));
         }
         return variants;
@@ -56,7 +56,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
     private boolean takesLightSamples() {
         return lightSamples > 0
                 && Method.of(method)
-                        .filter(m -> m.settings().contains(RayTraceSettings.SHADOW_SAMPLES))
+                        .filter(m -> m.settings().contains(BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES))
                         .isPresent();
     }
 
@@ -69,7 +69,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
     public RenderSettings settings(RenderSettings base, double samples, long seed) {
         RenderSettings own = base.withMethod(Method.named(method)).withSeed(seed);
         if (lightSamples > 0) {
-            own = own.with(RayTraceSettings.SHADOW_SAMPLES, lightSamples);
+            own = own.with(BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES, lightSamples);
         }
         return grid
                 ? own.withAntialias(side(samples)).withBudget(Budget.NONE)
@@ -98,7 +98,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
         return "--method " + method
                 + (lightSamples == sceneLightSamples || lightSamples == 0
                         ? ""
-                        : " " + RayTraceSettings.SHADOW_SAMPLES.option() + " " + lightSamples)
+                        : " " + BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES.option() + " " + lightSamples)
                 + budget;
     }
 }

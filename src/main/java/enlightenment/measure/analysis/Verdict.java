@@ -4,7 +4,7 @@ import enlightenment.measure.trade.Advice;
 import enlightenment.measure.trade.Advice.Basis;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeSettings;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -240,7 +240,8 @@ public record Verdict(
         return cost.configuration()
                         .options(
                                 cost.samples(),
-                                RayTraceSettings.of(settings.base()).shadowSamples())
+                                BuiltInMethod.RayTraceSettings.of(settings.base())
+                                        .shadowSamples())
                 + (cost.target() < NEEDS_SIXTEEN_BITS ? " --depth 16" : "");
     }
 }

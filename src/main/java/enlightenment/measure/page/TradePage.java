@@ -14,7 +14,7 @@ import enlightenment.measure.analysis.TradeAnalysis;
 import enlightenment.measure.analysis.Verdict;
 import enlightenment.measure.chart.Chart;
 import enlightenment.measure.trade.TradeResult;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
 import java.io.IOException;
@@ -73,7 +73,9 @@ public final class TradePage {
         html.element(
                 "p class=\"quiet\"",
                 region.width() + " × " + region.height() + " pixels, "
-                        + (isPhysical ? "" : RayTraceSettings.of(s).shadowSamples() + " light samples per hit, ")
+                        + (isPhysical
+                                ? ""
+                                : BuiltInMethod.RayTraceSettings.of(s).shadowSamples() + " light samples per hit, ")
                         + s.threads() + (s.threads() == 1 ? " thread" : " threads")
                         + ". The figures hold for this size and these settings.");
         if (!result.result().conditions().complete()) {

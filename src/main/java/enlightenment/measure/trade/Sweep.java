@@ -1,6 +1,6 @@
 package enlightenment.measure.trade;
 
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,7 +15,8 @@ import java.util.regex.Pattern;
  */
 public record Sweep(String name, List<Integer> values) {
     /** The settings that can be swept. */
-    public static final List<String> NAMES = List.of("antialias", RayTraceSettings.SHADOW_SAMPLES.key(), "threads");
+    public static final List<String> NAMES =
+            List.of("antialias", BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES.key(), "threads");
 
     private static final Pattern FORM = Pattern.compile("([A-Za-z]+)=(\\d{1,7})\\.\\.(\\d{1,7}|N)");
     private static final int MAX_SINGLE_STEPS = 16;
@@ -43,7 +44,8 @@ public record Sweep(String name, List<Integer> values) {
         if (from < 1 || to < from) {
             throw new IllegalArgumentException("must go upwards from at least 1, not \"" + text + "\"");
         }
-        boolean doubling = m.group(1).equals(RayTraceSettings.SHADOW_SAMPLES.key()) || to - from >= MAX_SINGLE_STEPS;
+        boolean doubling =
+                m.group(1).equals(BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES.key()) || to - from >= MAX_SINGLE_STEPS;
         List<Integer> values = new ArrayList<>();
         for (long v = from; v <= to; v = doubling ? 2 * v : v + 1) {
             values.add((int) v);
@@ -60,15 +62,15 @@ public record Sweep(String name, List<Integer> values) {
      * @throws enlightenment.math.InvalidValueException if the value is out of range; its key names the setting
      */
     public RenderSettings at(RenderSettings settings, int value) {
-        if (name.equals(RayTraceSettings.SHADOW_SAMPLES.key())) {
-            return settings.with(RayTraceSettings.SHADOW_SAMPLES, value);
+        if (name.equals(BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES.key())) {
+            return settings.with(BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES, value);
         }
         return name.equals("antialias") ? settings.withAntialias(value) : settings.withThreads(value);
     }
 
     /** The value that a run was made with. */
     public int valueOf(TradeRun run) {
-        if (name.equals(RayTraceSettings.SHADOW_SAMPLES.key())) {
+        if (name.equals(BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES.key())) {
             return run.shadowSamples();
         }
         return name.equals("antialias") ? run.antialias() : run.threads();

@@ -6,7 +6,7 @@ import enlightenment.film.TilePasses;
 import enlightenment.method.Block;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.method.TileIntegrator;
-import enlightenment.scene.MetropolisSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.transport.path.PathIntegrator;
 import enlightenment.transport.ray.Shader;
@@ -61,7 +61,7 @@ public final class MetropolisMethod implements TileIntegrator {
         this.sink = sink;
         boolean isPhysical = scene.physical != null;
         spending = Spending.of(samples, isPhysical);
-        MetropolisSettings own = MetropolisSettings.of(settings);
+        BuiltInMethod.MetropolisSettings own = BuiltInMethod.MetropolisSettings.of(settings);
         shader = isPhysical
                 ? new PathIntegrator(scene, counters, PathPart.INDIRECT)
                 : ClassicShader.ofColors(scene, 1, counters);
@@ -105,7 +105,7 @@ public final class MetropolisMethod implements TileIntegrator {
             direct.render(seen, quarter, QUARTERS);
             tile.addLostSamples(seen.lostSamples());
         }
-        Block.forEach(tile, settings.width(), settings.height(), MetropolisSettings.BLOCK_SIDE, block -> {
+        Block.forEach(tile, settings.width(), settings.height(), BuiltInMethod.MetropolisSettings.BLOCK_SIDE, block -> {
             chains.render(block, quarter, spending, settings.seed());
             tile.addSurveyRays(Math.max(chains.taken() + put(block, seen, tile), 0));
             tile.addLostSamples(chains.lost());

@@ -5,7 +5,6 @@ import enlightenment.engine.UnitMaker;
 import enlightenment.file.ContentHash;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -93,7 +92,7 @@ public final class Canary {
                 RenderSettings settings = RenderSettings.of(scene)
                         .withMethod(method)
                         .withAntialias(RAYS)
-                        .with(new RayTraceSettings(2))
+                        .with(new BuiltInMethod.RayTraceSettings(2))
                         .withThreads(1);
                 all.add(DividedRender.prepare(scene, settings, () -> false));
             }

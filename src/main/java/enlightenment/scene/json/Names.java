@@ -5,9 +5,9 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -21,7 +21,7 @@ import java.util.TreeSet;
 
 /** How a scene's textures, materials and image files are called in its text, and which of its numbers are animated. */
 final class Names {
-    private final SceneWriter.FileNames fileNames;
+    private final FileNaming fileNames;
     private final TreeSet<String> targets = new TreeSet<>();
     private final Map<String, Texture> textures;
     private final Map<Texture, String> textureNames = new HashMap<>();
@@ -29,7 +29,7 @@ final class Names {
     private final Map<Material, String> materialNames = new HashMap<>();
 
     /** @param fileNames how image files are called in the text */
-    Names(Scene scene, SceneWriter.FileNames fileNames) {
+    Names(Scene scene, FileNaming fileNames) {
         this.fileNames = fileNames;
         this.textures = new LinkedHashMap<>(scene.textures());
         scene.animation().ifPresent(a -> a.tracks().forEach(t -> targets.add(t.target())));
@@ -45,7 +45,7 @@ final class Names {
                 nameTexture(projector.picture());
             }
         }
-        if (scene.shading() instanceof PhysicalShading shading
+        if (scene.shading() instanceof Shading.Physical shading
                 && shading.background() instanceof Background.Picture surroundings) {
             nameTexture(surroundings.picture());
         }

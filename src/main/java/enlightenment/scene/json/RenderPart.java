@@ -4,8 +4,7 @@ import enlightenment.scene.Animation;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
-import enlightenment.scene.MethodSetting;
-import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -17,30 +16,30 @@ final class RenderPart {
     /** The keys, where these methods are known. */
     static Keys keys(List<Method> methods) {
         StringBuilder optional = new StringBuilder("method antialias");
-        for (MethodSetting setting : Method.settings(methods)) {
+        for (Method.Setting setting : Method.settings(methods)) {
             optional.append(' ').append(setting.key());
         }
         return Keys.of("render", "the render part", "", optional.toString());
     }
 
     /** Null after a problem. */
-    static RenderDefaults read(JsonValue v, JsonPointer place, Values values) {
+    static RenderSettings.Defaults read(JsonValue v, JsonPointer place, Values values) {
         List<Method> methods = known(v);
         Fields f = Fields.of(v, place, keys(methods), values);
         if (f == null) {
             return null;
         }
-        RenderDefaults d = RenderDefaults.DEFAULT;
+        RenderSettings.Defaults d = RenderSettings.Defaults.DEFAULT;
         String method = f.word(
                 "method", Method.words(Method.selectable(methods)), d.method().word());
-        int antialias = f.integer("antialias", 1, RenderDefaults.MAX_ANTIALIAS, d.antialias());
+        int antialias = f.integer("antialias", 1, RenderSettings.Defaults.MAX_ANTIALIAS, d.antialias());
         ChosenSettings chosen = ChosenSettings.NONE;
-        for (MethodSetting setting : Method.settings(methods)) {
+        for (Method.Setting setting : Method.settings(methods)) {
             Object value = f.has(setting.key()) ? value(f, setting) : null;
             chosen = value == null ? chosen : chosen.with(setting, value);
         }
         ChosenSettings said = chosen;
-        return f.make(() -> new RenderDefaults(Method.named(method), antialias, said));
+        return f.make(() -> new RenderSettings.Defaults(Method.named(method), antialias, said));
     }
 
     /** Our own methods, and those from outside where there is something that is not ours. */
@@ -61,10 +60,10 @@ final class RenderPart {
     }
 
     /** The value of a setting that is there; null after a problem. */
-    private static Object value(Fields f, MethodSetting setting) {
-        return setting instanceof MethodSetting.Whole w
+    private static Object value(Fields f, Method.Setting setting) {
+        return setting instanceof Method.Setting.Whole w
                 ? (Object) f.whole(w.key(), w.min(), w.max(), w.usualValue())
-                : f.word(setting.key(), ((MethodSetting.Word) setting).words(), null);
+                : f.word(setting.key(), ((Method.Setting.Word) setting).words(), null);
     }
 
     /**
@@ -72,13 +71,13 @@ final class RenderPart {
      *
      * @param animation null if there is none
      */
-    static JsonValue write(RenderDefaults r, Animation animation, JsonObjectBuilder p) {
+    static JsonValue write(RenderSettings.Defaults r, Animation animation, JsonObjectBuilder p) {
         p.text("method", r.method().word()).whole("antialias", r.antialias());
         Map<String, Object> chosen = new TreeMap<>(r.chosen().values());
-        List<MethodSetting> own = Method.influences(r.method());
-        for (MethodSetting setting : Method.settings(BuiltInMethod.ALL)) {
+        List<Method.Setting> own = Method.influences(r.method());
+        for (Method.Setting setting : Method.settings(BuiltInMethod.ALL)) {
             boolean isSaid = own.contains(setting) || isMoved(setting, animation);
-            if (chosen.containsKey(setting.key()) || isSaid && setting instanceof MethodSetting.Whole) {
+            if (chosen.containsKey(setting.key()) || isSaid && setting instanceof Method.Setting.Whole) {
                 put(p, setting.key(), r.chosen().value(setting));
                 chosen.remove(setting.key());
             }
@@ -87,7 +86,7 @@ final class RenderPart {
         return p.json();
     }
 
-    private static boolean isMoved(MethodSetting setting, Animation animation) {
+    private static boolean isMoved(Method.Setting setting, Animation animation) {
         String place = JsonPointer.ROOT.child("render").child(setting.key()).toString();
         return animation != null
                 && animation.tracks().stream().anyMatch(track -> track.target().equals(place));

@@ -3,9 +3,8 @@ package enlightenment.scene.json;
 import enlightenment.camera.Camera;
 import enlightenment.light.Light;
 import enlightenment.scene.Animation;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Display;
-import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
@@ -79,13 +78,14 @@ final class SceneBinder {
         int height = image == null ? 1 : image.integer("height", 1, Scene.MAX_SIDE, 1);
         Camera camera = f.has("camera") ? Cameras.read(f.get("camera"), f.at("camera"), values) : null;
         Shading shading =
-                f.has("shading") ? Shadings.read(f.get("shading"), f.at("shading"), values) : ClassicShading.DEFAULT;
+                f.has("shading") ? Shadings.read(f.get("shading"), f.at("shading"), values) : Shading.Classic.DEFAULT;
         Display display = f.has("display") ? Displays.read(f.get("display"), f.at("display"), values) : Display.DEFAULT;
         stream.tellLibrary();
         List<Light> lights = f.has("lights") ? Lights.read(f.get("lights"), f.at("lights"), values) : List.of();
         List<SceneObject> objects = f.has("objects") ? stream.objects(f.get("objects"), f.at("objects")) : List.of();
-        RenderDefaults render =
-                f.has("render") ? RenderPart.read(f.get("render"), f.at("render"), values) : RenderDefaults.DEFAULT;
+        RenderSettings.Defaults render = f.has("render")
+                ? RenderPart.read(f.get("render"), f.at("render"), values)
+                : RenderSettings.Defaults.DEFAULT;
         return f.make(() -> new Scene(
                 name == null ? "" : name,
                 width,

@@ -1,8 +1,7 @@
 package enlightenment.scene.json;
 
 import enlightenment.scene.Method;
-import enlightenment.scene.MethodSetting;
-import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -33,7 +32,7 @@ final class SceneSchema {
                 Method.settings(methods).stream().map(SceneSchema::property).collect(Collectors.joining(",\n"));
         return resource()
                 .replace(WORDS, words)
-                .replace(USUAL, quoted(RenderDefaults.DEFAULT.method().word()))
+                .replace(USUAL, quoted(RenderSettings.Defaults.DEFAULT.method().word()))
                 .replace("        " + SETTINGS, settings);
     }
 
@@ -48,14 +47,14 @@ final class SceneSchema {
         }
     }
 
-    private static String property(MethodSetting setting) {
+    private static String property(Method.Setting setting) {
         String description = setting.description();
         String sentence = Character.toUpperCase(description.charAt(0)) + description.substring(1) + ".";
-        String values = setting instanceof MethodSetting.Whole w
+        String values = setting instanceof Method.Setting.Whole w
                 ? "\"type\": \"integer\",\n          \"minimum\": " + w.min() + ",\n          \"maximum\": " + w.max()
                         + ",\n          \"default\": " + w.usualValue()
                 : "\"enum\": ["
-                        + ((MethodSetting.Word) setting)
+                        + ((Method.Setting.Word) setting)
                                 .words().stream().map(SceneSchema::quoted).collect(Collectors.joining(", "))
                         + "],\n          \"default\": " + quoted((String) setting.usual());
         return "        " + quoted(setting.key()) + ": {\n          \"description\": " + quoted(sentence)

@@ -16,7 +16,7 @@ final class SceneToJson {
     private final Names names;
 
     /** @param fileNames how files are called in the text */
-    SceneToJson(Scene scene, SceneWriter.FileNames fileNames) {
+    SceneToJson(Scene scene, FileNaming fileNames) {
         this.scene = scene;
         this.names = new Names(scene, fileNames);
     }
@@ -71,7 +71,7 @@ final class SceneToJson {
     }
 
     /** Calls files by their paths relative to a folder. */
-    static SceneWriter.FileNames relativeTo(Path baseFolder) {
+    static FileNaming relativeTo(Path baseFolder) {
         Path folder = baseFolder.toAbsolutePath().normalize();
         return file -> {
             Path absolute = file.toAbsolutePath().normalize();

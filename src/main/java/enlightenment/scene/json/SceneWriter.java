@@ -2,14 +2,12 @@ package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
 import enlightenment.file.WholeFile;
-import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.Optional;
 
 /**
  * Writes scene files that {@link SceneReader} reads back as an equal scene.
@@ -48,12 +46,12 @@ public final class SceneWriter {
      * @throws SceneException if the scene holds something that the format cannot say
      */
     public static String toJson(Scene scene, Path baseFolder) {
-        return toJson(scene, SceneToJson.relativeTo(baseFolder));
+        return toJson(scene, relativeTo(baseFolder));
     }
 
     /** Calls files by their paths relative to a folder. */
     public static FileNames relativeTo(Path baseFolder) {
-        return SceneToJson.relativeTo(baseFolder);
+        return SceneToJson.relativeTo(baseFolder)::of;
     }
 
     /**
@@ -124,13 +122,5 @@ public final class SceneWriter {
     }
 
     /** How the text of a scene calls the files that belong to it. Called by the thread that writes the scene. */
-    public interface FileNames {
-        /** The name of a file of an image or of intensities, or of one that a mesh was read from. */
-        String of(Path file);
-
-        /** The name of a file that holds a mesh just as it is; empty to name the file that it was read from, and what was made of it. */
-        default Optional<String> of(TriangleMesh mesh) {
-            return Optional.empty();
-        }
-    }
+    public interface FileNames extends FileNaming {}
 }

@@ -3,8 +3,6 @@ package enlightenment.scene.json;
 import enlightenment.color.DisplayRgb;
 import enlightenment.material.Medium;
 import enlightenment.scene.Background;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Shading;
 import java.util.List;
 import java.util.Map;
@@ -49,15 +47,15 @@ final class Shadings {
             return null;
         }
         f.word("model", models(), Shading.Model.CLASSIC.word());
-        ClassicShading d = ClassicShading.DEFAULT;
+        Shading.Classic d = Shading.Classic.DEFAULT;
         double ambient = f.number("ambient", d.ambient());
         double shadow = f.number("shadow", d.shadow());
         DisplayRgb background = background(f, d);
-        int maxBounces = f.integer("maxBounces", 0, ClassicShading.MAX_BOUNCES, d.maxBounces());
-        return f.make(() -> new ClassicShading(ambient, shadow, background, maxBounces));
+        int maxBounces = f.integer("maxBounces", 0, Shading.Classic.MAX_BOUNCES, d.maxBounces());
+        return f.make(() -> new Shading.Classic(ambient, shadow, background, maxBounces));
     }
 
-    private static DisplayRgb background(Fields f, ClassicShading unlessGiven) {
+    private static DisplayRgb background(Fields f, Shading.Classic unlessGiven) {
         if (Backgrounds.isMoreThanColor(f.get("background"))) {
             f.problem("background", ONLY_COLOR);
             return unlessGiven.background();
@@ -71,21 +69,21 @@ final class Shadings {
             return null;
         }
         OptionalInt maxBounces = f.has("maxBounces")
-                ? OptionalInt.of(f.integer("maxBounces", 0, PhysicalShading.MAX_BOUNCES, 0))
-                : PhysicalShading.DEFAULT.maxBounces();
+                ? OptionalInt.of(f.integer("maxBounces", 0, Shading.Physical.MAX_BOUNCES, 0))
+                : Shading.Physical.DEFAULT.maxBounces();
         Background background = f.has("background")
                 ? Backgrounds.read(f.get("background"), f.at("background"), values)
-                : PhysicalShading.DEFAULT.background();
+                : Shading.Physical.DEFAULT.background();
         Medium medium = f.has("medium") ? Media.read(f.get("medium"), f.at("medium"), values) : null;
         return background == null
                 ? null
-                : f.make(() -> new PhysicalShading(maxBounces, background, Optional.ofNullable(medium)));
+                : f.make(() -> new Shading.Physical(maxBounces, background, Optional.ofNullable(medium)));
     }
 
     static JsonValue write(Shading shading, JsonObjectBuilder p) {
         p.text("model", shading.model().word());
-        if (shading instanceof PhysicalShading s) {
-            if (!s.background().equals(PhysicalShading.DEFAULT.background()) || p.animated("background")) {
+        if (shading instanceof Shading.Physical s) {
+            if (!s.background().equals(Shading.Physical.DEFAULT.background()) || p.animated("background")) {
                 p.put("background", Backgrounds.write(s.background(), p.child("background")));
             }
             s.medium()
@@ -96,10 +94,10 @@ final class Shadings {
             }
             return p.json();
         }
-        ClassicShading s = (ClassicShading) shading;
+        Shading.Classic s = (Shading.Classic) shading;
         p.number("ambient", s.ambient()).number("shadow", s.shadow());
-        p.colorUnless(ClassicShading.DEFAULT.background(), "background", s.background());
-        return p.wholeUnless(ClassicShading.DEFAULT.maxBounces(), "maxBounces", s.maxBounces())
+        p.colorUnless(Shading.Classic.DEFAULT.background(), "background", s.background());
+        return p.wholeUnless(Shading.Classic.DEFAULT.maxBounces(), "maxBounces", s.maxBounces())
                 .json();
     }
 }

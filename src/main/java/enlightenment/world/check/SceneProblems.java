@@ -6,7 +6,6 @@ import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.scene.Background;
 import enlightenment.scene.Method;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -79,7 +78,7 @@ public final class SceneProblems {
     }
 
     private void readImages() {
-        Background background = scene.shading() instanceof PhysicalShading p ? p.background() : null;
+        Background background = scene.shading() instanceof Shading.Physical p ? p.background() : null;
         Texture.File around = background instanceof Background.Picture p ? p.picture() : null;
         Set<Texture> needed = needed();
         scene.textures().forEach((name, texture) -> {

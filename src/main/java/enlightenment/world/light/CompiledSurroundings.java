@@ -5,9 +5,9 @@ import enlightenment.light.Light;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.Shading;
 import enlightenment.surroundings.Sun;
 import enlightenment.surroundings.Surroundings;
 import java.io.IOException;
@@ -39,7 +39,7 @@ public final class CompiledSurroundings {
      * or made.
      */
     public static void check(Scene scene, SceneImages images) {
-        Background background = scene.shading() instanceof PhysicalShading p ? p.background() : null;
+        Background background = scene.shading() instanceof Shading.Physical p ? p.background() : null;
         if (background instanceof Background.Picture p && p.radiance().max() > 1) {
             images.around(new Background.Picture(p.picture(), p.radiance(), 0));
         } else if (background instanceof Background.Sky s && s.radiance().max() > 1) {

@@ -12,10 +12,9 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.method.Block;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.parts.RayCounters;
@@ -23,10 +22,10 @@ import org.junit.jupiter.api.Test;
 
 /** What evenly spaced rays see, and what that says about the pixels between them. */
 class SurveyTest {
-    private static final ClassicShading FULL = new ClassicShading(1, 1, DisplayRgb.BLACK, 10);
+    private static final Shading.Classic FULL = new Shading.Classic(1, 1, DisplayRgb.BLACK, 10);
 
     /** A camera whose picture is the square -1..1 of the plane z = 0, seen from z = -1 along the axis. */
-    private static SceneBuilder flat(int side) {
+    private static Scene.Builder flat(int side) {
         return Scene.builder()
                 .size(side, side)
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 0, -1), ExactPoint.of(0, 0, 0), Vec3.Y, 2));
@@ -183,7 +182,7 @@ class SurveyTest {
         Scene scene = Scene.builder()
                 .size(8, 8)
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 3, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 0.25))
-                .shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 10))
+                .shading(new Shading.Classic(0, 0, DisplayRgb.BLACK, 10))
                 .object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), TestScenes.matte(1, 1, 1))
                 .object(TestScenes.rectangle(0, 5, -9, 0, 5, 9, 9, 5, 9, 9, 5, -9), TestScenes.matte(1, 1, 1))
                 .light(new Light.Sphere(ExactPoint.of(0, 10, 0), 1, DisplayRgb.WHITE))

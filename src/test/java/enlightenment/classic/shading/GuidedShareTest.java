@@ -12,9 +12,9 @@ import enlightenment.primitive.Ray;
 import enlightenment.render.TestScenes;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.sampling.Warp;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.parts.RayCounters;
@@ -28,7 +28,7 @@ class GuidedShareTest {
         return Scene.builder()
                 .size(1, 1)
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 3, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 0.001))
-                .shading(new ClassicShading(0, 0, DisplayRgb.BLACK, 10))
+                .shading(new Shading.Classic(0, 0, DisplayRgb.BLACK, 10))
                 .object(
                         TestScenes.rectangle(-9, -9 * tilt, -9, -9, -9 * tilt, 9, 9, 9 * tilt, 9, 9, 9 * tilt, -9),
                         TestScenes.matte(1, 1, 1))

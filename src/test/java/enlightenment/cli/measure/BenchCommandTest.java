@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.cli.CliRun;
 import enlightenment.measure.Bench;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
@@ -44,7 +44,7 @@ class BenchCommandTest {
         assertEquals(
                 "raytrace 400x200 2 5 12",
                 s.method() + " " + s.width() + "x" + s.height() + " " + s.antialias() + " "
-                        + RayTraceSettings.of(s).shadowSamples() + " " + s.threads());
+                        + BuiltInMethod.RayTraceSettings.of(s).shadowSamples() + " " + s.threads());
     }
 
     @Test

@@ -17,9 +17,9 @@ import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -113,7 +113,7 @@ class GltfViewTest {
         assertEquals(
                 List.of(new Light.Point(ExactPoint.of(1, 2, 3), Rgb.WHITE, Emission.intensity(new Rgb(40, 20, 10)))),
                 imported.scene().lights());
-        PhysicalShading shading = (PhysicalShading) imported.scene().shading();
+        Shading.Physical shading = (Shading.Physical) imported.scene().shading();
         assertEquals(new Background.Constant(Rgb.BLACK), shading.background(), "a file with a light has no studio");
     }
 

@@ -30,11 +30,11 @@ import enlightenment.mesh.TriangleMesh;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Background;
 import enlightenment.scene.Budget;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
@@ -272,7 +272,7 @@ class ModelReaderTest {
     }
 
     private static Background background(Scene scene) {
-        return ((PhysicalShading) scene.shading()).background();
+        return ((Shading.Physical) scene.shading()).background();
     }
 
     @Test

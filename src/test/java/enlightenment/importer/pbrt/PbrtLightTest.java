@@ -17,7 +17,7 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -133,6 +133,7 @@ class PbrtLightTest {
         assertEquals(0, s.notes().size(), s.notes().toString());
         assertTrue(s.scene().lights().get(0) instanceof Light.Distant);
         assertEquals(
-                new Background.Constant(Rgb.BLACK), ((PhysicalShading) s.scene().shading()).background());
+                new Background.Constant(Rgb.BLACK),
+                ((Shading.Physical) s.scene().shading()).background());
     }
 }

@@ -28,8 +28,8 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -84,7 +84,7 @@ class PbrtSceneTest {
                 .name("scene")
                 .size(40, 30)
                 .camera(scene.camera())
-                .shading(new PhysicalShading(OptionalInt.of(7), new Rgb(0.2, 0.4, 0.6)))
+                .shading(new Shading.Physical(OptionalInt.of(7), new Rgb(0.2, 0.4, 0.6)))
                 .object(Sphere.of(ExactPoint.of(1, 2, 3), 1), Material.Matte.of(Texture.of(new Rgb(0.5, 0.25, 0.125))))
                 .build();
         assertEquals(expected, scene);
@@ -313,7 +313,7 @@ class PbrtSceneTest {
     private Rgb sky(String parameters) throws IOException {
         Scene scene = world("LightSource \"infinite\" " + parameters + " Shape \"sphere\"")
                 .scene();
-        PhysicalShading shading = (PhysicalShading) scene.shading();
+        Shading.Physical shading = (Shading.Physical) scene.shading();
         return ((Background.Constant) shading.background()).radiance();
     }
 

@@ -5,9 +5,9 @@ import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.scene.Budget;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Shading;
 import java.util.ArrayList;
@@ -101,7 +101,7 @@ public final class SyntheticRuns {
                 Optional.empty(),
                 4,
                 Budget.NONE,
-                ChosenSettings.of(new RayTraceSettings(LIGHT_SAMPLES)),
+                ChosenSettings.of(new BuiltInMethod.RayTraceSettings(LIGHT_SAMPLES)),
                 2,
                 8);
         return new TradeSettings(

@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.measure.trade.Advice;
 import enlightenment.measure.trade.Advice.Basis;
 import enlightenment.measure.trade.TradeRun;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
@@ -316,7 +316,7 @@ class VerdictTest {
         Advice advice = verdict.advice(trade.settings());
         RenderSettings settings = advice.settings().orElseThrow();
         assertEquals(Method.RAYTRACE, settings.method());
-        assertEquals(1, RayTraceSettings.of(settings).shadowSamples());
+        assertEquals(1, BuiltInMethod.RayTraceSettings.of(settings).shadowSamples());
         assertEquals(256, settings.budget().samples().orElseThrow());
         assertEquals(trade.settings().base().seed(), settings.seed());
         assertEquals(2.56, advice.seconds().orElseThrow().median(), 1e-12);

@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayRgb;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -22,7 +22,7 @@ class ColorNamesTest {
 
     private DisplayRgb background(String color) {
         Scene scene = Documents.read(Documents.edited("\"#102030\"", "\"" + color + "\""), Documents.withImage(folder));
-        return ((ClassicShading) scene.shading()).background();
+        return ((Shading.Classic) scene.shading()).background();
     }
 
     @Test

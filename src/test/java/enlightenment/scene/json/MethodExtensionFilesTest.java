@@ -8,11 +8,10 @@ import enlightenment.color.Rgb;
 import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
-import enlightenment.scene.PhysicalShading;
-import enlightenment.scene.RayTraceSettings;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException.Problem;
+import enlightenment.scene.Shading;
 import enlightenment.scene.ToyMethod;
 import java.nio.file.Path;
 import java.util.List;
@@ -44,7 +43,7 @@ class MethodExtensionFilesTest {
         assertEquals("toy", s.render().method().word());
         RenderSettings settings = RenderSettings.of(s);
         assertEquals(new ToyMethod.Settings(5, "square"), ToyMethod.Settings.of(settings));
-        assertEquals(3, RayTraceSettings.of(settings).shadowSamples());
+        assertEquals(3, BuiltInMethod.RayTraceSettings.of(settings).shadowSamples());
         assertEquals(s, again(s));
     }
 
@@ -85,11 +84,11 @@ class MethodExtensionFilesTest {
     @Test
     void physicalShadingIsReadAndWritten() {
         assertEquals(
-                PhysicalShading.DEFAULT,
+                Shading.Physical.DEFAULT,
                 read("\"shading\": { \"model\": \"physical\" }").shading());
         Scene s = read("\"shading\": { \"model\": \"physical\", \"maxBounces\": 0,"
                 + " \"background\": { \"linear\": [1e30, 0.1, 0] } }");
-        assertEquals(new PhysicalShading(OptionalInt.of(0), new Rgb(1e30, 0.1, 0)), s.shading());
+        assertEquals(new Shading.Physical(OptionalInt.of(0), new Rgb(1e30, 0.1, 0)), s.shading());
         assertEquals(s, again(s));
     }
 
@@ -97,7 +96,7 @@ class MethodExtensionFilesTest {
     void aBackgroundThatAScreenShowsIsDecodedOnce() {
         Scene s = read("\"shading\": { \"model\": \"physical\", \"background\": \"#804020\" }");
         Rgb light = Rgb.of(DisplayRgb.ofBytes(0x80, 0x40, 0x20));
-        assertEquals(new Background.Constant(light), ((PhysicalShading) s.shading()).background());
+        assertEquals(new Background.Constant(light), ((Shading.Physical) s.shading()).background());
         assertEquals(s, again(s));
         Scene written = read("\"shading\": { \"model\": \"physical\", \"background\": { \"linear\": [" + light.r()
                 + ", " + light.g() + ", " + light.b() + "] } }");

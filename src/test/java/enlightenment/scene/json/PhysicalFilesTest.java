@@ -18,9 +18,9 @@ import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
 import enlightenment.scene.Display;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException.Problem;
+import enlightenment.scene.Shading;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -170,14 +170,14 @@ class PhysicalFilesTest {
         String picture = "{\"model\": \"physical\", \"background\": {\"texture\": \"room\", \"rotation\": 90},"
                 + " \"medium\": {\"color\": \"#fff\", \"meanFreePath\": 40}}, \"textures\": {\"room\": {\"file\": \"ice.png\"}}";
         Scene s = Documents.read(scene("\"name\": \"x\"").replace("{\"model\": \"physical\"}", picture), folder);
-        PhysicalShading shading = (PhysicalShading) s.shading();
+        Shading.Physical shading = (Shading.Physical) s.shading();
         Texture.File room = (Texture.File) s.textures().get("room");
         assertEquals(new Background.Picture(room, Rgb.WHITE, 90), shading.background());
         assertEquals(Optional.of(Medium.Colored.of(DisplayRgb.WHITE, Rgb.gray(40))), shading.medium());
         assertEquals(s, again(s));
         String sky = "{\"model\": \"physical\", \"background\": {\"type\": \"sky\", \"elevation\": 30}}";
         s = Documents.read(scene("\"name\": \"x\"").replace("{\"model\": \"physical\"}", sky), folder);
-        assertEquals(Background.Sky.of(30, 0), ((PhysicalShading) s.shading()).background());
+        assertEquals(Background.Sky.of(30, 0), ((Shading.Physical) s.shading()).background());
         assertEquals(s, again(s));
     }
 

@@ -43,16 +43,11 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.scene.Animation;
 import enlightenment.scene.Background;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.ClusterSettings;
-import enlightenment.scene.CommonSettings;
 import enlightenment.scene.Display;
 import enlightenment.scene.Method;
-import enlightenment.scene.MethodSetting;
-import enlightenment.scene.PhysicalShading;
-import enlightenment.scene.RayTraceSettings;
-import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
@@ -135,22 +130,24 @@ final class RandomScenes {
                 lights,
                 objects,
                 random.nextBoolean()
-                        ? RenderDefaults.DEFAULT
-                        : new RenderDefaults(
+                        ? RenderSettings.Defaults.DEFAULT
+                        : new RenderSettings.Defaults(
                                 Method.CLUSTER,
                                 1 + random.nextInt(256),
-                                common(ChosenSettings.of(new RayTraceSettings(1 + random.nextInt(1_000_000)))
-                                        .with(new ClusterSettings(random.nextBoolean() ? "zeta" : "normal")))),
+                                common(ChosenSettings.of(
+                                                new BuiltInMethod.RayTraceSettings(1 + random.nextInt(1_000_000)))
+                                        .with(new BuiltInMethod.ClusterSettings(
+                                                random.nextBoolean() ? "zeta" : "normal")))),
                 random.nextBoolean() ? Optional.empty() : Optional.of(animation(shading, lights, objects)));
     }
 
     /** With any values of the settings that all methods have. */
     private ChosenSettings common(ChosenSettings chosen) {
         ChosenSettings all = chosen;
-        for (MethodSetting setting : CommonSettings.ALL) {
-            if (setting instanceof MethodSetting.Whole w) {
+        for (Method.Setting setting : ChosenSettings.Common.ALL) {
+            if (setting instanceof Method.Setting.Whole w) {
                 all = all.with(w, Math.max(w.min(), Math.min(w.max(), random.nextLong() >> random.nextInt(64))));
-            } else if (setting instanceof MethodSetting.Word w) {
+            } else if (setting instanceof Method.Setting.Word w) {
                 all = all.with(w, w.words().get(random.nextInt(w.words().size())));
             }
         }
@@ -160,12 +157,12 @@ final class RandomScenes {
     private Shading shading() {
         if (!isPhysical) {
             return random.nextBoolean()
-                    ? ClassicShading.DEFAULT
-                    : new ClassicShading(unit(), unit(), color(), random.nextInt(1000));
+                    ? Shading.Classic.DEFAULT
+                    : new Shading.Classic(unit(), unit(), color(), random.nextInt(1000));
         }
         return random.nextInt(3) == 0
-                ? PhysicalShading.DEFAULT
-                : new PhysicalShading(
+                ? Shading.Physical.DEFAULT
+                : new Shading.Physical(
                         random.nextBoolean() ? OptionalInt.empty() : OptionalInt.of(random.nextInt(1000)),
                         background(),
                         random.nextBoolean() ? Optional.empty() : Optional.of(retry(this::medium)));
@@ -255,7 +252,7 @@ final class RandomScenes {
 
     /** Where a shading's background has a number. */
     private String animated(Shading shading) {
-        if (shading instanceof PhysicalShading physical) {
+        if (shading instanceof Shading.Physical physical) {
             return physical.background() instanceof Background.Constant
                     ? "linear/" + random.nextInt(3)
                     : physical.background() instanceof Background.Picture ? "rotation" : "elevation";
@@ -291,8 +288,8 @@ final class RandomScenes {
     }
 
     private Camera camera(Shading shading) {
-        boolean hasMedium =
-                shading instanceof PhysicalShading physical && physical.medium().isPresent();
+        boolean hasMedium = shading instanceof Shading.Physical physical
+                && physical.medium().isPresent();
         Camera camera = retry(this::camera);
         while (hasMedium && camera instanceof Camera.Isometric) {
             camera = retry(this::camera);

@@ -10,9 +10,9 @@ import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import enlightenment.world.Descriptions;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -74,7 +74,7 @@ class SceneKindsTest {
 
     /** Those that are not just a colour, which the format writes as one. */
     private static Stream<?> backgrounds(Scene scene) {
-        return scene.shading() instanceof PhysicalShading shading
+        return scene.shading() instanceof Shading.Physical shading
                         && !(shading.background() instanceof Background.Constant)
                 ? Stream.of(shading.background())
                 : Stream.empty();

@@ -45,17 +45,16 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Animation;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.CommonSettings;
 import enlightenment.scene.Display;
 import enlightenment.scene.Method;
-import enlightenment.scene.RayTraceSettings;
-import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneException.Problem;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.math.BigDecimal;
@@ -151,9 +150,10 @@ class SceneReaderTest {
         assertEquals(materials, s.materials());
         assertEquals(new Display(-0.5, Tone.FILMIC), s.display());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());
-        assertEquals(new ClassicShading(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48), 7), s.shading());
-        ChosenSettings chosen = ChosenSettings.of(new RayTraceSettings(7)).with(CommonSettings.SEED, 99);
-        assertEquals(new RenderDefaults(Method.CLUSTER, 3, chosen), s.render());
+        assertEquals(new Shading.Classic(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48), 7), s.shading());
+        ChosenSettings chosen =
+                ChosenSettings.of(new BuiltInMethod.RayTraceSettings(7)).with(ChosenSettings.Common.SEED, 99);
+        assertEquals(new RenderSettings.Defaults(Method.CLUSTER, 3, chosen), s.render());
         assertEquals(
                 List.of(
                         new Light.Sphere(
@@ -242,9 +242,9 @@ class SceneReaderTest {
                         + " \"material\": {\"type\": \"matte\", \"color\": [0, 0, 0]}}"),
                 folder);
         assertEquals("", s.name());
-        assertEquals(ClassicShading.DEFAULT, s.shading());
+        assertEquals(Shading.Classic.DEFAULT, s.shading());
         assertEquals(Display.DEFAULT, s.display());
-        assertEquals(RenderDefaults.DEFAULT, s.render());
+        assertEquals(RenderSettings.Defaults.DEFAULT, s.render());
         assertEquals(List.of(), s.lights());
         assertEquals(Optional.empty(), s.animation());
         assertEquals(

@@ -20,10 +20,9 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Animation;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.Shading;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -44,7 +43,7 @@ class SceneWriterTest {
     private static final TriangleMesh CORNER =
             TriangleMesh.of(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
 
-    private static SceneBuilder scene() {
+    private static Scene.Builder scene() {
         return Scene.builder().camera(new Camera.Isometric(ExactPoint.ORIGIN, 5));
     }
 
@@ -133,7 +132,7 @@ class SceneWriterTest {
         Texture red = Texture.of(DisplayRgb.of(1, 0.25, 0));
         Material wood = Material.Matte.of(Texture.of(DisplayRgb.ofBytes(1, 2, 3)));
         Material turned = new NormalMap(new Mask(wood, red), Texture.of(Rgb.gray(0.5)));
-        Scene scene = scene().shading(PhysicalShading.DEFAULT)
+        Scene scene = scene().shading(Shading.Physical.DEFAULT)
                 .material("turned", turned)
                 .material("wood", wood)
                 .object(ball(), turned)

@@ -21,9 +21,8 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.ChosenSettings;
-import enlightenment.scene.ClassicShading;
 import enlightenment.scene.Method;
-import enlightenment.scene.RenderDefaults;
+import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import java.math.BigDecimal;
@@ -77,8 +76,8 @@ class ShippedScenesTest {
         assertEquals(800, s.width());
         assertEquals(400, s.height());
         assertEquals(WINDOW, s.camera());
-        assertEquals(new ClassicShading(0.5, 0.5, DisplayRgb.BLACK, 100), s.shading());
-        assertEquals(new RenderDefaults(Method.RAYTRACE, 4, ChosenSettings.NONE), s.render());
+        assertEquals(new Shading.Classic(0.5, 0.5, DisplayRgb.BLACK, 100), s.shading());
+        assertEquals(new RenderSettings.Defaults(Method.RAYTRACE, 4, ChosenSettings.NONE), s.render());
         assertEquals(List.of(new Light.Sphere(p(0, 1, 1), 0.15, DisplayRgb.WHITE)), s.lights());
         List<Shape> shapes = s.objects().stream().map(o -> o.shape()).toList();
         assertEquals(
@@ -150,7 +149,7 @@ class ShippedScenesTest {
     void coneHasTheOriginalsNumbers() {
         Scene s = read("cone.json");
         assertEquals(window(2), s.camera());
-        assertEquals(0.5, ((ClassicShading) s.shading()).ambient());
+        assertEquals(0.5, ((Shading.Classic) s.shading()).ambient());
         assertEquals(List.of(new Light.Sphere(p(1, 2, 0), 0.25, DisplayRgb.WHITE)), s.lights());
         assertEquals(
                 new Cone(p(-1, 2, 4), p(-4, 2, 4.5), 1, 0, true),

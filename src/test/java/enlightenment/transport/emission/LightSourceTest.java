@@ -14,10 +14,9 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.transport.ray.PathSource;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.LightStarts;
@@ -34,11 +33,11 @@ class LightSourceTest {
         return ExactPoint.of(x, y, z);
     }
 
-    private static SceneBuilder scene(double background) {
+    private static Scene.Builder scene(double background) {
         return Scene.builder()
                 .size(8, 8)
                 .camera(new Camera.Perspective(at(0, 0, -4), at(0, 0, 0), Vec3.Y, 40))
-                .shading(new PhysicalShading(OptionalInt.empty(), Rgb.gray(background)))
+                .shading(new Shading.Physical(OptionalInt.empty(), Rgb.gray(background)))
                 .light(new Light.Sphere(at(-0.5, 1, 0), 0.2, Rgb.WHITE, Emission.power(Rgb.gray(8))))
                 .light(panel(0.5, true, 4))
                 .light(panel(1.5, false, 2))
@@ -56,7 +55,7 @@ class LightSourceTest {
                 Emission.power(Rgb.gray(power)));
     }
 
-    private static CompiledScene compile(SceneBuilder builder) {
+    private static CompiledScene compile(Scene.Builder builder) {
         Scene scene = builder.build();
         return SceneCompiler.compile(scene, RenderSettings.of(scene));
     }
@@ -130,8 +129,8 @@ class LightSourceTest {
     @Test
     void theInsideOfAGlowingBallCountsOnlyIfTheEyeIsInIt() {
         Material glow = Material.Matte.of(Texture.of(Rgb.gray(0.5))).withRadiance(Rgb.gray(1));
-        SceneBuilder lonely = scene(0).object(Sphere.of(at(0, -2, 0), 0.5), glow);
-        SceneBuilder filled = scene(0).object(Sphere.of(at(0, -2, 0), 0.5), glow)
+        Scene.Builder lonely = scene(0).object(Sphere.of(at(0, -2, 0), 0.5), glow);
+        Scene.Builder filled = scene(0).object(Sphere.of(at(0, -2, 0), 0.5), glow)
                 .object(Sphere.of(at(0, -2, 0), 0.2), Material.Matte.of(Texture.of(Rgb.gray(0.5))));
         assertFalse(isAnyBallTwoSided(compile(lonely)));
         assertFalse(isAnyBallTwoSided(compile(filled)));
@@ -152,7 +151,7 @@ class LightSourceTest {
     void whereNothingShinesNoPathBegins() {
         Scene dark = Scene.builder()
                 .camera(new Camera.Perspective(at(0, 0, -4), at(0, 0, 0), Vec3.Y, 40))
-                .shading(PhysicalShading.DEFAULT)
+                .shading(Shading.Physical.DEFAULT)
                 .build();
         CompiledScene scene = SceneCompiler.compile(dark, RenderSettings.of(dark));
         LightSource source = new LightSource(scene.lightStarts(true), scene.physical);

@@ -17,10 +17,9 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
 import enlightenment.render.TestScenes;
 import enlightenment.sampling.SobolSampler;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
@@ -38,8 +37,8 @@ class MirrorCausticsTest {
     private static final int SIZE = 8;
 
     /** A lamp, two balls and a floor, seen in a mirror. */
-    private static Scene scene(Material floor, double lamp, PhysicalShading shading, double scale) {
-        SceneBuilder scene = Scene.builder()
+    private static Scene scene(Material floor, double lamp, Shading.Physical shading, double scale) {
+        Scene.Builder scene = Scene.builder()
                 .size(SIZE, SIZE)
                 .shading(shading)
                 .camera(new Camera.Perspective(at(scale, 0, 2, 0), at(scale, 0.8, 8, -0.4), Vec3.Z, 8))
@@ -135,25 +134,25 @@ class MirrorCausticsTest {
     @ValueSource(doubles = {0, 0.5})
     void imagesAndChanceAgree(double roughness) {
         Material floor = ((Material.Matte) GREY).withRoughness(roughness);
-        agree(scene(floor, 0.8, PhysicalShading.DEFAULT, 1), 1024);
+        agree(scene(floor, 0.8, Shading.Physical.DEFAULT, 1), 1024);
     }
 
     @Test
     void imagesAndChanceAgreeOnRoughMetal() {
         Material floor = Glossy.of(Texture.of(new Rgb(0.9, 0.8, 0.7)), 0.5);
-        agree(scene(floor, 0.8, PhysicalShading.DEFAULT, 1), 1024);
+        agree(scene(floor, 0.8, Shading.Physical.DEFAULT, 1), 1024);
     }
 
     @ParameterizedTest
     @ValueSource(ints = {2, 3})
     void imagesAndChanceAgreeWherePathsEndSoon(int bounces) {
-        PhysicalShading shading = new PhysicalShading(OptionalInt.of(bounces), Rgb.BLACK);
+        Shading.Physical shading = new Shading.Physical(OptionalInt.of(bounces), Rgb.BLACK);
         agree(scene(GREY, 0.8, shading, 1), 1024);
     }
 
     @Test
     void ofASmallLampLittleIsLeftToChance() {
-        Scene scene = scene(GREY, 0.05, PhysicalShading.DEFAULT, 1);
+        Scene scene = scene(GREY, 0.05, Shading.Physical.DEFAULT, 1);
         double variance = render(scene, 1024, 3, true).variances();
         double byChance = render(scene, 1024, 3, false).variances();
         assertTrue(variance < 1e-3 * byChance, () -> variance + " of " + byChance);
@@ -162,8 +161,8 @@ class MirrorCausticsTest {
     @ParameterizedTest
     @ValueSource(ints = {-40, 3, 50})
     void aSceneOfAnotherSizeLooksTheSame(int exponent) {
-        Picture a = render(scene(GREY, 0.8, PhysicalShading.DEFAULT, 1), 16, 3, true);
-        Picture b = render(scene(GREY, 0.8, PhysicalShading.DEFAULT, Math.scalb(1.0, exponent)), 16, 3, true);
+        Picture a = render(scene(GREY, 0.8, Shading.Physical.DEFAULT, 1), 16, 3, true);
+        Picture b = render(scene(GREY, 0.8, Shading.Physical.DEFAULT, Math.scalb(1.0, exponent)), 16, 3, true);
         for (int i = 0; i < SIZE * SIZE; i++) {
             assertEquals(a.mean[i], b.mean[i]);
         }

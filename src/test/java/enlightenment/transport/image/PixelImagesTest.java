@@ -10,9 +10,9 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.light.ClippedPolygon;
@@ -30,7 +30,7 @@ class PixelImagesTest {
     private static PhysicalLight lamp(double radiance) {
         Scene scene = Scene.builder()
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -9), ExactPoint.of(0, 0, 0), Vec3.Y, 60))
-                .shading(new PhysicalShading(OptionalInt.empty(), Rgb.BLACK))
+                .shading(new Shading.Physical(OptionalInt.empty(), Rgb.BLACK))
                 .light(new Light.Sphere(ExactPoint.of(0, 0, 5), 1, Rgb.WHITE, Emission.radiance(Rgb.gray(radiance))))
                 .build();
         CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));

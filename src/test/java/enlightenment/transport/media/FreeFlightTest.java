@@ -9,9 +9,9 @@ import enlightenment.material.Medium;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.material.HomogeneousMedium;
 import java.util.Optional;
@@ -27,7 +27,7 @@ class FreeFlightTest {
         Scene scene = Scene.builder()
                 .size(8, 8)
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 0, -1), ExactPoint.of(0, 0, 0), Vec3.Y, 1))
-                .shading(new PhysicalShading(
+                .shading(new Shading.Physical(
                         OptionalInt.empty(),
                         new Background.Constant(Rgb.gray(0)),
                         Optional.of(new Medium.Coefficients(scattering, absorption, 0))))

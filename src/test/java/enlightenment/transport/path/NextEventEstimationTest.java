@@ -19,8 +19,8 @@ import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.PhysicalShading;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,10 +32,10 @@ class PathLightTest {
             Material.Matte.of(PathIntegratorTest.grey(0.6)).withRadiance(new Rgb(1, 1, 1));
 
     /** A ray that looks down at the origin of a floor at y = 0, whose albedo is ½, from a height of 1. */
-    private static SceneBuilder floor(int bounces) {
+    private static Scene.Builder floor(int bounces) {
         return PathIntegratorTest.scene()
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 1, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 1e-6))
-                .shading(new PhysicalShading(OptionalInt.of(bounces), Rgb.BLACK))
+                .shading(new Shading.Physical(OptionalInt.of(bounces), Rgb.BLACK))
                 .object(
                         TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9),
                         Material.Matte.of(PathIntegratorTest.grey(0.5)));
@@ -46,9 +46,9 @@ class PathLightTest {
     void aFlatSurfaceDoesNotLightItself() {
         Rectangle tilted = TestScenes.rectangle(
                 -1.1, -0.9, -0.3, -1.1 + 0.37, 0.9, 0.41, 1.37, 0.73, 0.71, 1.37 - 0.37, 0.73 - 1.8, 0);
-        SceneBuilder rectangle = PathIntegratorTest.seenFrom(0.1, 0.2, -5, 9).object(tilted, WHITE_THAT_GLOWS);
+        Scene.Builder rectangle = PathIntegratorTest.seenFrom(0.1, 0.2, -5, 9).object(tilted, WHITE_THAT_GLOWS);
         assertEquals(1, PathIntegratorTest.render(rectangle.build(), 64).value(), 1e-12);
-        SceneBuilder triangle = PathIntegratorTest.seenFrom(0.1, 0.2, -5, 6)
+        Scene.Builder triangle = PathIntegratorTest.seenFrom(0.1, 0.2, -5, 6)
                 .object(
                         new Triangle(
                                 ExactPoint.of(-2, -1.3, -0.4),
@@ -61,7 +61,7 @@ class PathLightTest {
     /** Nor do its other faces: a closed room that glows is a geometric series however it is turned. */
     @Test
     void aTiltedCubeThatGlowsIsAsBrightAsOneThatIsNot() {
-        SceneBuilder cube = PathIntegratorTest.seenFrom(0.1, 0.2, -0.1, 60)
+        Scene.Builder cube = PathIntegratorTest.seenFrom(0.1, 0.2, -0.1, 60)
                 .object(new Cube(ExactPoint.of(0, 0, 0), 2, new Vec3(20, 30, 40)), WHITE_THAT_GLOWS);
         PathIntegratorTest.render(cube.build(), 256).agreesWith(1 / (1 - 0.6));
     }
@@ -69,7 +69,7 @@ class PathLightTest {
     private static final double SIGMA = 0.4;
 
     /** A ball of index 1 around everything. */
-    private static SceneBuilder mist(int bounces) {
+    private static Scene.Builder mist(int bounces) {
         return floor(bounces)
                 .object(
                         new Sphere(ExactPoint.of(0, 0, 0), 30, 0),
@@ -78,7 +78,7 @@ class PathLightTest {
 
     @Test
     void mistDimsAPointLight() {
-        SceneBuilder scene = mist(1).light(new Light.Point(
+        Scene.Builder scene = mist(1).light(new Light.Point(
                 ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))));
         double expected = 0.5 / Math.PI * 7 * (4.0 / 5) / 25 * Math.exp(-SIGMA * (5 + 1));
         assertEquals(expected, PathIntegratorTest.render(scene.build(), 1).value(), 1e-8);
@@ -98,7 +98,7 @@ class PathLightTest {
         }
         double expected = 0.5 / Math.PI * irradiance * Math.exp(-SIGMA);
         for (int bounces = 1; bounces < 3; bounces++) {
-            SceneBuilder scene =
+            Scene.Builder scene =
                     mist(bounces).light(new Light.Sphere(ExactPoint.of(0, distance, 0), radius, DisplayRgb.WHITE));
             PathIntegratorTest.render(scene.build(), 256).agreesWith(expected);
         }
@@ -121,7 +121,7 @@ class PathLightTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2})
     void mistDimsARectangle(int bounces) {
-        SceneBuilder scene = mist(bounces)
+        Scene.Builder scene = mist(bounces)
                 .light(new Light.Rectangle(
                         ExactPoint.of(-1, 3, 1),
                         ExactPoint.of(-1, 3, -1),
@@ -134,7 +134,7 @@ class PathLightTest {
     private static final double TINT = 0.8;
 
     /** A pane between the floor and what is above 2. */
-    private static SceneBuilder underPane(int bounces) {
+    private static Scene.Builder underPane(int bounces) {
         return floor(bounces)
                 .object(
                         TestScenes.rectangle(-9, 2, -9, -9, 2, 9, 9, 2, 9, 9, 2, -9),
@@ -147,7 +147,7 @@ class PathLightTest {
 
     @Test
     void aPointLightShinesThroughAPane() {
-        SceneBuilder scene = underPane(1)
+        Scene.Builder scene = underPane(1)
                 .light(new Light.Point(ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))));
         double expected = 0.5 / Math.PI * 7 * (4.0 / 5) / 25 * passes(0.8);
         assertEquals(expected, PathIntegratorTest.render(scene.build(), 1).value(), 1e-8);
@@ -162,7 +162,7 @@ class PathLightTest {
             double sine2 = (k + 0.5) / n * 0.25;
             irradiance += Math.PI * 0.25 / n * passes(Math.sqrt(1 - sine2));
         }
-        SceneBuilder scene = underPane(bounces).light(new Light.Sphere(ExactPoint.of(0, 4, 0), 2, DisplayRgb.WHITE));
+        Scene.Builder scene = underPane(bounces).light(new Light.Sphere(ExactPoint.of(0, 4, 0), 2, DisplayRgb.WHITE));
         PathIntegratorTest.render(scene.build(), 256).agreesWith(0.5 / Math.PI * irradiance);
     }
 
@@ -179,7 +179,7 @@ class PathLightTest {
                 irradiance += 4.0 / n / n * 9 / (d2 * d2) * passes(3 / Math.sqrt(d2));
             }
         }
-        SceneBuilder scene = underPane(bounces)
+        Scene.Builder scene = underPane(bounces)
                 .light(new Light.Rectangle(
                         ExactPoint.of(-1, 3, 1),
                         ExactPoint.of(-1, 3, -1),
@@ -193,7 +193,7 @@ class PathLightTest {
     @Test
     void aShadowRayPassesMediaThatDoNotTurnIt() {
         Material mist = Glass.of(PathIntegratorTest.grey(1), 1).withAbsorption(new Rgb(SIGMA, 0, 0));
-        SceneBuilder scene = floor(1).object(new Sphere(ExactPoint.of(1.5, 2, 0), 0.5, 0), mist)
+        Scene.Builder scene = floor(1).object(new Sphere(ExactPoint.of(1.5, 2, 0), 0.5, 0), mist)
                 .object(new Sphere(ExactPoint.of(6, 8, 0), 0.5, 0), mist)
                 .light(new Light.Point(ExactPoint.of(3, 4, 0), DisplayRgb.WHITE, Emission.intensity(new Rgb(7, 7, 7))));
         double expected = 0.5 / Math.PI * 7 * (4.0 / 5) / 25 * Math.exp(-SIGMA);
@@ -203,9 +203,9 @@ class PathLightTest {
     /** A pane is no scattering event. */
     @Test
     void aLampIsSeenThroughAPaneWithoutAnyBounce() {
-        SceneBuilder scene = PathIntegratorTest.scene()
+        Scene.Builder scene = PathIntegratorTest.scene()
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 1, 0), ExactPoint.of(0, 4, 0), Vec3.Z, 1e-6))
-                .shading(new PhysicalShading(OptionalInt.of(0), Rgb.BLACK))
+                .shading(new Shading.Physical(OptionalInt.of(0), Rgb.BLACK))
                 .object(
                         TestScenes.rectangle(-9, 2, -9, -9, 2, 9, 9, 2, 9, 9, 2, -9),
                         Glass.of(PathIntegratorTest.grey(1), 1.5))
@@ -220,9 +220,9 @@ class PathLightTest {
     @ValueSource(doubles = {0.3, 0.6, 1})
     void aLampIsSeenThroughRoughGlassAsItsLobesSay(double roughness) {
         // The eye is in the glass and looks up at its border.
-        SceneBuilder scene = PathIntegratorTest.scene()
+        Scene.Builder scene = PathIntegratorTest.scene()
                 .camera(new Camera.Orthographic(ExactPoint.of(-0.3, -1, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 1e-6))
-                .shading(new PhysicalShading(OptionalInt.of(1), Rgb.BLACK))
+                .shading(new Shading.Physical(OptionalInt.of(1), Rgb.BLACK))
                 .object(
                         new Cube(ExactPoint.of(0, -9, 0), 9 * Math.sqrt(3), Vec3.ZERO),
                         Glass.of(PathIntegratorTest.grey(1), 1.5).withRoughness(roughness))

@@ -22,10 +22,9 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.render.TestScenes;
 import enlightenment.sampling.SobolSampler;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.transport.state.PathPart;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
@@ -43,17 +42,17 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Scenes whose radiance is known: closed forms, and the constant surroundings in which nothing lossless can be seen. */
 class PathIntegratorTest {
-    private static final PhysicalShading IN_WHITE = new PhysicalShading(OptionalInt.empty(), new Rgb(1, 1, 1));
+    private static final Shading.Physical IN_WHITE = new Shading.Physical(OptionalInt.empty(), new Rgb(1, 1, 1));
 
     static Texture grey(double linear) {
         return Texture.of(new Rgb(linear, linear, linear));
     }
 
-    static SceneBuilder scene() {
-        return Scene.builder().size(8, 8).shading(PhysicalShading.DEFAULT);
+    static Scene.Builder scene() {
+        return Scene.builder().size(8, 8).shading(Shading.Physical.DEFAULT);
     }
 
-    static SceneBuilder seenFrom(double x, double y, double z, double degrees) {
+    static Scene.Builder seenFrom(double x, double y, double z, double degrees) {
         return scene().camera(new Camera.Perspective(ExactPoint.of(x, y, z), ExactPoint.of(0, 0, 0), Vec3.Y, degrees));
     }
 
@@ -216,9 +215,9 @@ class PathIntegratorTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2})
     void aLampHidesAnother(int bounces) {
-        SceneBuilder builder = scene().camera(
+        Scene.Builder builder = scene().camera(
                         new Camera.Orthographic(ExactPoint.of(0, 1, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 1e-6))
-                .shading(new PhysicalShading(OptionalInt.of(bounces), Rgb.BLACK))
+                .shading(new Shading.Physical(OptionalInt.of(bounces), Rgb.BLACK))
                 .object(TestScenes.rectangle(-9, 0, -9, -9, 0, 9, 9, 0, 9, 9, 0, -9), Material.Matte.of(grey(0.5)))
                 .light(new Light.Sphere(ExactPoint.of(0, 9, 0), 1, DisplayRgb.WHITE))
                 .light(new Light.Sphere(ExactPoint.of(0, 4, 0), 1, DisplayRgb.WHITE));
@@ -263,9 +262,9 @@ class PathIntegratorTest {
 
     /** A box of matte walls with a ball, a rectangle that shines to one side, a disk that glows and something in their way. */
     private static Scene room(int bounces) {
-        SceneBuilder b = scene().camera(
+        Scene.Builder b = scene().camera(
                         new Camera.Perspective(ExactPoint.of(0, 0, -0.95), ExactPoint.of(0, -0.2, 1), Vec3.Y, 70))
-                .shading(new PhysicalShading(OptionalInt.of(bounces), Rgb.BLACK))
+                .shading(new Shading.Physical(OptionalInt.of(bounces), Rgb.BLACK))
                 .object(new Cube(ExactPoint.of(0, 0, 0), Math.sqrt(3), Vec3.ZERO), Material.Matte.of(grey(0.6)))
                 .object(new Sphere(ExactPoint.of(0.3, -0.5, 0.3), 0.3, 0), Material.Matte.of(grey(0.8)))
                 .object(

@@ -17,10 +17,9 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.Background;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.parts.RayCounters;
@@ -103,24 +102,24 @@ class RandomWalkTest {
         return new Medium.Coefficients(Rgb.gray(scattering), Rgb.gray(absorption), g);
     }
 
-    private static SceneBuilder inWhite() {
-        return Scene.builder().size(8, 8).shading(new PhysicalShading(OptionalInt.empty(), Rgb.WHITE));
+    private static Scene.Builder inWhite() {
+        return Scene.builder().size(8, 8).shading(new Shading.Physical(OptionalInt.empty(), Rgb.WHITE));
     }
 
-    private static SceneBuilder seenFrom(double distance, double degrees) {
+    private static Scene.Builder seenFrom(double distance, double degrees) {
         return inWhite()
                 .camera(new Camera.Perspective(
                         ExactPoint.of(0, 0, -distance), ExactPoint.of(0, 0, 0), Vec3.Y, degrees));
     }
 
     /** One ray through the middle of the view. */
-    private static SceneBuilder alongLine(double x, double y, double z, double toX, double toY, double toZ, Vec3 up) {
+    private static Scene.Builder alongLine(double x, double y, double z, double toX, double toY, double toZ, Vec3 up) {
         return inWhite()
                 .camera(new Camera.Orthographic(ExactPoint.of(x, y, z), ExactPoint.of(toX, toY, toZ), up, 1e-6));
     }
 
-    private static PhysicalShading fog(Medium medium, OptionalInt bounces, double background) {
-        return new PhysicalShading(bounces, new Background.Constant(Rgb.gray(background)), Optional.of(medium));
+    private static Shading.Physical fog(Medium medium, OptionalInt bounces, double background) {
+        return new Shading.Physical(bounces, new Background.Constant(Rgb.gray(background)), Optional.of(medium));
     }
 
     @ParameterizedTest
@@ -274,7 +273,7 @@ class RandomWalkTest {
     private static Mean[] wax(Medium medium) {
         Light lamp = new Light.Sphere(ExactPoint.of(1.5, 1.5, -1), 0.4, Rgb.WHITE, Emission.radiance(Rgb.gray(20)));
         return new Paths(seenFrom(3, 45)
-                        .shading(new PhysicalShading(OptionalInt.empty(), Rgb.gray(0.1)))
+                        .shading(new Shading.Physical(OptionalInt.empty(), Rgb.gray(0.1)))
                         .light(lamp)
                         .object(BALL, Material.Scattering.of(medium))
                         .build())
@@ -300,7 +299,7 @@ class RandomWalkTest {
             double t = 100 * (k + 0.5) / steps;
             expected += integrand.applyAsDouble(t) * 100 / steps;
         }
-        SceneBuilder builder = alongLine(0, 0, 0, 0, 0, 1, Vec3.Y)
+        Scene.Builder builder = alongLine(0, 0, 0, 0, 0, 1, Vec3.Y)
                 .light(new Light.Point(ExactPoint.of(0.7, 0.4, 2), Rgb.WHITE, Emission.intensity(Rgb.gray(5))));
         Scene once = builder.shading(fog(medium(scattering, absorption, g), OptionalInt.of(1), 3))
                 .build();

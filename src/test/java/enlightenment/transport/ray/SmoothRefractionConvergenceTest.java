@@ -13,9 +13,9 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.primitive.Ray;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.parts.RayCounters;
@@ -39,7 +39,7 @@ class SmoothRefractionConvergenceTest {
                 .size(SIDE, SIDE)
                 .camera(new Camera.Perspective(
                         ExactPoint.of(0, 0, -DISTANCE), ExactPoint.of(0.0, 0.0, 0.0), Vec3.Y, 18))
-                .shading(new PhysicalShading(OptionalInt.empty(), Rgb.WHITE))
+                .shading(new Shading.Physical(OptionalInt.empty(), Rgb.WHITE))
                 .object(Mesh.of(TestMeshes.ball(cuts)), glass)
                 .build();
         return SceneCompiler.compile(scene, RenderSettings.of(scene));

@@ -18,7 +18,6 @@ import enlightenment.primitive.Ray;
 import enlightenment.primitive.SpherePrimitive;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import java.util.Arrays;
@@ -86,7 +85,7 @@ class RayStartsTest {
     /** Balls in random places, and a view across them all at an angle to all axes. */
     private static CompiledScene across(int n) {
         SplittableRandom r = new SplittableRandom(12);
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .camera(new Camera.Orthographic(ExactPoint.of(-5, 5, -5), ExactPoint.of(0, 0, 0), Vec3.Y, 12));
         for (int k = 0; k < n; k++) {
             b.object(Sphere.of(at(vector(r, 5).plus(new Vec3(-5, 5, -5))), 0.02), GLASS);

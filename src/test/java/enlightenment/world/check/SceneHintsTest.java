@@ -17,11 +17,8 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.ClassicShading;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
 import enlightenment.scene.json.SceneReader;
@@ -61,7 +58,7 @@ class SceneHintsTest {
 
     @Test
     void anEyeExactlyOnASurfaceSeesNothingButThat() {
-        for (Shading shading : List.of(PhysicalShading.DEFAULT, ClassicShading.DEFAULT)) {
+        for (Shading shading : List.of(Shading.Physical.DEFAULT, Shading.Classic.DEFAULT)) {
             List<String> on = hints(from(-1).object(BALL, WHITE).light(LAMP).shading(shading));
             assertEquals(List.of("/camera: lies on the surface of /objects/0, which fills the picture"), on);
             List<String> beside =
@@ -77,7 +74,7 @@ class SceneHintsTest {
                 new Light.Sphere(lamp.center(), lamp.radius(), DisplayRgb.WHITE, Emission.radiance(Rgb.gray(0.5)));
         Light point = new Light.Point(lamp.center(), DisplayRgb.WHITE);
         List<String> found = hints(from(-5).object(BALL, WHITE)
-                .shading(PhysicalShading.DEFAULT)
+                .shading(Shading.Physical.DEFAULT)
                 .light(point)
                 .light(LAMP)
                 .light(fainter));
@@ -87,7 +84,7 @@ class SceneHintsTest {
         assertEquals(
                 List.of(),
                 hints(from(-5).object(BALL, WHITE)
-                        .shading(PhysicalShading.DEFAULT)
+                        .shading(Shading.Physical.DEFAULT)
                         .light(point)
                         .light(LAMP)));
     }
@@ -115,7 +112,7 @@ class SceneHintsTest {
     void withoutLightTheRestMakesSense() {
         assertEquals(List.of(), hints(from(-5).object(BALL, MIRROR)));
         assertEquals(List.of(), hints(from(-5).object(BALL, CLEAR)));
-        ClassicShading allAmbient = new ClassicShading(1, 0.5, DisplayRgb.BLACK, 100);
+        Shading.Classic allAmbient = new Shading.Classic(1, 0.5, DisplayRgb.BLACK, 100);
         assertEquals(List.of(), hints(from(-5).object(BALL, WHITE).shading(allAmbient)));
     }
 
@@ -145,7 +142,7 @@ class SceneHintsTest {
                 List.of(),
                 hints(from(-5).object(BALL, WHITE).object(pipe, WHITE).light(LAMP)));
         // The sky may shine by itself.
-        ClassicShading allAmbient = new ClassicShading(1, 0.5, DisplayRgb.BLACK, 100);
+        Shading.Classic allAmbient = new Shading.Classic(1, 0.5, DisplayRgb.BLACK, 100);
         Sphere sky = Sphere.of(ExactPoint.of(0, 0, 0), 100);
         assertEquals(List.of(), hints(from(-5).object(sky, WHITE).shading(allAmbient)));
     }
@@ -219,7 +216,7 @@ class SceneHintsTest {
                 DisplayRgb.WHITE);
     }
 
-    private static SceneBuilder withBallAnd(Material material, Light light) {
+    private static Scene.Builder withBallAnd(Material material, Light light) {
         return from(-5).object(BALL, material).light(LAMP).light(light);
     }
 
@@ -228,11 +225,11 @@ class SceneHintsTest {
         Rectangle wall = new Rectangle(
                 ExactPoint.of(-9, -9, 2), ExactPoint.of(-9, 9, 2), ExactPoint.of(9, 9, 2), ExactPoint.of(9, -9, 2));
         for (double angle : new double[] {0.6, 0.999, 1e-9, 1e-300}) {
-            SceneBuilder narrow =
+            Scene.Builder narrow =
                     view(new Camera.Perspective(ExactPoint.of(0, 0, -5), ExactPoint.of(0, 0, 0), Vec3.Y, angle));
             assertEquals(List.of(NARROW), hints(narrow.object(wall, WHITE)), "" + angle);
         }
-        SceneBuilder wide =
+        Scene.Builder wide =
                 view(new Camera.Perspective(ExactPoint.of(0, 0, -5), ExactPoint.of(0, 0, 0), Vec3.Y, 1.001));
         assertEquals(List.of(), hints(wide.object(wall, WHITE)));
     }
@@ -277,17 +274,17 @@ class SceneHintsTest {
         }
     }
 
-    private static SceneBuilder view(Camera camera) {
+    private static Scene.Builder view(Camera camera) {
         return Scene.builder().size(8, 8).camera(camera).object(BALL, WHITE).light(LAMP);
     }
 
-    private static SceneBuilder from(double z) {
+    private static Scene.Builder from(double z) {
         return Scene.builder()
                 .size(8, 8)
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, z), ExactPoint.of(0, 0, 0), Vec3.Y, 40));
     }
 
-    private static List<String> hints(SceneBuilder scene) {
+    private static List<String> hints(Scene.Builder scene) {
         return hints(scene.build());
     }
 

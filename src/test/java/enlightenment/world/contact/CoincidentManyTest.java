@@ -19,7 +19,6 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.light.SceneImages;
@@ -42,20 +41,20 @@ class CoincidentManyTest {
     /** Who cancels is asked once per so many things looked at. */
     private static final int POLLED = CancellationCheck.INTERVAL;
 
-    private static SceneBuilder scene() {
+    private static Scene.Builder scene() {
         return Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Perspective(ExactPoint.of(0.3, 5, -40), ExactPoint.ORIGIN, Vec3.Y, 40));
     }
 
-    private static CompiledScene compiled(SceneBuilder builder) {
+    private static CompiledScene compiled(Scene.Builder builder) {
         Scene scene = builder.build();
         return SceneCompiler.compile(scene, RenderSettings.of(scene));
     }
 
     /** Boxes that stand on a floor and rectangles that lie on it, over each other as it comes. */
     private static CompiledScene city(int things) {
-        SceneBuilder b = scene().object(
+        Scene.Builder b = scene().object(
                         new Rectangle(
                                 ExactPoint.of(-10, 0.1, -10),
                                 ExactPoint.of(-10, 0.1, 10),
@@ -136,8 +135,8 @@ class CoincidentManyTest {
     }
 
     /** Spheres and tori on a grid whose coordinates differ by some units in the last place; some are in the same place, of other sizes. */
-    private static SceneBuilder grid(int n, SplittableRandom random) {
-        SceneBuilder b = scene();
+    private static Scene.Builder grid(int n, SplittableRandom random) {
+        Scene.Builder b = scene();
         for (int i = 0; i < n; i++) {
             ExactPoint center = ExactPoint.of(
                     coordinate(random.nextInt(3), random),
@@ -202,7 +201,7 @@ class CoincidentManyTest {
     }
 
     private static Scene rings(int n) {
-        SceneBuilder b = scene();
+        Scene.Builder b = scene();
         for (int i = 0; i < n; i++) {
             b.object(new Disk(ExactPoint.ORIGIN, Vec3.Z, 3.0 * (i + 1) / n), WHITE);
         }
@@ -230,7 +229,7 @@ class CoincidentManyTest {
     /** Each sphere has an x in common with all, and a y with 59. */
     @Test
     void ofAWallOfSpheresNotEachPairIsLookedAt() {
-        SceneBuilder b = scene();
+        Scene.Builder b = scene();
         int side = 60;
         for (int i = 0; i < side * side; i++) {
             b.object(Sphere.of(ExactPoint.of(0.1, 0.1 * (i % side), 0.1 * (i / side)), 0.03), WHITE);
@@ -245,7 +244,7 @@ class CoincidentManyTest {
 
     @Test
     void spheresAroundOneCentreAreToldApartByTheirRadii() {
-        SceneBuilder b = scene();
+        Scene.Builder b = scene();
         int n = 2000;
         for (int i = 0; i < n; i++) {
             b.object(Sphere.of(ExactPoint.of(0.1, 0.2, 0.3), 1 + 1.0 * i / n), WHITE);

@@ -12,7 +12,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import java.util.Set;
@@ -41,7 +40,7 @@ class CoincidentSurfacesTest {
      */
     private static CompiledScene scene(double half, boolean withBvh) {
         double floor = -0x1p-10;
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, floor, 1), Vec3.Y, 40))
                 .object(flat(0, floor, 0, half), WHITE);

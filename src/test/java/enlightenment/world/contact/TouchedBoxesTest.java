@@ -19,10 +19,9 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.SupportSurface;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.light.PhysicalLight;
@@ -36,10 +35,10 @@ class TouchedBoxesTest {
     private static final Material GLOW =
             Material.Matte.of(Texture.of(Rgb.BLACK)).withRadiance(Rgb.WHITE);
 
-    private static SceneBuilder empty() {
+    private static Scene.Builder empty() {
         return Scene.builder()
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -9), ExactPoint.of(0, 0, 0), Vec3.Y, 60))
-                .shading(new PhysicalShading(OptionalInt.empty(), Rgb.BLACK));
+                .shading(new Shading.Physical(OptionalInt.empty(), Rgb.BLACK));
     }
 
     /** Shapes at places of a coarse grid, so that many faces lie on others; some reach far. */
@@ -63,7 +62,7 @@ class TouchedBoxesTest {
 
     private static Scene random(long seed) {
         SplittableRandom r = new SplittableRandom(seed);
-        SceneBuilder b = empty();
+        Scene.Builder b = empty();
         for (int k = 0; k < 60; k++) {
             b.object(shape(r), r.nextBoolean() ? GLOW : BLACK);
         }
@@ -113,7 +112,7 @@ class TouchedBoxesTest {
     @Test
     void aTriangleOfALargeMeshIsComparedWithFewOthers() {
         int n = 40;
-        SceneBuilder b = empty();
+        Scene.Builder b = empty();
         for (int i = 0; i < n; i++) {
             for (int k = 0; k < n; k++) {
                 double wave = (i + k) % 3;

@@ -17,10 +17,9 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.LightStarts;
 import enlightenment.world.SceneCompiler;
@@ -42,10 +41,10 @@ class LightMediaTest {
     private static final Material GLOW =
             Material.Matte.of(Texture.of(Rgb.BLACK)).withRadiance(Rgb.WHITE);
 
-    private static SceneBuilder empty() {
+    private static Scene.Builder empty() {
         return Scene.builder()
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -9), ExactPoint.of(0, 0, 0), Vec3.Y, 60))
-                .shading(new PhysicalShading(OptionalInt.empty(), Rgb.BLACK));
+                .shading(new Shading.Physical(OptionalInt.empty(), Rgb.BLACK));
     }
 
     /** Shapes at places of a coarse grid: boxes around many of them touch. */
@@ -68,7 +67,7 @@ class LightMediaTest {
 
     private static Scene random(long seed) {
         SplittableRandom r = new SplittableRandom(seed);
-        SceneBuilder b = empty();
+        Scene.Builder b = empty();
         for (int k = 0; k < 60; k++) {
             int kind = r.nextInt(4);
             b.object(shape(r), kind == 0 ? GLOW : kind == 1 ? MATTE : GLASS);
@@ -103,7 +102,7 @@ class LightMediaTest {
 
     /** Points and solids apart from each other, the points below them. */
     private static Scene grid(Material material, int n) {
-        SceneBuilder b = empty();
+        Scene.Builder b = empty();
         for (int k = 0; k < n; k++) {
             b.object(Sphere.of(ExactPoint.of(k % 64, k / 64, 0), 0.25), material);
             b.light(new Light.Point(ExactPoint.of(k % 64, k / 64, -1), Rgb.WHITE, Emission.power(Rgb.WHITE)));

@@ -18,10 +18,9 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
+import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import java.util.OptionalInt;
@@ -52,9 +51,9 @@ class LightPyramidTest {
         Vec3 right = direction();
         Vec3 up = right.cross(direction()).normalized().times(0.3 + random.nextDouble());
         ExactPoint at = point(2);
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -9), ExactPoint.of(0, 0, 0), Vec3.Y, 60))
-                .shading(new PhysicalShading(OptionalInt.of(1), Rgb.BLACK))
+                .shading(new Shading.Physical(OptionalInt.of(1), Rgb.BLACK))
                 .light(new Light.Rectangle(at, at.plus(up), at.plus(up.plus(right)), at.plus(right), DisplayRgb.WHITE));
         for (Shape shape : shapes) {
             b.object(shape, WHITE);
@@ -124,7 +123,7 @@ class LightPyramidTest {
     void aBoxThatTouchesThePyramidIsNotLeftOut() {
         Scene scene = Scene.builder()
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -9), ExactPoint.of(0, 0, 0), Vec3.Y, 60))
-                .shading(new PhysicalShading(OptionalInt.of(1), Rgb.BLACK))
+                .shading(new Shading.Physical(OptionalInt.of(1), Rgb.BLACK))
                 .light(new Light.Rectangle(
                         ExactPoint.of(0, 2, 0),
                         ExactPoint.of(0, 2, 1),

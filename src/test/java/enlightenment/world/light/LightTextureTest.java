@@ -26,9 +26,9 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import enlightenment.render.TestScenes;
 import enlightenment.sampling.Hash;
-import enlightenment.scene.PhysicalShading;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.surface.SurfaceInteraction;
@@ -75,7 +75,7 @@ class LightTextureTest {
     private static CompiledScene compiled(Shape shape, Material material) {
         Scene scene = Scene.builder()
                 .size(4, 4)
-                .shading(PhysicalShading.DEFAULT)
+                .shading(Shading.Physical.DEFAULT)
                 .camera(new Camera.Perspective(ExactPoint.of(0, 1, -9), ExactPoint.of(0, 1, 0), Vec3.Y, 40))
                 .object(shape, material)
                 .build();

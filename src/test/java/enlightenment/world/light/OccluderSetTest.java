@@ -18,7 +18,6 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import java.util.Arrays;
@@ -29,12 +28,12 @@ import org.junit.jupiter.api.Test;
 class OccluderSetTest {
     private static final Material WHITE = Material.Matte.of(Texture.of(DisplayRgb.WHITE));
 
-    private static SceneBuilder room() {
+    private static Scene.Builder room() {
         return Scene.builder()
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -9), ExactPoint.of(0, 0, 0), Vec3.Y, 60));
     }
 
-    private static CompiledScene compile(SceneBuilder b) {
+    private static CompiledScene compile(Scene.Builder b) {
         Scene scene = b.build();
         return SceneCompiler.compile(scene, RenderSettings.of(scene), false);
     }
@@ -58,7 +57,7 @@ class OccluderSetTest {
         int hidden = 0;
         int rays = 0;
         for (int round = 0; round < 400; round++) {
-            SceneBuilder b = room();
+            Scene.Builder b = room();
             for (int i = 0; i < 5; i++) {
                 b.object(Sphere.of(point(random, 3), 0.2 + 1.5 * random.nextDouble()), WHITE);
             }

@@ -24,7 +24,6 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import enlightenment.world.Tracer;
@@ -49,7 +48,7 @@ class SegmentEndsTest {
     private int asked;
 
     private static CompiledScene compile(List<Shape> shapes) {
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .camera(new Camera.Perspective(ExactPoint.of(0, 0, -9), ExactPoint.of(0, 0, 0), Vec3.Y, 60));
         shapes.forEach(s -> b.object(s, WHITE));
         Scene scene = b.build();

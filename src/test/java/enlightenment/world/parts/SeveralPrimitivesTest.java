@@ -23,10 +23,9 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.primitive.Ray;
-import enlightenment.scene.RayTraceSettings;
+import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
-import enlightenment.scene.SceneBuilder;
 import enlightenment.scene.SceneObject;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
@@ -81,7 +80,7 @@ class SeveralPrimitivesTest {
     }
 
     private static Scene scene(List<SceneObject> objects) {
-        SceneBuilder b = Scene.builder()
+        Scene.Builder b = Scene.builder()
                 .size(WIDTH, HEIGHT)
                 .camera(new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 5), Vec3.Y, 60))
                 .light(new Light.Sphere(ExactPoint.of(3, 5, -4), 0.5, DisplayRgb.WHITE));
@@ -100,7 +99,7 @@ class SeveralPrimitivesTest {
     }
 
     private static double[] render(CompiledScene compiled, Scene scene) {
-        RenderSettings settings = RenderSettings.of(scene).withAntialias(2).with(new RayTraceSettings(3));
+        RenderSettings settings = RenderSettings.of(scene).withAntialias(2).with(new BuiltInMethod.RayTraceSettings(3));
         FilmTile tile = new FilmTile(0, 0, WIDTH, HEIGHT);
         RayTraceMethod.of(compiled, settings, new RayCounters(compiled.kindNames.size()), 0)
                 .render(tile);

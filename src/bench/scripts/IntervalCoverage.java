@@ -1,4 +1,4 @@
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.render.RenderProgress;
@@ -29,7 +29,7 @@ public final class IntervalCoverage {
     public static void main(String[] arguments) throws Exception {
         Scene scene = SceneReader.read(Path.of(arguments[0]));
         float[] reference =
-                ImageFiles.read(Path.of(arguments[1]), Encoding.LINEAR).toArray();
+                ImageFiles.read(Path.of(arguments[1]), Color.Encoding.LINEAR).toArray();
         for (String method : arguments[2].split(",")) {
             RenderSettings settings =
                     RenderSettings.of(scene).withMethod(BuiltInMethod.valueOf(method.toUpperCase(Locale.ROOT)));

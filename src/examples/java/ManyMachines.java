@@ -3,7 +3,6 @@ import enlightenment.image.ImageFiles;
 import enlightenment.net.RenderServer;
 import enlightenment.net.RenderWorker;
 import enlightenment.net.ServerOptions;
-import enlightenment.net.WorkerOptions;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
@@ -60,7 +59,7 @@ public final class ManyMachines {
                 workers.add(threads.submit(() -> RenderWorker.run(
                         "127.0.0.1",
                         server.port(),
-                        WorkerOptions.builder().threads(1).build(),
+                        RenderWorker.Options.builder().threads(1).build(),
                         () -> false)));
             }
             RenderResult result = server.await(RenderProgress.NONE, () -> false);

@@ -1,7 +1,6 @@
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
@@ -39,7 +38,7 @@ public final class Thumbnail {
     }
 
     static Image thumbnail(Path model, int side) throws IOException {
-        ImportedScene imported = SceneImporter.read(model, ImportOptions.DEFAULT);
+        SceneImporter.Result imported = SceneImporter.read(model, ImportOptions.DEFAULT);
         // What of the file has no counterpart here is said, and no reason to fail.
         imported.notes().forEach(System.err::println);
 

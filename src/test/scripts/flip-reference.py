@@ -3,7 +3,7 @@
 
 In a virtual environment outside the repository:
     pip install flip-evaluator==1.7 numpy pillow
-    python src/test/scripts/flip-reference.py src/test/resources/enlightenment/image/error/flip
+    python src/test/scripts/flip-reference.py src/test/resources/enlightenment/image/flip/flip
 
 Writes the made-up pairs of pictures (NAME-a.png, NAME-b.png) and reference.txt. The pair "scene" has to be there:
     enlightenment render scenes/glass.json -o scene-a.png --size 64x48 --antialias 1 --shadow-samples 1

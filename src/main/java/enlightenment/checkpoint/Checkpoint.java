@@ -1,7 +1,7 @@
 package enlightenment.checkpoint;
 
 import enlightenment.job.RenderIdentity;
-import enlightenment.render.ResultArchive;
+import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,7 +17,7 @@ import java.util.Set;
  * A journal as the archive of a render in one process. Which results it holds is known from opening it; they themselves are read when they
  * are asked for.
  */
-public final class Checkpoint implements ResultArchive {
+public final class Checkpoint implements RenderResult.Archive {
     private final Path path;
     private final List<byte[]> plans = new ArrayList<>();
 

@@ -14,10 +14,10 @@ public final class DisplayCurve {
     public static final double MOST_EXPOSURE = 1000;
 
     /** For display-referred numbers: nothing is done. */
-    public static final DisplayCurve NONE = new DisplayCurve(Encoding.DISPLAY, 0, Tone.CLIP);
+    public static final DisplayCurve NONE = new DisplayCurve(Color.Encoding.DISPLAY, 0, Tone.CLIP);
 
     /** For linear light as it is: exposure 0, clipped. */
-    public static final DisplayCurve SRGB = new DisplayCurve(Encoding.LINEAR, 0, Tone.CLIP);
+    public static final DisplayCurve SRGB = new DisplayCurve(Color.Encoding.LINEAR, 0, Tone.CLIP);
 
     /** {@link Tone#FILMIC}: the factors of x² and x above, and of x², x and 1 below the line. */
     private static final double[] FILMIC = {2.51, 0.03, 2.43, 0.59, 0.14};
@@ -25,14 +25,14 @@ public final class DisplayCurve {
     /** From here on that fraction is above 1, which it reaches at 7.24; its own limit is 1.033. */
     private static final double WHITE = 8;
 
-    private final Encoding encoding;
+    private final Color.Encoding encoding;
     private final double exposure;
     private final Tone tone;
 
     /** 2^exposure. */
     private final double factor;
 
-    private DisplayCurve(Encoding encoding, double exposure, Tone tone) {
+    private DisplayCurve(Color.Encoding encoding, double exposure, Tone tone) {
         this.encoding = encoding;
         this.exposure = exposure;
         this.tone = Objects.requireNonNull(tone, "tone");
@@ -48,11 +48,11 @@ public final class DisplayCurve {
      */
     public static DisplayCurve of(double exposure, Tone tone) {
         Check.range("exposure", exposure, -MOST_EXPOSURE, MOST_EXPOSURE);
-        return new DisplayCurve(Encoding.LINEAR, exposure, tone);
+        return new DisplayCurve(Color.Encoding.LINEAR, exposure, tone);
     }
 
     /** What the numbers are that it is for. */
-    public Encoding encoding() {
+    public Color.Encoding encoding() {
         return encoding;
     }
 
@@ -68,7 +68,7 @@ public final class DisplayCurve {
 
     /** The same for another exposure; only for linear light. */
     public DisplayCurve withExposure(double stops) {
-        if (encoding == Encoding.DISPLAY) {
+        if (encoding == Color.Encoding.DISPLAY) {
             throw new IllegalStateException("display-referred pictures have no exposure");
         }
         return of(stops, tone);
@@ -76,7 +76,7 @@ public final class DisplayCurve {
 
     /** What a screen takes for this number, in 0..1 where it is linear light; NaN stays NaN. */
     public double of(double value) {
-        if (encoding == Encoding.DISPLAY) {
+        if (encoding == Color.Encoding.DISPLAY) {
             return value;
         }
         if (value < 0) {
@@ -100,7 +100,7 @@ public final class DisplayCurve {
      * @param value finite or infinite; NaN becomes 0
      */
     public double nearly(double value) {
-        if (encoding == Encoding.DISPLAY) {
+        if (encoding == Color.Encoding.DISPLAY) {
             return value;
         }
         // A fraction of negative light may be anything: it has poles.
@@ -123,6 +123,18 @@ public final class DisplayCurve {
 
     @Override
     public String toString() {
-        return encoding == Encoding.DISPLAY ? "display-referred" : "linear, exposure " + exposure + ", " + tone;
+        return encoding == Color.Encoding.DISPLAY ? "display-referred" : "linear, exposure " + exposure + ", " + tone;
+    }
+
+    /** How linear light, after exposure, becomes what the transfer curve takes: 0..1. */
+    public enum Tone {
+        /** As it is, cut to 1: what is measured is what is seen. */
+        CLIP,
+
+        /**
+         * Bent so that highlights fade slowly: x(2.51x + 0.03) / (x(2.43x + 0.59) + 0.14) in each channel, cut to 1 (Narkowicz, "ACES
+         * filmic tone mapping curve", 2015).
+         */
+        FILMIC
     }
 }

@@ -1,8 +1,7 @@
 package enlightenment.engine;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
-import enlightenment.color.Tone;
 import enlightenment.film.SplatScale;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Budget;
@@ -174,7 +173,7 @@ public final class OutlineBytes {
 
     /** The kind of the pixels' numbers, exposure, and kind of the tone curve. */
     private static void write(DataOutputStream out, DisplayCurve curve) throws IOException {
-        out.writeBoolean(curve.encoding() == Encoding.LINEAR);
+        out.writeBoolean(curve.encoding() == Color.Encoding.LINEAR);
         out.writeDouble(curve.exposure());
         out.writeByte(curve.tone().ordinal());
     }
@@ -184,7 +183,7 @@ public final class OutlineBytes {
         boolean isLinear = in.readBoolean();
         double exposure = in.readDouble();
         int tone = in.readUnsignedByte();
-        Tone[] tones = Tone.values();
+        DisplayCurve.Tone[] tones = DisplayCurve.Tone.values();
         if (tone >= tones.length) {
             throw new IllegalArgumentException("tone curve " + tone);
         }

@@ -1,7 +1,7 @@
 package enlightenment.engine;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.film.FilmTile;
 import enlightenment.scene.RenderSettings;
 import java.nio.ByteBuffer;
@@ -23,7 +23,7 @@ final class PassForm extends ResultForm {
     PassForm(WorkUnits units, int kinds, DisplayCurve display) {
         super(units, kinds);
         this.display = display;
-        brightest = display.encoding() == Encoding.LINEAR ? Double.MAX_VALUE : TileForm.BRIGHTEST;
+        brightest = display.encoding() == Color.Encoding.LINEAR ? Double.MAX_VALUE : TileForm.BRIGHTEST;
     }
 
     @Override

@@ -1,6 +1,6 @@
 package enlightenment.engine;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.FilmTile;
 import enlightenment.image.Image;
@@ -12,7 +12,7 @@ import java.util.Objects;
 public abstract class PictureFilm {
     final WorkUnits units;
     final RenderSettings.Crop region;
-    private final Encoding encoding;
+    private final Color.Encoding encoding;
 
     /** The units that are there. */
     private final BitSet done = new BitSet();
@@ -97,7 +97,7 @@ public abstract class PictureFilm {
     abstract void count(int unit, int by);
 
     /** What the pixels are. */
-    public final Encoding encoding() {
+    public final Color.Encoding encoding() {
         return encoding;
     }
 

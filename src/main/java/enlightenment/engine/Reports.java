@@ -1,6 +1,6 @@
 package enlightenment.engine;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.plan.RenderPlan;
 import enlightenment.report.RenderReport;
@@ -75,7 +75,7 @@ public final class Reports {
     }
 
     private static Optional<RenderReport.Light> light(RenderOutline outline, PictureFilm film, ErrorEstimate error) {
-        if (film.encoding() == Encoding.DISPLAY) {
+        if (film.encoding() == Color.Encoding.DISPLAY) {
             return Optional.empty();
         }
         return Optional.of(error.linear()

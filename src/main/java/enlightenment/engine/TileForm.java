@@ -1,7 +1,7 @@
 package enlightenment.engine;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.film.FilmTile;
 import enlightenment.film.TileGrowth;
 import enlightenment.scene.RenderSettings;
@@ -29,7 +29,7 @@ final class TileForm extends ResultForm {
     TileForm(WorkUnits units, int kinds, DisplayCurve display) {
         super(units, kinds);
         this.display = display;
-        isLinear = display.encoding() == Encoding.LINEAR;
+        isLinear = display.encoding() == Color.Encoding.LINEAR;
         perPixel = isLinear ? PER_PIXEL + MEANS_OF_QUARTERS * Float.BYTES : PER_PIXEL;
     }
 

@@ -1,7 +1,7 @@
 package enlightenment.film;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 
 /** A film whose pixels are in memory. */
@@ -57,12 +57,12 @@ public final class Film implements TileFilm {
     }
 
     /** What the pixels mean. */
-    public Encoding encoding() {
+    public Color.Encoding encoding() {
         return curve.encoding();
     }
 
     private boolean isLinear() {
-        return curve.encoding() == Encoding.LINEAR;
+        return curve.encoding() == Color.Encoding.LINEAR;
     }
 
     @Override

@@ -1,7 +1,7 @@
 package enlightenment.film;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.file.ScratchFile;
 import enlightenment.image.Image;
 import java.nio.ByteBuffer;
@@ -63,7 +63,7 @@ public final class FilmInFile implements TileFilm {
         this.height = height;
         this.curve = curve;
         this.folder = folder;
-        isLinear = curve.encoding() == Encoding.LINEAR;
+        isLinear = curve.encoding() == Color.Encoding.LINEAR;
         pixelBytes = FilmPixel.bytes(isLinear);
         firstBlock = x / SIDE;
         blocks = (x + width - 1) / SIDE - firstBlock + 1;

@@ -1,7 +1,7 @@
 package enlightenment.film;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import java.util.Arrays;
 
 /**
@@ -71,7 +71,7 @@ public final class FilmTile {
      */
     public FilmTile(int x, int y, int width, int height, DisplayCurve curve) {
         this.curve = curve;
-        isLinear = curve.encoding() == Encoding.LINEAR;
+        isLinear = curve.encoding() == Color.Encoding.LINEAR;
         quarterMeans = isLinear ? new float[QuarterMeans.PER_PIXEL * width * height] : null;
         this.x = x;
         this.y = y;

@@ -1,7 +1,7 @@
 package enlightenment.film;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 
 /** Finished pictures are floats. */
 public final class FloatLight {
@@ -10,6 +10,6 @@ public final class FloatLight {
     /** The float for a number of a picture: light that is less than any float is the least one, which tells it from none. */
     public static float of(double value, DisplayCurve curve) {
         float nearest = (float) value;
-        return nearest == 0 && value > 0 && curve.encoding() == Encoding.LINEAR ? Float.MIN_VALUE : nearest;
+        return nearest == 0 && value > 0 && curve.encoding() == Color.Encoding.LINEAR ? Float.MIN_VALUE : nearest;
     }
 }

@@ -1,7 +1,7 @@
 package enlightenment.film;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import java.util.BitSet;
 import java.util.stream.IntStream;
@@ -52,7 +52,7 @@ public final class SplatFilm {
     }
 
     /** What the pixels mean. */
-    public Encoding encoding() {
+    public Color.Encoding encoding() {
         return curve.encoding();
     }
 

@@ -1,8 +1,8 @@
 package enlightenment.image;
 
 import enlightenment.codec.PngWriter;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import java.awt.image.BufferedImage;
 import java.util.Objects;
 
@@ -51,12 +51,14 @@ public final class Image {
      * @param rgb 3·width·height components; taken over, not copied
      * @param encoding what they are
      */
-    public Image(int width, int height, float[] rgb, Encoding encoding) {
+    public Image(int width, int height, float[] rgb, Color.Encoding encoding) {
         this(width, height, rgb, usual(encoding));
     }
 
-    private static DisplayCurve usual(Encoding encoding) {
-        return Objects.requireNonNull(encoding, "encoding") == Encoding.DISPLAY ? DisplayCurve.NONE : DisplayCurve.SRGB;
+    private static DisplayCurve usual(Color.Encoding encoding) {
+        return Objects.requireNonNull(encoding, "encoding") == Color.Encoding.DISPLAY
+                ? DisplayCurve.NONE
+                : DisplayCurve.SRGB;
     }
 
     /**
@@ -104,7 +106,7 @@ public final class Image {
     }
 
     /** What the components are. */
-    public Encoding encoding() {
+    public Color.Encoding encoding() {
         return curve.encoding();
     }
 
@@ -166,7 +168,7 @@ public final class Image {
     }
 
     private float displayed(float value) {
-        return encoding() == Encoding.DISPLAY ? value : (float) curve.of(value);
+        return encoding() == Color.Encoding.DISPLAY ? value : (float) curve.of(value);
     }
 
     /**
@@ -178,7 +180,7 @@ public final class Image {
     }
 
     private float displayedFor(int maximum, float value) {
-        if (encoding() == Encoding.DISPLAY) {
+        if (encoding() == Color.Encoding.DISPLAY) {
             return value;
         }
         double near = curve.nearly(value);
@@ -188,7 +190,7 @@ public final class Image {
 
     /** The same picture as a screen takes it; this one if it is display-referred. */
     public Image toDisplay() {
-        if (encoding() == Encoding.DISPLAY) {
+        if (encoding() == Color.Encoding.DISPLAY) {
             return this;
         }
         if (rows != null) {

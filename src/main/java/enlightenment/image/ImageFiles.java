@@ -6,7 +6,7 @@ import enlightenment.codec.PfmFormat;
 import enlightenment.codec.PngWriter;
 import enlightenment.codec.Raster;
 import enlightenment.codec.RasterFiles;
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.file.WholeFile;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -131,7 +131,7 @@ public final class ImageFiles {
      * profiles are not applied, nor the scale of a float map. The picture is taken for display-referred.
      */
     public static Image read(Path file) throws IOException {
-        return read(file, Encoding.DISPLAY);
+        return read(file, Color.Encoding.DISPLAY);
     }
 
     /**
@@ -139,10 +139,10 @@ public final class ImageFiles {
      *
      * @throws IOException also if linear light is expected of a file of whole numbers, which holds none
      */
-    public static Image read(Path file, Encoding encoding) throws IOException {
+    public static Image read(Path file, Color.Encoding encoding) throws IOException {
         return RasterFiles.read(file, bytes -> {
             Raster raster = RasterFiles.decode(bytes);
-            if (encoding == Encoding.LINEAR && raster.floats() == null) {
+            if (encoding == Color.Encoding.LINEAR && raster.floats() == null) {
                 throw new IOException("it holds no linear light, but whole numbers for a screen");
             }
             return new Image(raster.width(), raster.height(), raster.components(), encoding);

@@ -2,7 +2,7 @@ package enlightenment.image;
 
 import enlightenment.codec.JpegWriter;
 import enlightenment.codec.RasterDecoder;
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.text.WordList;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -15,7 +15,7 @@ import java.util.Optional;
  * #isWritten are written}.
  *
  * <p>Whole numbers are fractions of their maximum, and display-referred. Floats are the components themselves, without limits;
- * whether they are display-referred or linear light ({@link Encoding}) no such file says.
+ * whether they are display-referred or linear light ({@link Color.Encoding}) no such file says.
  */
 public enum ImageFormat {
     /** Portable Network Graphics (W3C): lossless, the format of finished pictures. */

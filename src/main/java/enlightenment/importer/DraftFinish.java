@@ -73,13 +73,14 @@ final class DraftFinish {
     private void addLight(Studio studio, boolean isModel) {
         boolean wasLit = draft.isLit();
         if (options.backdrop().isPresent() || !wasLit) {
-            draft.background(background(options.backdrop().orElse(new Backdrop.Studio()), studio));
+            draft.background(background(options.backdrop().orElse(new ImportOptions.Backdrop.Studio()), studio));
         }
         boolean isSky = draft.background() instanceof Background.Sky;
         if (!draft.hasLights() && !isSky && (options.backdrop().isPresent() || !wasLit)) {
             studio.addLamp(draft);
         }
-        boolean isPlain = options.backdrop().isPresent() && options.backdrop().get() instanceof Backdrop.Constant;
+        boolean isPlain =
+                options.backdrop().isPresent() && options.backdrop().get() instanceof ImportOptions.Backdrop.Constant;
         if (isModel && !isPlain && studio.isSeenFromAbove()) {
             studio.addGround(draft);
         }
@@ -88,10 +89,10 @@ final class DraftFinish {
         }
     }
 
-    private Background background(Backdrop backdrop, Studio studio) {
-        if (backdrop instanceof Backdrop.Constant constant) {
+    private Background background(ImportOptions.Backdrop backdrop, Studio studio) {
+        if (backdrop instanceof ImportOptions.Backdrop.Constant constant) {
             return new Background.Constant(constant.radiance());
-        } else if (backdrop instanceof Backdrop.Sky) {
+        } else if (backdrop instanceof ImportOptions.Backdrop.Sky) {
             if (up != ImportOptions.Up.Y) {
                 throw new InvalidValueException("background", "a sky stands above models whose y axis points upwards");
             }

@@ -20,6 +20,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeSet;
 
@@ -86,7 +87,7 @@ public final class SceneImporter {
      * @throws SceneException if it cannot be used: lists the problems with file and place
      * @throws IOException if it cannot be read
      */
-    public static ImportedScene read(Path file, ImportOptions options) throws IOException {
+    public static Result read(Path file, ImportOptions options) throws IOException {
         InputFile.requireEnd(file);
         // Folders and what is not there are refused.
         InputFile.start(file, 1);
@@ -103,7 +104,7 @@ public final class SceneImporter {
         try {
             ImportDraft draft = draft(file, format, options);
             Scene scene = new DraftFinish(draft, options).scene(name(file));
-            return new ImportedScene(scene, draft.notes().list());
+            return new Result(scene, draft.notes().list());
         } catch (InvalidValueException e) {
             throw ImportFailure.at(file, 0, e.getMessage());
         } catch (IOException e) {
@@ -156,7 +157,7 @@ public final class SceneImporter {
     }
 
     /** NFF has a camera, lights and classic shading, none of which can be chosen otherwise. */
-    private static ImportedScene nff(Path file, ImportOptions options) throws IOException {
+    private static Result nff(Path file, ImportOptions options) throws IOException {
         if (options.up().isPresent()
                 || options.orbit().isPresent()
                 || options.backdrop().isPresent()) {
@@ -168,7 +169,7 @@ public final class SceneImporter {
         NffReader.Result nff = NffReader.read(file);
         requireCamera(file, Optional.of(nff.scene().camera()), options);
         requireOnly(file, NamedChoice.animation(options.animation()), Optional.empty());
-        return new ImportedScene(nff.scene(), nff.notes());
+        return new Result(nff.scene(), nff.notes());
     }
 
     private static String name(Path file) {
@@ -180,5 +181,19 @@ public final class SceneImporter {
     private static String ending(Path file) {
         String name = file.toString();
         return name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
+    }
+
+    /**
+     * What a foreign file became.
+     *
+     * @param scene the scene, with physical shading
+     * @param notes what the file says but the scene does not, or not quite: in plain words that begin with the places in the file, fit to be shown
+     */
+    public record Result(Scene scene, List<String> notes) {
+        /** Copies the notes. */
+        public Result {
+            Objects.requireNonNull(scene, "scene");
+            notes = List.copyOf(notes);
+        }
     }
 }

@@ -2,7 +2,7 @@ package enlightenment.measure;
 
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.error.Flip;
+import enlightenment.image.flip.Flip;
 import enlightenment.measure.analysis.Configuration;
 import enlightenment.measure.analysis.CostEstimate;
 import enlightenment.measure.analysis.Digits;

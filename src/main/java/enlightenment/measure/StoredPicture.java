@@ -1,7 +1,7 @@
 package enlightenment.measure;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
@@ -20,7 +20,7 @@ final class StoredPicture {
         if (!isFloats || !(scene.shading() instanceof Shading.Physical)) {
             return ImageFiles.read(file);
         }
-        return ImageFiles.read(file, Encoding.LINEAR)
+        return ImageFiles.read(file, Color.Encoding.LINEAR)
                 .withCurve(DisplayCurve.of(
                         scene.display().exposure(), scene.display().tone()));
     }

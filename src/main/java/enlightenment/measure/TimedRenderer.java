@@ -1,9 +1,9 @@
 package enlightenment.measure;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
-import enlightenment.image.error.Flip;
-import enlightenment.image.error.ImageError;
+import enlightenment.image.ImageError;
+import enlightenment.image.flip.Flip;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
@@ -70,7 +70,7 @@ final class TimedRenderer {
                 kind,
                 s.method().word(),
                 s.antialias(),
-                r.image.encoding() == Encoding.LINEAR
+                r.image.encoding() == Color.Encoding.LINEAR
                         ? 0
                         : BuiltInMethod.RayTraceSettings.of(s).shadowSamples(),
                 s.threads(),

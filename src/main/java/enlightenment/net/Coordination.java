@@ -192,7 +192,7 @@ final class Coordination implements ServerConnection.Host {
             startLocal(Math.max(options.localThreads, 1));
         } else if (action instanceof Action.Finish) {
             isFinished = true;
-            AuditReport audits = AuditReport.ofTiles(auditsDue(), auditsMissing());
+            RenderServer.AuditReport audits = RenderServer.AuditReport.ofTiles(auditsDue(), auditsMissing());
             if (!audits.isComplete()) {
                 log.say("warning: " + audits.sentence());
             }

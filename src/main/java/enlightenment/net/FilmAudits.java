@@ -27,9 +27,9 @@ final class FilmAudits {
         }
     }
 
-    AuditReport report() {
+    RenderServer.AuditReport report() {
         Count sum = byFrame.values().stream().reduce(Count.NONE, Count::plus);
-        return new AuditReport(
+        return new RenderServer.AuditReport(
                 sum.due,
                 sum.missing,
                 true,

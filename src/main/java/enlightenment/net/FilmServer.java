@@ -153,7 +153,7 @@ public final class FilmServer implements Closeable {
     }
 
     /** The audits of the frames that {@link #await} gave to the sink; without meaning before it has returned. */
-    public AuditReport audits() {
+    public RenderServer.AuditReport audits() {
         return audits.report();
     }
 

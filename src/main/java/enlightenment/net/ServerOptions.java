@@ -8,7 +8,7 @@ import enlightenment.net.schedule.CoordinatorSettings;
 import enlightenment.net.secure.OwnCertificate;
 import enlightenment.net.secure.Secrets;
 import enlightenment.net.worker.MachineIdentity;
-import enlightenment.render.ResultArchive;
+import enlightenment.render.RenderResult;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
@@ -46,7 +46,7 @@ public final class ServerOptions {
     final boolean makesCertificate;
     final int statusPort;
     final Optional<Path> checkpoint;
-    final List<ResultArchive> archives;
+    final List<RenderResult.Archive> archives;
     final int localThreads;
     final double auditRate;
     final List<String> pardoned;
@@ -106,7 +106,7 @@ public final class ServerOptions {
         private boolean makesCertificate;
         private int statusPort = -1;
         private Optional<Path> checkpoint = Optional.empty();
-        private List<ResultArchive> archives = List.of();
+        private List<RenderResult.Archive> archives = List.of();
         private int localThreads = Math.max(Runtime.getRuntime().availableProcessors() - 1, 1);
         private double auditRate = DEFAULT_AUDIT_RATE;
         private List<String> pardoned = List.of();
@@ -232,7 +232,7 @@ public final class ServerOptions {
          * Archives that keep what is done as well, and that a server goes on from; one thread at a time uses them. Whoever opened them
          * closes them, after the server.
          */
-        public Builder archives(List<ResultArchive> all) {
+        public Builder archives(List<RenderResult.Archive> all) {
             archives = List.copyOf(all);
             return this;
         }
@@ -335,7 +335,7 @@ public final class ServerOptions {
     }
 
     /** The same options with {@linkplain Builder#archives archives}. */
-    public ServerOptions withArchives(List<ResultArchive> all) {
+    public ServerOptions withArchives(List<RenderResult.Archive> all) {
         return toBuilder().archives(all).build();
     }
 

@@ -1,7 +1,7 @@
 package enlightenment.picture;
 
 import enlightenment.image.Image;
-import enlightenment.image.error.Flip;
+import enlightenment.image.flip.Flip;
 import java.util.Arrays;
 import java.util.List;
 

@@ -42,7 +42,7 @@ final class Archives {
 
     /** An archive, what it calls the plan of this round, and which of its units it has. */
     private static final class Kept {
-        final ResultArchive archive;
+        final RenderResult.Archive archive;
         int plan;
         final BitSet units = new BitSet();
 
@@ -52,7 +52,7 @@ final class Archives {
         /** The samples per pixel of the largest of those plans whose units are others, so that nothing goes on from them; 0 for none. */
         double others;
 
-        Kept(ResultArchive archive) {
+        Kept(RenderResult.Archive archive) {
             this.archive = archive;
         }
     }
@@ -67,7 +67,7 @@ final class Archives {
     }
 
     /** @param notes hears what cannot be kept, and what is there already */
-    Archives(List<ResultArchive> archives, Consumer<String> notes) {
+    Archives(List<RenderResult.Archive> archives, Consumer<String> notes) {
         listener = notes;
         archives.forEach(archive -> all.add(new Kept(archive)));
     }
@@ -271,7 +271,7 @@ final class Archives {
         private Samples(int width) {
             boolean[] wanted = new boolean[2];
             each(kept -> {
-                if (kept.archive instanceof ResultArchive.OfSamples samples) {
+                if (kept.archive instanceof RenderResult.Archive.OfSamples samples) {
                     wanted[0] |= samples.keepsSamples();
                     wanted[1] |= samples.keepsRays();
                 }
@@ -290,7 +290,7 @@ final class Archives {
 
         private void keep(int kind, int count, byte[] block) {
             each(kept -> {
-                if (kept.archive instanceof ResultArchive.OfSamples samples && samples.keepsSamples()) {
+                if (kept.archive instanceof RenderResult.Archive.OfSamples samples && samples.keepsSamples()) {
                     samples.keepSamples(kept.plan, unit, kind, count, block);
                 }
             });

@@ -26,17 +26,21 @@ final class AuxiliaryPass {
     /** The frame's origin in the scene. */
     private final Vec3 origin;
 
-    private final Map<Auxiliary, float[]> numbers = new EnumMap<>(Auxiliary.class);
+    private final Map<RenderRequest.Auxiliary, float[]> numbers = new EnumMap<>(RenderRequest.Auxiliary.class);
 
-    AuxiliaryPass(CompiledScene scene, RenderSettings settings, Set<Auxiliary> kinds) {
+    AuxiliaryPass(CompiledScene scene, RenderSettings settings, Set<RenderRequest.Auxiliary> kinds) {
         this.scene = scene;
         this.settings = settings;
         region = settings.region();
         origin = scene.frame.origin().toVec3();
-        for (Auxiliary a : kinds) {
+        for (RenderRequest.Auxiliary a : kinds) {
             if (a.needsRays()) {
                 float[] all = new float[3 * region.width() * region.height()];
-                Arrays.fill(all, a == Auxiliary.DEPTH ? Float.POSITIVE_INFINITY : a == Auxiliary.OBJECT ? -1 : 0);
+                Arrays.fill(
+                        all,
+                        a == RenderRequest.Auxiliary.DEPTH
+                                ? Float.POSITIVE_INFINITY
+                                : a == RenderRequest.Auxiliary.OBJECT ? -1 : 0);
                 numbers.put(a, all);
             }
         }
@@ -50,8 +54,8 @@ final class AuxiliaryPass {
     }
 
     /** The images, by what they tell. */
-    Map<Auxiliary, Image> images() {
-        Map<Auxiliary, Image> images = new EnumMap<>(Auxiliary.class);
+    Map<RenderRequest.Auxiliary, Image> images() {
+        Map<RenderRequest.Auxiliary, Image> images = new EnumMap<>(RenderRequest.Auxiliary.class);
         numbers.forEach((a, all) -> images.put(a, new Image(region.width(), region.height(), all)));
         return images;
     }
@@ -80,23 +84,23 @@ final class AuxiliaryPass {
         }
 
         private void put(int k, int object) {
-            float[] depth = numbers.get(Auxiliary.DEPTH);
+            float[] depth = numbers.get(RenderRequest.Auxiliary.DEPTH);
             if (depth != null) {
                 Arrays.fill(depth, k, k + 3, depth());
             }
-            float[] normal = numbers.get(Auxiliary.NORMAL);
+            float[] normal = numbers.get(RenderRequest.Auxiliary.NORMAL);
             if (normal != null) {
                 normal[k] = (float) (hit.side * hit.nx);
                 normal[k + 1] = (float) (hit.side * hit.ny);
                 normal[k + 2] = (float) (hit.side * hit.nz);
             }
-            float[] position = numbers.get(Auxiliary.POSITION);
+            float[] position = numbers.get(RenderRequest.Auxiliary.POSITION);
             if (position != null) {
                 position[k] = coordinate(origin.x(), hit.px);
                 position[k + 1] = coordinate(origin.y(), hit.py);
                 position[k + 2] = coordinate(origin.z(), hit.pz);
             }
-            float[] objects = numbers.get(Auxiliary.OBJECT);
+            float[] objects = numbers.get(RenderRequest.Auxiliary.OBJECT);
             if (objects != null) {
                 Arrays.fill(objects, k, k + 3, object);
             }

@@ -16,8 +16,8 @@ final class PixelStatistics {
         this.region = region;
     }
 
-    Image of(Auxiliary kind) {
-        return kind == Auxiliary.ERROR ? deviations() : counts();
+    Image of(RenderRequest.Auxiliary kind) {
+        return kind == RenderRequest.Auxiliary.ERROR ? deviations() : counts();
     }
 
     private Image counts() {

@@ -153,13 +153,13 @@ public final class Renderer {
      * @return an image for each kind
      * @throws SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used; key {@code auxiliary} if a kind takes the picture, as
-     *     {@link Auxiliary#ERROR}, {@link Auxiliary#SAMPLES} and {@link Auxiliary#INDIRECT} do, or is for other shading
+     *     {@link RenderRequest.Auxiliary#ERROR}, {@link RenderRequest.Auxiliary#SAMPLES} and {@link RenderRequest.Auxiliary#INDIRECT} do, or is for other shading
      * @throws CancellationException if it was cancelled
      */
-    public static Map<Auxiliary, Image> auxiliary(RenderRequest request) {
+    public static Map<RenderRequest.Auxiliary, Image> auxiliary(RenderRequest request) {
         RenderSettings settings = request.settings();
-        for (Auxiliary kind : request.auxiliary()) {
-            if (kind == Auxiliary.INDIRECT || !kind.needsRays() && !kind.needsPaths()) {
+        for (RenderRequest.Auxiliary kind : request.auxiliary()) {
+            if (kind == RenderRequest.Auxiliary.INDIRECT || !kind.needsRays() && !kind.needsPaths()) {
                 throw new InvalidValueException("auxiliary", kind.word() + " is known of rendered pictures only");
             }
         }
@@ -177,7 +177,7 @@ public final class Renderer {
         if (cancelled.getAsBoolean()) {
             throw new CancellationException("what pixels show was cancelled");
         }
-        Map<Auxiliary, Image> images = rays.images();
+        Map<RenderRequest.Auxiliary, Image> images = rays.images();
         paths.addTo(null, images);
         return images;
     }
@@ -211,7 +211,7 @@ public final class Renderer {
             }
         }
         AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.neededAuxiliary());
-        if (request.neededAuxiliary().stream().anyMatch(Auxiliary::needsRays)) {
+        if (request.neededAuxiliary().stream().anyMatch(RenderRequest.Auxiliary::needsRays)) {
             phases.run("auxiliary", () -> pass.run(cancelled));
         }
         PathPartPass parts = new PathPartPass(scene, settings, request.neededAuxiliary());
@@ -355,7 +355,7 @@ public final class Renderer {
         SceneProblems.check(scene, settings, ImageFiles::read);
     }
 
-    /** Whether a method can tell of its camera samples one by one, to a {@link ResultArchive.OfSamples}. */
+    /** Whether a method can tell of its camera samples one by one, to a {@link RenderResult.Archive.OfSamples}. */
     public static boolean recordsSamples(Method method) {
         return Integrators.recordsSamples(method);
     }

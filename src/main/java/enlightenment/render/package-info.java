@@ -12,7 +12,7 @@
  *         .withSettings(settings)
  *         .withProgress(listener)
  *         .withCancelled(stop::get)
- *         .withAuxiliary(Auxiliary.DEPTH, Auxiliary.NORMAL));
+ *         .withAuxiliary(RenderRequest.Auxiliary.DEPTH, RenderRequest.Auxiliary.NORMAL));
  * }</pre>
  */
 package enlightenment.render;

@@ -1,7 +1,7 @@
 package enlightenment.scene;
 
 import enlightenment.check.Check;
-import enlightenment.color.Tone;
+import enlightenment.color.DisplayCurve;
 import java.util.Objects;
 
 /**
@@ -12,12 +12,12 @@ import java.util.Objects;
  * @param exposure in stops, -{@link #MAX_EXPOSURE}..{@link #MAX_EXPOSURE}: one more doubles the light
  * @param tone how light becomes 0..1
  */
-public record Display(double exposure, Tone tone) {
+public record Display(double exposure, DisplayCurve.Tone tone) {
     /** The largest exposure, and with a minus the smallest one. */
     public static final double MAX_EXPOSURE = 1000;
 
     /** No change of exposure, light cut at 1. */
-    public static final Display DEFAULT = new Display(0, Tone.CLIP);
+    public static final Display DEFAULT = new Display(0, DisplayCurve.Tone.CLIP);
 
     /**
      * Checks the range.

@@ -1,7 +1,6 @@
 package enlightenment.scene;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Lens;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
@@ -61,10 +60,11 @@ final class ShadingFit {
         }
         if (model == Shading.Model.PHYSICAL
                 && camera instanceof Camera.Window w
-                && w.pupilRadius() / Lens.MOST_DISTANCES > w.distance()) {
+                && w.pupilRadius() / Camera.Lens.MOST_DISTANCES > w.distance()) {
             throw new InvalidValueException(
                     "camera/pupilRadius",
-                    "must be at most " + Lens.MOST_DISTANCES + " times the distance between \"eye\" and window in"
+                    "must be at most " + Camera.Lens.MOST_DISTANCES
+                            + " times the distance between \"eye\" and window in"
                             + " physical shading, where it is a lens; not " + w.pupilRadius());
         }
         if (hasMedium && camera instanceof Camera.Isometric) {

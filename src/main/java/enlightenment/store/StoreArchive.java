@@ -3,7 +3,7 @@ package enlightenment.store;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.KeptPlan;
 import enlightenment.film.SampleLog;
-import enlightenment.render.ResultArchive;
+import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.sql.Connection;
 import java.sql.SQLException;
@@ -20,7 +20,7 @@ import java.util.function.DoubleFunction;
  * Keeps a render in a store. What comes within a fifth of a second is written in one transaction, a unit and its samples never in two:
  * what {@link #tick} or {@link #close} has written is safe, and of what came later a unit is there with its samples or not at all.
  */
-public final class StoreArchive implements ResultArchive.OfSamples {
+public final class StoreArchive implements RenderResult.Archive.OfSamples {
     static final long WRITE_EVERY_NANOS = 200_000_000L;
 
     /** What waits to be written is no more than this, and one result. */

@@ -1,9 +1,9 @@
 package enlightenment.view;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.image.Image;
-import enlightenment.render.Auxiliary;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import java.util.List;
 import java.util.Optional;
@@ -34,7 +34,7 @@ final class FrameBuilder {
             shrink = pass.shrink();
             samples = null;
         }
-        Image counts = count(result.auxiliary().get(Auxiliary.SAMPLES));
+        Image counts = count(result.auxiliary().get(RenderRequest.Auxiliary.SAMPLES));
         Image image = shrink > 1 ? result.image() : sum.add(result.image(), pass.samples());
         Optional<PictureNoise> noise = shrink > 1 ? Optional.empty() : sum.noise();
         int all = pass.before() + pass.samples();
@@ -58,7 +58,7 @@ final class FrameBuilder {
 
     /** How a screen shows a picture at an exposure. */
     static DisplayCurve curve(Image image, double exposure) {
-        return image.encoding() == Encoding.DISPLAY
+        return image.encoding() == Color.Encoding.DISPLAY
                 ? image.curve()
                 : image.curve().withExposure(exposure);
     }

@@ -1,6 +1,6 @@
 package enlightenment.view;
 
-import enlightenment.render.Auxiliary;
+import enlightenment.render.RenderRequest;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import java.util.Arrays;
@@ -14,19 +14,19 @@ enum Layer {
     PICTURE(null),
 
     /** Reflectance of the first surface that is neither mirror nor glass; physical shading only. */
-    ALBEDO(Auxiliary.ALBEDO),
+    ALBEDO(RenderRequest.Auxiliary.ALBEDO),
 
     /** Unit normal of the first surface, on the viewer's side. */
-    NORMAL(Auxiliary.NORMAL),
+    NORMAL(RenderRequest.Auxiliary.NORMAL),
 
     /** Distance from the eye along the ray, in scene units. */
-    DEPTH(Auxiliary.DEPTH),
+    DEPTH(RenderRequest.Auxiliary.DEPTH),
 
     /** Objects and lights in false colours. */
-    OBJECT(Auxiliary.OBJECT),
+    OBJECT(RenderRequest.Auxiliary.OBJECT),
 
     /** Materials in false colours. */
-    MATERIAL(Auxiliary.OBJECT),
+    MATERIAL(RenderRequest.Auxiliary.OBJECT),
 
     /** Standard error of the displayed colour, as the passes' spread shows it. */
     ERROR(null),
@@ -37,14 +37,14 @@ enum Layer {
     /** Root mean square of the components' displayed difference from the picture that was kept. */
     DIFFERENCE(null);
 
-    private final Auxiliary source;
+    private final RenderRequest.Auxiliary source;
 
-    Layer(Auxiliary source) {
+    Layer(RenderRequest.Auxiliary source) {
         this.source = source;
     }
 
     /** What renders make for it beside the picture; empty where the picture and its passes suffice. */
-    Optional<Auxiliary> source() {
+    Optional<RenderRequest.Auxiliary> source() {
         return Optional.ofNullable(source);
     }
 

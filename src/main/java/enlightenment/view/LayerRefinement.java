@@ -1,6 +1,5 @@
 package enlightenment.view;
 
-import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
@@ -38,7 +37,7 @@ final class LayerRefinement implements Runnable {
     }
 
     /** Layers of a view that are to be rendered. */
-    record Wish(Shot shot, Set<Auxiliary> kinds) {}
+    record Wish(Shot shot, Set<RenderRequest.Auxiliary> kinds) {}
 
     @Override
     public void run() {
@@ -67,7 +66,7 @@ final class LayerRefinement implements Runnable {
             RenderRequest request = preparation
                     .request(shot, settings, () -> !session.isCurrent(shot.generation()))
                     .withAuxiliary(wish.kinds());
-            Map<Auxiliary, Layers.Numbers> found = new EnumMap<>(Auxiliary.class);
+            Map<RenderRequest.Auxiliary, Layers.Numbers> found = new EnumMap<>(RenderRequest.Auxiliary.class);
             Renderer.auxiliary(request)
                     .forEach((kind, image) ->
                             found.put(kind, new Layers.Numbers(shot.generation(), shot.scene(), shrink, image)));

@@ -1,7 +1,6 @@
 package enlightenment.view;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Handedness;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 
@@ -37,12 +36,12 @@ record Pose(ExactPoint eye, Vec3 right, Vec3 up, Vec3 forward) {
         throw new IllegalArgumentException("a camera of type " + camera.type() + " has no pose");
     }
 
-    private static Pose of(ExactPoint eye, ExactPoint lookAt, Vec3 upwards, Handedness handedness) {
+    private static Pose of(ExactPoint eye, ExactPoint lookAt, Vec3 upwards, Camera.Handedness handedness) {
         Vec3 forward = eye.directionTo(lookAt).normalized();
         Vec3 pole = upwards.normalized();
-        Vec3 across = handedness == Handedness.LEFT ? pole.cross(forward) : forward.cross(pole);
+        Vec3 across = handedness == Camera.Handedness.LEFT ? pole.cross(forward) : forward.cross(pole);
         Vec3 right = across.normalized();
-        Vec3 up = handedness == Handedness.LEFT ? forward.cross(right) : right.cross(forward);
+        Vec3 up = handedness == Camera.Handedness.LEFT ? forward.cross(right) : right.cross(forward);
         return new Pose(eye, right, up, forward);
     }
 

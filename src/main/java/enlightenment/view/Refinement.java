@@ -1,6 +1,5 @@
 package enlightenment.view;
 
-import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import java.util.List;
@@ -73,7 +72,7 @@ final class Refinement implements Runnable {
             session.awaitProcessors(shot.generation());
             RenderRequest request = preparation
                     .request(shot, shot.settings(pass, threads), () -> !session.isCurrent(shot.generation()))
-                    .withAuxiliary(Auxiliary.SAMPLES);
+                    .withAuxiliary(RenderRequest.Auxiliary.SAMPLES);
             long start = clock.getAsLong();
             RenderResult result = shot.film().render(request);
             if (!result.complete()) {

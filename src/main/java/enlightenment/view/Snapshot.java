@@ -1,6 +1,6 @@
 package enlightenment.view;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
@@ -44,7 +44,7 @@ record Snapshot(
     /** The last picture as it is shown; null if there is none. */
     Image shown() {
         Image image = frame == null ? null : frame.image();
-        return image == null || image.encoding() == Encoding.DISPLAY
+        return image == null || image.encoding() == Color.Encoding.DISPLAY
                 ? image
                 : image.withCurve(image.curve().withExposure(exposure));
     }

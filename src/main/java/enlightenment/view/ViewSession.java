@@ -1,8 +1,8 @@
 package enlightenment.view;
 
 import enlightenment.math.InvalidValueException;
-import enlightenment.render.Auxiliary;
 import enlightenment.render.Film;
+import enlightenment.render.RenderRequest;
 import enlightenment.scene.Display;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -319,7 +319,7 @@ final class ViewSession {
     }
 
     /** Shows layers, unless they are out of date. */
-    synchronized void publish(long which, Map<Auxiliary, Layers.Numbers> next) {
+    synchronized void publish(long which, Map<RenderRequest.Auxiliary, Layers.Numbers> next) {
         if (isCurrent(which)) {
             looks.add(next);
             picture++;

@@ -1,7 +1,6 @@
 package enlightenment.view;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Lens;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
@@ -217,9 +216,9 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
         if (!(camera instanceof Camera.Perspective c) || c.lens().isEmpty()) {
             throw new InvalidValueException("lens", "is missing: this camera has nothing to focus");
         }
-        Lens lens = c.lens().get();
+        Camera.Lens lens = c.lens().get();
         double distance = Digits.rounded(depthOf(point));
-        Lens focused = new Lens(lens.radius(), distance, lens.blades(), lens.rotation());
+        Camera.Lens focused = new Camera.Lens(lens.radius(), distance, lens.blades(), lens.rotation());
         return with(new Camera.Perspective(
                 c.eye(), c.lookAt(), c.up(), c.fieldOfView(), c.axis(), c.handedness(), Optional.of(focused)));
     }

@@ -2,7 +2,6 @@ package enlightenment.world;
 
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.camera.Camera;
-import enlightenment.camera.Lens;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import enlightenment.world.material.SurfaceMaterial;
@@ -33,7 +32,7 @@ final class SceneFeatures {
     private static boolean hasLens(Camera camera) {
         return camera instanceof Camera.Window w && w.pupilRadius() > 0
                 || camera instanceof Camera.Perspective p
-                        && p.lens().map(Lens::radius).orElse(0.0) > 0;
+                        && p.lens().map(Camera.Lens::radius).orElse(0.0) > 0;
     }
 
     private void addMatter(Set<Shading.LightFeature> asked) {

@@ -3,7 +3,7 @@ package enlightenment.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import java.io.IOException;
@@ -82,7 +82,7 @@ class LatePlacesTest {
     @Test
     void ofTexturesThatAreDamaged() throws IOException {
         Path image = folder.resolve("whole.png");
-        ImageFiles.writePng(new Image(4, 4, new float[48], Encoding.DISPLAY), image);
+        ImageFiles.writePng(new Image(4, 4, new float[48], Color.Encoding.DISPLAY), image);
         Files.write(folder.resolve("half.png"), Arrays.copyOf(Files.readAllBytes(image), 60));
         String textures =
                 "'textures': { 'plain': { 'type': 'color', 'color': '#fff' },\n 'c~/d': { 'file': ¤'half.png' } },"

@@ -6,9 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.cli.option.DecimalNumber;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
-import enlightenment.color.Tone;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.picture.Exposure;
@@ -69,7 +68,7 @@ class LightCommandsTest {
     void aFloatMapHoldsTheLightThatThePngFileShows() throws IOException {
         assertEquals(0, render(map).code());
         assertEquals(0, render(png).code());
-        Image light = ImageFiles.read(map, Encoding.LINEAR);
+        Image light = ImageFiles.read(map, Color.Encoding.LINEAR);
         assertArrayEquals(
                 asPng(light, DisplayCurve.SRGB, folder.resolve("again.png")).toArray(),
                 shown(png).toArray());
@@ -80,13 +79,13 @@ class LightCommandsTest {
         CliRun run = render(png, "--aov", "albedo,direct,indirect", "--exposure", "1");
         assertEquals(new CliRun(0, "", ""), run);
         assertEquals(0, render(map, "--aov", "direct,indirect").code());
-        Image direct = ImageFiles.read(folder.resolve("out.direct.pfm"), Encoding.LINEAR);
+        Image direct = ImageFiles.read(folder.resolve("out.direct.pfm"), Color.Encoding.LINEAR);
         assertArrayEquals(
-                asPng(direct, DisplayCurve.of(1, Tone.CLIP), folder.resolve("a.png"))
+                asPng(direct, DisplayCurve.of(1, DisplayCurve.Tone.CLIP), folder.resolve("a.png"))
                         .toArray(),
                 shown(folder.resolve("out.direct.png")).toArray());
-        float[] light = ImageFiles.read(map, Encoding.LINEAR).toArray();
-        float[] rest = ImageFiles.read(folder.resolve("out.indirect.pfm"), Encoding.LINEAR)
+        float[] light = ImageFiles.read(map, Color.Encoding.LINEAR).toArray();
+        float[] rest = ImageFiles.read(folder.resolve("out.indirect.pfm"), Color.Encoding.LINEAR)
                 .toArray();
         for (int i = 0; i < light.length; i++) {
             assertEquals(light[i], direct.toArray()[i] + rest[i], 1e-6f * (1 + light[i]));
@@ -189,17 +188,17 @@ class LightCommandsTest {
     @Test
     void anExposureIsAViewAndAutomaticSaysWhichItWas() throws IOException {
         assertEquals(0, render(map).code());
-        Image light = ImageFiles.read(map, Encoding.LINEAR);
+        Image light = ImageFiles.read(map, Color.Encoding.LINEAR);
         assertEquals(0, render(png, "--exposure", "1.5").code());
         assertArrayEquals(
-                asPng(light, DisplayCurve.of(1.5, Tone.CLIP), folder.resolve("a.png"))
+                asPng(light, DisplayCurve.of(1.5, DisplayCurve.Tone.CLIP), folder.resolve("a.png"))
                         .toArray(),
                 shown(png).toArray());
         CliRun run = render(png, "--exposure", "auto");
         double stops = Exposure.automatic(light);
         assertTrue(run.err().contains("exposure: " + DecimalNumber.plain(stops)), run.err());
         assertArrayEquals(
-                asPng(light, DisplayCurve.of(stops, Tone.CLIP), folder.resolve("b.png"))
+                asPng(light, DisplayCurve.of(stops, DisplayCurve.Tone.CLIP), folder.resolve("b.png"))
                         .toArray(),
                 shown(png).toArray());
         assertEquals(2, render(map, "--exposure", "1").code());
@@ -354,8 +353,8 @@ class LightCommandsTest {
     void floatMapsOfLightAreComparedAsShownAndAsLight() throws IOException {
         Path a = folder.resolve("a.pfm");
         Path b = folder.resolve("b.pfm");
-        ImageFiles.writePfm(new Image(1, 1, new float[] {0.5f, 2, 4}, Encoding.LINEAR), a);
-        ImageFiles.writePfm(new Image(1, 1, new float[] {0.5f, 1, 4}, Encoding.LINEAR), b);
+        ImageFiles.writePfm(new Image(1, 1, new float[] {0.5f, 2, 4}, Color.Encoding.LINEAR), a);
+        ImageFiles.writePfm(new Image(1, 1, new float[] {0.5f, 1, 4}, Color.Encoding.LINEAR), b);
         CliRun run = CliRun.of("compare", "--linear", a, b);
         assertEquals(0, run.code(), run.err());
         // A screen shows both as white.
@@ -363,9 +362,9 @@ class LightCommandsTest {
         assertTrue(run.out().contains("RMSE of light:       0.577350"), run.out());
         assertTrue(run.out().contains("1.00000 red, 2.00000 green, 1.00000 blue"), run.out());
         // Where one picture is black there is no ratio.
-        ImageFiles.writePfm(new Image(1, 1, new float[] {0, 1, 0}, Encoding.LINEAR), b);
+        ImageFiles.writePfm(new Image(1, 1, new float[] {0, 1, 0}, Color.Encoding.LINEAR), b);
         assertTrue(CliRun.of("compare", "--linear", a, b).out().contains("none red, 2.00000 green, none blue"));
-        ImageFiles.writePfm(new Image(1, 1, new float[] {0.5f, 1, 4}, Encoding.LINEAR), b);
+        ImageFiles.writePfm(new Image(1, 1, new float[] {0.5f, 1, 4}, Color.Encoding.LINEAR), b);
         CliRun darker = CliRun.of("compare", "--linear", "--exposure", "-2", "--tone", "filmic", a, b);
         assertFalse(darker.out().contains("RMSE:                0\n"), darker.out());
         assertEquals(2, CliRun.of("compare", "--exposure", "1", a, b).code());

@@ -33,8 +33,8 @@ class DisplayCurveTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Tone.class)
-    void aStopIsTwiceTheLight(Tone tone) {
+    @EnumSource(DisplayCurve.Tone.class)
+    void aStopIsTwiceTheLight(DisplayCurve.Tone tone) {
         for (double v : new double[] {0.001, 0.02, 0.1, 0.3}) {
             assertEquals(
                     DisplayCurve.of(0, tone).of(2 * v), DisplayCurve.of(1, tone).of(v));
@@ -47,7 +47,7 @@ class DisplayCurveTest {
 
     @Test
     void filmicIsNarkowiczsFraction() {
-        DisplayCurve curve = DisplayCurve.of(0, Tone.FILMIC);
+        DisplayCurve curve = DisplayCurve.of(0, DisplayCurve.Tone.FILMIC);
         assertEquals(
                 TransferCurve.encode(0.18 * (2.51 * 0.18 + 0.03) / (0.18 * (2.43 * 0.18 + 0.59) + 0.14)),
                 curve.of(0.18),
@@ -60,8 +60,8 @@ class DisplayCurveTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Tone.class)
-    void itNeverFallsAndTheTableIsNear(Tone tone) {
+    @EnumSource(DisplayCurve.Tone.class)
+    void itNeverFallsAndTheTableIsNear(DisplayCurve.Tone tone) {
         DisplayCurve curve = DisplayCurve.of(0.5, tone);
         double last = 0;
         for (int i = 0; i <= 40_000; i++) {
@@ -77,8 +77,8 @@ class DisplayCurveTest {
 
     /** Dispersion makes colours that no screen has: the fraction of the filmic curve has poles below 0. */
     @ParameterizedTest
-    @EnumSource(Tone.class)
-    void negativeLightIsBlackByTheTableToo(Tone tone) {
+    @EnumSource(DisplayCurve.Tone.class)
+    void negativeLightIsBlackByTheTableToo(DisplayCurve.Tone tone) {
         DisplayCurve curve = DisplayCurve.of(2, tone);
         for (double v : new double[] {-1e-300, -0.01, -0.03, -0.05, -0.2, -1, -50, -1e300, Double.NEGATIVE_INFINITY}) {
             assertEquals(0, curve.of(v), "of " + v);
@@ -89,9 +89,9 @@ class DisplayCurveTest {
     @Test
     void exposuresThatNobodyCanMeanAreRefused() {
         for (double stops : new double[] {1001, -1001, Double.NaN, Double.POSITIVE_INFINITY}) {
-            assertThrows(InvalidValueException.class, () -> DisplayCurve.of(stops, Tone.CLIP));
+            assertThrows(InvalidValueException.class, () -> DisplayCurve.of(stops, DisplayCurve.Tone.CLIP));
         }
-        assertNotEquals(DisplayCurve.of(0, Tone.CLIP), DisplayCurve.of(0, Tone.FILMIC));
+        assertNotEquals(DisplayCurve.of(0, DisplayCurve.Tone.CLIP), DisplayCurve.of(0, DisplayCurve.Tone.FILMIC));
         assertNotEquals(DisplayCurve.NONE, DisplayCurve.SRGB);
     }
 }

@@ -5,9 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
-import enlightenment.color.Tone;
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
@@ -80,7 +79,8 @@ class LinearUnitsTest {
         Rendered actual = assembly.result();
         assertArrayEquals(expected.image().toArray(), actual.image().toArray());
         assertEquals(expected.report().sampling(), actual.report().sampling());
-        assertEquals(DisplayCurve.of(1.5, Tone.FILMIC), actual.image().curve());
+        assertEquals(
+                DisplayCurve.of(1.5, DisplayCurve.Tone.FILMIC), actual.image().curve());
         assertEquals(expected.image().curve(), actual.image().curve());
         assertEquals(0, actual.report().lostSamples());
     }
@@ -115,8 +115,8 @@ class LinearUnitsTest {
                 }));
         assertFalse(seen.isEmpty());
         for (Image image : seen) {
-            assertEquals(Encoding.LINEAR, image.encoding());
-            assertEquals(DisplayCurve.of(1.5, Tone.FILMIC), image.curve());
+            assertEquals(Color.Encoding.LINEAR, image.encoding());
+            assertEquals(DisplayCurve.of(1.5, DisplayCurve.Tone.FILMIC), image.curve());
         }
     }
 }

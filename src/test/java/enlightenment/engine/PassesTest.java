@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.film.FilmTile;
 import enlightenment.method.RayTraceMethod;
 import enlightenment.plan.RenderPlan;
-import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
@@ -43,8 +42,8 @@ class PassesTest {
             .withBudget(Budget.NONE.withSamples(90_000))
             .withThreads(2);
 
-    private static final RenderResult ALONE =
-            Renderer.render(RenderRequest.of(SCENE, SETTINGS).withAuxiliary(Auxiliary.SAMPLES, Auxiliary.ERROR));
+    private static final RenderResult ALONE = Renderer.render(RenderRequest.of(SCENE, SETTINGS)
+            .withAuxiliary(RenderRequest.Auxiliary.SAMPLES, RenderRequest.Auxiliary.ERROR));
 
     private static final DividedRender RENDER = DividedRender.prepare(SCENE, SETTINGS, () -> false);
 
@@ -124,7 +123,7 @@ class PassesTest {
             assertEquals(ALONE.report().sampling(), rendered.report().sampling());
         }
         assertEquals(90_000, ALONE.report().sampling().plannedSamples());
-        float[] samples = ALONE.auxiliary().get(Auxiliary.SAMPLES).toArray();
+        float[] samples = ALONE.auxiliary().get(RenderRequest.Auxiliary.SAMPLES).toArray();
         for (float count : samples) {
             assertTrue(count == 65_536 || count == 131_072, count + " samples");
         }
@@ -142,7 +141,7 @@ class PassesTest {
                 RENDER.plan().level());
         FilmTile tile = new FilmTile(31, 20, 3, 2);
         method.render(tile);
-        float[] spread = ALONE.auxiliary().get(Auxiliary.ERROR).toArray();
+        float[] spread = ALONE.auxiliary().get(RenderRequest.Auxiliary.ERROR).toArray();
         for (int y = 0; y < 2; y++) {
             for (int x = 0; x < 3; x++) {
                 for (int c = 0; c < 3; c++) {

@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.image.Image;
 import enlightenment.plan.Planner;
 import enlightenment.plan.RenderPlan;
-import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
@@ -265,10 +264,10 @@ class SplatRenderTest {
 
     @Test
     void samplesAndErrorAreToldOfEachPixel() {
-        RenderResult result =
-                Renderer.render(RenderRequest.of(SCENE, SETTINGS).withAuxiliary(Auxiliary.SAMPLES, Auxiliary.ERROR));
-        Image samples = result.auxiliary().get(Auxiliary.SAMPLES);
-        Image errors = result.auxiliary().get(Auxiliary.ERROR);
+        RenderResult result = Renderer.render(RenderRequest.of(SCENE, SETTINGS)
+                .withAuxiliary(RenderRequest.Auxiliary.SAMPLES, RenderRequest.Auxiliary.ERROR));
+        Image samples = result.auxiliary().get(RenderRequest.Auxiliary.SAMPLES);
+        Image errors = result.auxiliary().get(RenderRequest.Auxiliary.ERROR);
         assertEquals(64, samples.component(3, 3, 0));
         double mean = mean(errors);
         assertTrue(mean > 0.01 && mean < 0.3, "mean error " + mean);

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Tone;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -17,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Films of linear light: quarters, passes, what is splatted, samples that are no numbers. */
 class LinearFilmTest {
-    private static final DisplayCurve CURVE = DisplayCurve.of(0.7, Tone.FILMIC);
+    private static final DisplayCurve CURVE = DisplayCurve.of(0.7, DisplayCurve.Tone.FILMIC);
 
     private static FilmTile tile(double[][] samples, DisplayCurve curve) {
         FilmTile tile = new FilmTile(0, 0, 1, 1, curve);

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Tone;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
@@ -30,7 +29,7 @@ class PathNoiseTest {
     @EnumSource(PathPicture.Kind.class)
     void itDoesSoOnManySeeds(PathPicture.Kind kind) {
         check(kind, new int[] {1, 2, 3, 4, 5, 6, 8, 11, 16, 32, 64, 256}, DisplayCurve.SRGB, 20);
-        check(kind, new int[] {4, 16, 64}, DisplayCurve.of(-1.5, Tone.FILMIC), 20);
+        check(kind, new int[] {4, 16, 64}, DisplayCurve.of(-1.5, DisplayCurve.Tone.FILMIC), 20);
     }
 
     private static void check(PathPicture.Kind kind, int[] counts, DisplayCurve curve, int seeds) {

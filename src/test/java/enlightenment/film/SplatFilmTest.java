@@ -6,9 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
-import enlightenment.color.Tone;
 import enlightenment.sampling.Hash;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -149,13 +148,14 @@ class SplatFilmTest {
 
     @Test
     void aPictureHoldsWhatItsFilmHolds() {
-        for (DisplayCurve curve : List.of(DisplayCurve.NONE, DisplayCurve.SRGB, DisplayCurve.of(1.5, Tone.FILMIC))) {
+        for (DisplayCurve curve :
+                List.of(DisplayCurve.NONE, DisplayCurve.SRGB, DisplayCurve.of(1.5, DisplayCurve.Tone.FILMIC))) {
             assertEquals(curve, new Film(0, 0, 2, 2, curve).toImage().curve());
             SplatFilm film = new SplatFilm(0, 0, 2, 2, 4, SCALE, curve);
             assertEquals(curve.encoding(), film.encoding());
             assertEquals(curve, film.toImage().curve());
         }
-        assertEquals(Encoding.DISPLAY, new Film(0, 0, 2, 2).encoding());
+        assertEquals(Color.Encoding.DISPLAY, new Film(0, 0, 2, 2).encoding());
     }
 
     @Test

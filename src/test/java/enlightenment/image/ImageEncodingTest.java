@@ -7,11 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.codec.PngWriter;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
-import enlightenment.color.Tone;
-import enlightenment.image.error.Flip;
-import enlightenment.image.error.ImageError;
+import enlightenment.image.flip.Flip;
 import enlightenment.math.InvalidValueException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -30,7 +28,7 @@ class ImageEncodingTest {
     Path folder;
 
     private static Image linear(float... rgb) {
-        return new Image(rgb.length / 3, 1, rgb, Encoding.LINEAR);
+        return new Image(rgb.length / 3, 1, rgb, Color.Encoding.LINEAR);
     }
 
     private Image throughPng(Image image) throws IOException {
@@ -41,8 +39,8 @@ class ImageEncodingTest {
 
     @Test
     void aPictureIsDisplayReferredUnlessItSaysOtherwise() {
-        assertEquals(Encoding.DISPLAY, new Image(1, 1, new float[3]).encoding());
-        assertEquals(Encoding.LINEAR, linear(0, 0, 0).encoding());
+        assertEquals(Color.Encoding.DISPLAY, new Image(1, 1, new float[3]).encoding());
+        assertEquals(Color.Encoding.LINEAR, linear(0, 0, 0).encoding());
         Image display = TestImages.noise(3, 2, 1);
         assertSame(display, display.toDisplay());
         assertEquals(display.component(2, 1, 0), display.displayed(2, 1, 0));
@@ -64,7 +62,7 @@ class ImageEncodingTest {
     /** On both sides of every place where the exact curve goes from one step to the next, and on it. */
     @ParameterizedTest
     @CsvSource({"255, 0, CLIP", "65535, 0, CLIP", "255, 1.5, FILMIC", "65535, -2, FILMIC"})
-    void wholeNumbersAreThoseOfTheExactCurve(int maximum, double exposure, Tone tone) {
+    void wholeNumbersAreThoseOfTheExactCurve(int maximum, double exposure, DisplayCurve.Tone tone) {
         DisplayCurve curve = DisplayCurve.of(exposure, tone);
         float[] rgb = new float[3 * maximum];
         for (int step = 0; step < maximum; step++) {
@@ -99,10 +97,10 @@ class ImageEncodingTest {
 
     @Test
     void pixelsForAScreenAreThoseOfThePngFile() throws IOException {
-        Image light = new Image(17, 9, TestImages.noise(17, 9, 3).toArray(), Encoding.LINEAR);
+        Image light = new Image(17, 9, TestImages.noise(17, 9, 3).toArray(), Color.Encoding.LINEAR);
         assertArrayEquals(throughPng(light).toArgb(), light.toArgb());
         assertArrayEquals(light.toDisplay().toArgb(), light.toArgb());
-        assertEquals(Encoding.DISPLAY, light.toDisplay().encoding());
+        assertEquals(Color.Encoding.DISPLAY, light.toDisplay().encoding());
     }
 
     @Test
@@ -115,17 +113,17 @@ class ImageEncodingTest {
         for (float value : light) {
             assertEquals(value, floats.getFloat());
         }
-        Image back = ImageFiles.read(file, Encoding.LINEAR);
-        assertEquals(Encoding.LINEAR, back.encoding());
+        Image back = ImageFiles.read(file, Color.Encoding.LINEAR);
+        assertEquals(Color.Encoding.LINEAR, back.encoding());
         assertArrayEquals(light, back.toArray());
-        assertEquals(Encoding.DISPLAY, ImageFiles.read(file).encoding());
+        assertEquals(Color.Encoding.DISPLAY, ImageFiles.read(file).encoding());
     }
 
     @Test
     void aFileOfWholeNumbersHoldsNoLinearLight() throws IOException {
         Path file = folder.resolve("a.png");
         ImageFiles.writePng(TestImages.noise(2, 2, 1), file);
-        IOException e = assertThrows(IOException.class, () -> ImageFiles.read(file, Encoding.LINEAR));
+        IOException e = assertThrows(IOException.class, () -> ImageFiles.read(file, Color.Encoding.LINEAR));
         assertTrue(e.getMessage().contains("no linear light"), e.getMessage());
     }
 
@@ -147,12 +145,12 @@ class ImageEncodingTest {
 
     @Test
     void flipJudgesWhatAScreenShows() {
-        Image a = new Image(12, 8, TestImages.noise(12, 8, 5).toArray(), Encoding.LINEAR);
+        Image a = new Image(12, 8, TestImages.noise(12, 8, 5).toArray(), Color.Encoding.LINEAR);
         float[] brighter = a.toArray();
         for (int i = 0; i < brighter.length; i++) {
             brighter[i] *= 2;
         }
-        Image b = new Image(12, 8, brighter, Encoding.LINEAR);
+        Image b = new Image(12, 8, brighter, Color.Encoding.LINEAR);
         Flip light = Flip.between(a, b);
         assertEquals(Flip.between(a.toDisplay(), b.toDisplay()).mean(), light.mean());
         assertTrue(light.mean() > 0);

@@ -4,9 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
-import enlightenment.color.Tone;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -41,7 +40,10 @@ class ImageTest {
             rgb[i] = -0.005f * (i + 1);
         }
         ByteArrayOutputStream png = new ByteArrayOutputStream();
-        ImageFiles.toPng(new Image(64, 1, rgb, DisplayCurve.of(2, Tone.FILMIC)), png, ImageFiles.PngOptions.DEFAULT);
+        ImageFiles.toPng(
+                new Image(64, 1, rgb, DisplayCurve.of(2, DisplayCurve.Tone.FILMIC)),
+                png,
+                ImageFiles.PngOptions.DEFAULT);
         BufferedImage decoded = ImageIO.read(new ByteArrayInputStream(png.toByteArray()));
         for (int x = 0; x < 64; x++) {
             assertEquals(0xff000000, decoded.getRGB(x, 0), "pixel " + x);
@@ -62,7 +64,7 @@ class ImageTest {
         assertThrows(IllegalArgumentException.class, () -> new Image(2, 2, new float[11]));
         assertThrows(IllegalArgumentException.class, () -> new Image(0, 2, new float[0]));
         assertThrows(NullPointerException.class, () -> new Image(1, 1, null));
-        assertThrows(NullPointerException.class, () -> new Image(1, 1, new float[3], (Encoding) null));
+        assertThrows(NullPointerException.class, () -> new Image(1, 1, new float[3], (Color.Encoding) null));
         // 3 · 2^16 · 2^16 is a multiple of 2^32: only longs tell it from nothing.
         assertThrows(IllegalArgumentException.class, () -> new Image(1 << 16, 1 << 16, new float[0]));
     }

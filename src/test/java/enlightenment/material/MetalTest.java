@@ -21,8 +21,8 @@ class MetalTest {
     private static final double ROUNDING = 0.0005 + 1e-9;
 
     @ParameterizedTest
-    @EnumSource(Metal.class)
-    void theConstantsOfABandAreTheMeansOfTheMeasuredOnesOverItsSensitivity(Metal metal) throws IOException {
+    @EnumSource(Glossy.Metal.class)
+    void theConstantsOfABandAreTheMeansOfTheMeasuredOnesOverItsSensitivity(Glossy.Metal metal) throws IOException {
         List<double[]> rows = measured(metal);
         check(mean(rows, 1), metal.conductor().eta());
         check(mean(rows, 2), metal.conductor().k());
@@ -35,7 +35,7 @@ class MetalTest {
     }
 
     /** Wavelength, η and k. */
-    private static List<double[]> measured(Metal metal) throws IOException {
+    private static List<double[]> measured(Glossy.Metal metal) throws IOException {
         List<double[]> rows = new ArrayList<>();
         try (InputStream in = MetalTest.class.getResourceAsStream("metals.csv")) {
             String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
@@ -69,14 +69,15 @@ class MetalTest {
 
     @Test
     void everyMetalIsFoundByItsNameItsSymbolAndItsConstants() {
-        for (Metal metal : Metal.values()) {
-            assertEquals(Optional.of(metal), Metal.of(metal.word()));
-            assertEquals(Optional.of(metal), Metal.of(metal.symbol()));
-            assertEquals(Optional.of(metal), Metal.of(metal.conductor()));
+        for (Glossy.Metal metal : Glossy.Metal.values()) {
+            assertEquals(Optional.of(metal), Glossy.Metal.of(metal.word()));
+            assertEquals(Optional.of(metal), Glossy.Metal.of(metal.symbol()));
+            assertEquals(Optional.of(metal), Glossy.Metal.of(metal.conductor()));
         }
-        assertEquals(2 * Metal.values().length, new HashSet<>(Metal.words()).size());
-        assertTrue(Metal.words().stream().allMatch(w -> Metal.of(w).isPresent()));
-        assertEquals(Optional.empty(), Metal.of("Gold"));
-        assertEquals(Optional.empty(), Metal.of(new Conductor(Rgb.WHITE, Rgb.WHITE)));
+        assertEquals(2 * Glossy.Metal.values().length, new HashSet<>(Glossy.Metal.words()).size());
+        assertTrue(
+                Glossy.Metal.words().stream().allMatch(w -> Glossy.Metal.of(w).isPresent()));
+        assertEquals(Optional.empty(), Glossy.Metal.of("Gold"));
+        assertEquals(Optional.empty(), Glossy.Metal.of(new Glossy.Conductor(Rgb.WHITE, Rgb.WHITE)));
     }
 }

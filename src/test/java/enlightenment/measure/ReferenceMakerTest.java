@@ -4,9 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Tone;
 import enlightenment.image.Image;
-import enlightenment.image.error.ImageError;
+import enlightenment.image.ImageError;
 import enlightenment.measure.analysis.SyntheticImages;
 import enlightenment.measure.analysis.SyntheticRuns;
 import enlightenment.measure.trade.Reference;
@@ -41,7 +40,7 @@ class ReferenceMakerTest {
     /** Light is averaged; what differs beyond the white of the screen is no difference. */
     @Test
     void ofLightTheMeanIsLightAndTheErrorIsThatOfWhatIsShown() {
-        DisplayCurve curve = DisplayCurve.of(1, Tone.CLIP);
+        DisplayCurve curve = DisplayCurve.of(1, DisplayCurve.Tone.CLIP);
         Image a = new Image(1, 1, new float[] {0.1f, 8, 0}, curve);
         Image b = new Image(1, 1, new float[] {0.2f, 2, 0}, curve);
         Reference reference = ReferenceMaker.meanOf(List.of(a, b), List.of());

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
-import enlightenment.image.error.ImageError;
+import enlightenment.image.ImageError;
 import enlightenment.math.InvalidValueException;
 import enlightenment.measure.trade.Advice;
 import enlightenment.measure.trade.Reference;
@@ -170,7 +170,7 @@ class TradeTest {
         TradeResult result = Trade.run(room, what, folder, false, TradeListener.NONE, () -> false)
                 .orElseThrow();
         Image reference = result.reference().image();
-        assertEquals(Encoding.LINEAR, reference.encoding());
+        assertEquals(Color.Encoding.LINEAR, reference.encoding());
         TradeRun run = result.runs().stream()
                 .filter(r -> r.kind().equals(TradeRun.BUDGET_SERIES))
                 .findFirst()

@@ -132,7 +132,7 @@ class ChaosTest {
         join(Farm.worker(threads).machine("honest " + random.nextInt()), port);
     }
 
-    private void join(WorkerOptions.Builder options, int at) {
+    private void join(RenderWorker.Options.Builder options, int at) {
         AtomicBoolean stop = new AtomicBoolean();
         stops.add(stop);
         farm.join(options, at, stop::get);

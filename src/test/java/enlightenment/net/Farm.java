@@ -67,12 +67,12 @@ public final class Farm implements AutoCloseable {
                 .awaitWorkers(0, FOR_EVER);
     }
 
-    static WorkerOptions.Builder worker(int threads) {
-        return WorkerOptions.builder().threads(threads).timing(PATIENT).reconnectSeconds(TIMEOUT_SECONDS);
+    static RenderWorker.Options.Builder worker(int threads) {
+        return RenderWorker.Options.builder().threads(threads).timing(PATIENT).reconnectSeconds(TIMEOUT_SECONDS);
     }
 
     /** A worker that needs so long for each tile beside rendering it. */
-    static WorkerOptions.Builder slow(int millis) {
+    static RenderWorker.Options.Builder slow(int millis) {
         return worker(1).tamper((tile, bytes) -> {
             sleep(millis);
             return bytes;
@@ -80,7 +80,7 @@ public final class Farm implements AutoCloseable {
     }
 
     /** A worker that says so many units and then nothing until it may, however fast the machine is. */
-    static WorkerOptions.Builder stuckAfter(int units, CountDownLatch freed) {
+    static RenderWorker.Options.Builder stuckAfter(int units, CountDownLatch freed) {
         AtomicInteger said = new AtomicInteger();
         return worker(1).tamper((unit, bytes) -> {
             try {
@@ -121,11 +121,11 @@ public final class Farm implements AutoCloseable {
         thread.start();
     }
 
-    CompletableFuture<RenderWorker.Outcome> join(WorkerOptions.Builder options) {
+    CompletableFuture<RenderWorker.Outcome> join(RenderWorker.Options.Builder options) {
         return join(options, server.port(), stopWorkers::get);
     }
 
-    CompletableFuture<RenderWorker.Outcome> join(WorkerOptions.Builder options, int port, BooleanSupplier stop) {
+    CompletableFuture<RenderWorker.Outcome> join(RenderWorker.Options.Builder options, int port, BooleanSupplier stop) {
         CompletableFuture<RenderWorker.Outcome> worker = CompletableFuture.supplyAsync(
                 () -> {
                     try {

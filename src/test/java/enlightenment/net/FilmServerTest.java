@@ -110,7 +110,7 @@ class FilmServerTest {
                 });
     }
 
-    private CompletableFuture<RenderWorker.Outcome> worker(WorkerOptions.Builder options, int port) {
+    private CompletableFuture<RenderWorker.Outcome> worker(RenderWorker.Options.Builder options, int port) {
         return daemon(() -> RenderWorker.run("127.0.0.1", port, options.build(), stopWorkers::get));
     }
 

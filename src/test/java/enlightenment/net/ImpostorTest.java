@@ -111,7 +111,8 @@ class ImpostorTest {
         CompletableFuture<RenderWorker.Outcome> worker;
         try (Impostor impostor = new Impostor(lines(how))) {
             port = impostor.port();
-            WorkerOptions.Builder options = Farm.worker(1).tokenFile(token).reconnectSeconds(100);
+            RenderWorker.Options.Builder options =
+                    Farm.worker(1).tokenFile(token).reconnectSeconds(100);
             worker = CompletableFuture.supplyAsync(() -> {
                 try {
                     return RenderWorker.run("127.0.0.1", port, options.build(), () -> false);
@@ -135,7 +136,8 @@ class ImpostorTest {
     }
 
     /** Somebody at a port who speaks something else, or nothing. */
-    private static RenderWorker.Outcome atStranger(byte[] words, WorkerOptions.Builder options) throws Exception {
+    private static RenderWorker.Outcome atStranger(byte[] words, RenderWorker.Options.Builder options)
+            throws Exception {
         try (ServerSocket socket = new ServerSocket(0, 50, InetAddress.getLoopbackAddress())) {
             Thread thread = new Thread(
                     () -> {
@@ -195,7 +197,7 @@ class ImpostorTest {
     @Test
     void whoSaysNothingThroughTlsIsToldByTheAddress() throws Exception {
         Timing hurried = new Timing(300, 10_000, 10_000, 60_000, 1_000, 5_000);
-        WorkerOptions.Builder options = Farm.worker(1).timing(hurried).pin("00".repeat(32));
+        RenderWorker.Options.Builder options = Farm.worker(1).timing(hurried).pin("00".repeat(32));
         String reason = atStranger(new byte[0], options).reason();
         assertTrue(reason.endsWith(", says nothing within 0.3 s"), reason);
     }

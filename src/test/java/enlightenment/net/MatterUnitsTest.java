@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
 import enlightenment.physical.MatterScenes;
-import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
@@ -129,12 +128,14 @@ class MatterUnitsTest {
     void directAndIndirectLightAreThePictureAndAlbedoIsAShare(String name) {
         Scene scene = scenes.get(name);
         RenderSettings settings = settings(scene, BuiltInMethod.RAYTRACE);
-        EnumSet<Auxiliary> kinds = EnumSet.of(Auxiliary.DIRECT, Auxiliary.INDIRECT, Auxiliary.ALBEDO);
+        EnumSet<RenderRequest.Auxiliary> kinds = EnumSet.of(
+                RenderRequest.Auxiliary.DIRECT, RenderRequest.Auxiliary.INDIRECT, RenderRequest.Auxiliary.ALBEDO);
         RenderResult result = Renderer.render(RenderRequest.of(scene, settings).withAuxiliary(kinds));
         float[] whole = result.image().toArray();
-        float[] direct = result.auxiliary().get(Auxiliary.DIRECT).toArray();
-        float[] indirect = result.auxiliary().get(Auxiliary.INDIRECT).toArray();
-        float[] albedo = result.auxiliary().get(Auxiliary.ALBEDO).toArray();
+        float[] direct = result.auxiliary().get(RenderRequest.Auxiliary.DIRECT).toArray();
+        float[] indirect =
+                result.auxiliary().get(RenderRequest.Auxiliary.INDIRECT).toArray();
+        float[] albedo = result.auxiliary().get(RenderRequest.Auxiliary.ALBEDO).toArray();
         double most = 0;
         for (int i = 0; i < whole.length; i++) {
             double sum = (double) direct[i] + indirect[i];

@@ -98,7 +98,7 @@ class NonsenseServerTest {
             Thread thread = new Thread(() -> serve(socket, talk), "nonsense");
             thread.setDaemon(true);
             thread.start();
-            WorkerOptions options =
+            RenderWorker.Options options =
                     Farm.worker(1).reconnectSeconds(1).log(log::add).build();
             return RenderWorker.run("127.0.0.1", socket.getLocalPort(), options, () -> false);
         }

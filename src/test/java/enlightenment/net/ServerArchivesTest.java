@@ -10,7 +10,7 @@ import enlightenment.checkpoint.Origin;
 import enlightenment.job.Build;
 import enlightenment.job.RenderIdentity;
 import enlightenment.job.SceneDocument;
-import enlightenment.render.ResultArchive;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
@@ -35,7 +35,7 @@ class ServerArchivesTest {
     Path folder;
 
     /** In memory; knows who made what, and is as slow as a latch. */
-    private static final class Memory implements ResultArchive {
+    private static final class Memory implements RenderResult.Archive {
         private final List<byte[]> plans = new ArrayList<>();
         private final Map<Integer, byte[]> results = new TreeMap<>();
         private final Map<Integer, String> workers = new TreeMap<>();
@@ -109,7 +109,7 @@ class ServerArchivesTest {
         return new Farm(Farm.SCENE, SETTINGS, options).begin();
     }
 
-    private ServerOptions.Builder with(ResultArchive archive) {
+    private ServerOptions.Builder with(RenderResult.Archive archive) {
         return Farm.options().localThreads(2).archives(List.of(archive));
     }
 

@@ -58,7 +58,7 @@ class ServerAuditsTest {
             farm.join(Farm.worker(1).machine("only"));
             assertTrue(farm.result().complete());
             int tiles = farm.server.round().job().tiles();
-            AuditReport audits = farm.server.audits();
+            RenderServer.AuditReport audits = farm.server.audits();
             assertFalse(audits.isComplete());
             assertEquals(tiles, audits.due());
             assertEquals(tiles, audits.missing());
@@ -74,7 +74,7 @@ class ServerAuditsTest {
             farm.join(Farm.worker(1).machine("one"));
             farm.join(Farm.worker(1).machine("other"));
             assertTrue(farm.result().complete());
-            AuditReport audits = farm.server.audits();
+            RenderServer.AuditReport audits = farm.server.audits();
             assertTrue(audits.isComplete(), audits.toString());
             assertEquals(farm.server.round().job().tiles(), audits.due());
             assertFalse(farm.logHas("not made"), farm.log.toString());
@@ -85,11 +85,11 @@ class ServerAuditsTest {
     void theSentenceNamesTwentyTilesAtMost() {
         assertEquals(
                 "1 of 1 audit was not made: no second machine checked tile 7",
-                AuditReport.ofTiles(List.of(7), List.of(7)).sentence());
+                RenderServer.AuditReport.ofTiles(List.of(7), List.of(7)).sentence());
         List<Integer> many = IntStream.range(0, 25).boxed().toList();
-        assertTrue(AuditReport.ofTiles(many, many).sentence().endsWith("18, 19, and 5 more"));
+        assertTrue(RenderServer.AuditReport.ofTiles(many, many).sentence().endsWith("18, 19, and 5 more"));
         assertEquals(
                 "3 of 4 audits were not made: no second machine checked tiles of frames 2, 9",
-                new AuditReport(4, 3, true, List.of(2, 9)).sentence());
+                new RenderServer.AuditReport(4, 3, true, List.of(2, 9)).sentence());
     }
 }

@@ -84,8 +84,8 @@ class ServerSecurityTest {
         }
     }
 
-    private WorkerOptions.Builder patient(Farm farm, boolean isOverTls) {
-        WorkerOptions.Builder worker = Farm.worker(1).tokenFile(token);
+    private RenderWorker.Options.Builder patient(Farm farm, boolean isOverTls) {
+        RenderWorker.Options.Builder worker = Farm.worker(1).tokenFile(token);
         return isOverTls ? worker.pin(farm.server.pin()) : worker;
     }
 
@@ -140,7 +140,7 @@ class ServerSecurityTest {
             });
             closing.setDaemon(true);
             closing.start();
-            WorkerOptions.Builder options =
+            RenderWorker.Options.Builder options =
                     Farm.worker(1).pin("00".repeat(32)).tokenFile(token).reconnectSeconds(FOR_EVER);
             RenderWorker.Outcome outcome = RenderWorker.run(
                     "127.0.0.1", breaker.getLocalPort(), options.build(), () -> connections.get() >= 3);
@@ -211,12 +211,13 @@ class ServerSecurityTest {
     @Test
     void aWorkerMakesNoTokenAndSaysWhereItComesFrom() {
         Path none = folder.resolve("none");
-        WorkerOptions options = WorkerOptions.builder().tokenFile(none).build();
+        RenderWorker.Options options =
+                RenderWorker.Options.builder().tokenFile(none).build();
         String message = assertThrows(IOException.class, () -> RenderWorker.run("127.0.0.1", 1, options, () -> true))
                 .getMessage();
         assertTrue(message.endsWith("there is no such file; copy the server's token to it"), message);
         assertFalse(Files.exists(none));
-        assertThrows(
-                IllegalArgumentException.class, () -> WorkerOptions.builder().token("0123456789abcde\n"));
+        assertThrows(IllegalArgumentException.class, () -> RenderWorker.Options.builder()
+                .token("0123456789abcde\n"));
     }
 }

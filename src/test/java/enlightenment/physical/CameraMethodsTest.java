@@ -10,8 +10,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Handedness;
-import enlightenment.camera.Lens;
 import enlightenment.color.Rgb;
 import enlightenment.image.Image;
 import enlightenment.light.Emission;
@@ -49,11 +47,11 @@ class CameraMethodsTest {
             new Camera.Perspective(at(0, 1, -3.5), at(0, 1, 0), Vec3.Y, DEGREES);
 
     private static final Map<String, Camera> CAMERAS = Map.of(
-            "round lens", PINHOLE.withLens(Lens.round(RADIUS, FOCUS)),
-            "triangular lens", PINHOLE.withLens(new Lens(RADIUS, FOCUS, 3, 10)),
+            "round lens", PINHOLE.withLens(Camera.Lens.round(RADIUS, FOCUS)),
+            "triangular lens", PINHOLE.withLens(new Camera.Lens(RADIUS, FOCUS, 3, 10)),
             "pupil", window(at(0, 1, -3.5), RADIUS, 0.5),
             "panorama", new Camera.Panorama(at(0.1, 1.1, -0.2), at(0, 0.9, 1), Vec3.Y),
-            "stereo", new Camera.Panorama(at(0.1, 1.1, -0.2), at(0, 0.9, 1), Vec3.Y, 0.3, Handedness.RIGHT));
+            "stereo", new Camera.Panorama(at(0.1, 1.1, -0.2), at(0, 0.9, 1), Vec3.Y, 0.3, Camera.Handedness.RIGHT));
 
     /** Pictures by single paths, by the camera's name and the number of objects. */
     private static final Map<String, List<Image>> TRACED = new ConcurrentHashMap<>();
@@ -150,8 +148,8 @@ class CameraMethodsTest {
                 PhysicalScenes.view(16, 16).light(square(-0.4, 1.2, z, 0.3, 2)).light(square(0.5, 0.7, z, 0.2, 5));
         Scene sharp = wall.camera(PINHOLE).build();
         Scene inFocus = wall.camera(CAMERAS.get("round lens")).build();
-        Scene blurred =
-                wall.camera(PINHOLE.withLens(Lens.round(RADIUS, 2 * FOCUS))).build();
+        Scene blurred = wall.camera(PINHOLE.withLens(Camera.Lens.round(RADIUS, 2 * FOCUS)))
+                .build();
         Image expected = Renderer.render(sharp, settings(sharp, BuiltInMethod.RAYTRACE, 32));
         Image found = Renderer.render(inFocus, settings(inFocus, BuiltInMethod.RAYTRACE, 32));
         Image other = Renderer.render(blurred, settings(blurred, BuiltInMethod.RAYTRACE, 32));
@@ -219,8 +217,9 @@ class CameraMethodsTest {
     @EnumSource(BuiltInMethod.class)
     void aLensOfNoSizeGivesTheBytesOfAPinhole(BuiltInMethod method) {
         Scene without = scene(method).camera(PINHOLE).build();
-        Scene with =
-                scene(method).camera(PINHOLE.withLens(Lens.round(0, FOCUS))).build();
+        Scene with = scene(method)
+                .camera(PINHOLE.withLens(Camera.Lens.round(0, FOCUS)))
+                .build();
         assertArrayEquals(
                 Renderer.render(without, settings(without, method, 2)).toArray(),
                 Renderer.render(with, settings(with, method, 2)).toArray());
@@ -232,7 +231,8 @@ class CameraMethodsTest {
         Scene.Builder unlit =
                 room().light(sphereLight(0, 1, -8, 0.5, 20)).object(ball(0, 0.5, 0, 0.5), matte(0.5, 0.5, 0.5));
         Scene without = unlit.camera(PINHOLE).build();
-        Scene with = unlit.camera(PINHOLE.withLens(Lens.round(1e-30, FOCUS))).build();
+        Scene with =
+                unlit.camera(PINHOLE.withLens(Camera.Lens.round(1e-30, FOCUS))).build();
         assertArrayEquals(
                 Renderer.render(without, settings(without, BuiltInMethod.RAYTRACE, 3))
                         .toArray(),
@@ -261,7 +261,8 @@ class CameraMethodsTest {
                     .build();
             double x = width * (0.5 + longitude / (2 * Math.PI));
             assertBrightest(mono, x, height * (0.5 - latitude / Math.PI), 0, height);
-            Scene pair = scene.camera(new Camera.Panorama(eye, eye.plus(Vec3.Z), Vec3.Y, separation, Handedness.LEFT))
+            Scene pair = scene.camera(
+                            new Camera.Panorama(eye, eye.plus(Vec3.Z), Vec3.Y, separation, Camera.Handedness.LEFT))
                     .build();
             // The left eye, to the left of the middle, sees the lamp further to the right.
             double turn = StrictMath.asin(separation / 2 / level);

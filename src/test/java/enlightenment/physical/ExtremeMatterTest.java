@@ -14,7 +14,6 @@ import enlightenment.light.Light;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.WavelengthBand;
 import enlightenment.primitive.Ray;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
@@ -125,14 +124,15 @@ class ExtremeMatterTest {
     }
 
     private static void dyes(Map<String, Scene.Builder> all) {
-        WavelengthBand[][] bands = {
-            {new WavelengthBand(300, 400), new WavelengthBand(400, 780)},
-            {new WavelengthBand(300, 780), new WavelengthBand(300, 780)},
-            {new WavelengthBand(490, 580), new WavelengthBand(580, 780)},
-            {new WavelengthBand(400, Math.nextUp(400.0)), new WavelengthBand(400, Math.nextUp(400.0))},
-            {new WavelengthBand(779, 780), new WavelengthBand(779.5, 780)},
+        Material.WavelengthBand[][] bands = {
+            {new Material.WavelengthBand(300, 400), new Material.WavelengthBand(400, 780)},
+            {new Material.WavelengthBand(300, 780), new Material.WavelengthBand(300, 780)},
+            {new Material.WavelengthBand(490, 580), new Material.WavelengthBand(580, 780)},
+            {new Material.WavelengthBand(400, Math.nextUp(400.0)), new Material.WavelengthBand(400, Math.nextUp(400.0))
+            },
+            {new Material.WavelengthBand(779, 780), new Material.WavelengthBand(779.5, 780)},
         };
-        for (WavelengthBand[] pair : bands) {
+        for (Material.WavelengthBand[] pair : bands) {
             Material dye = new Material.Fluorescent(linear(0, 0, 0), pair[0], pair[1], 1);
             all.put("dye " + pair[0].low() + " to " + pair[1].low(), inBlackLight(dye, 1e-3));
             all.put("bright dye " + pair[0].low() + " to " + pair[1].low(), inBlackLight(dye, 1e9));

@@ -21,7 +21,6 @@ import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
-import enlightenment.material.WavelengthBand;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
@@ -42,7 +41,8 @@ class FluorescenceTest {
     private static final int U = Reradiation.ULTRAVIOLET;
 
     private static Material.Fluorescent dye(Texture color, double yield) {
-        return new Material.Fluorescent(color, new WavelengthBand(320, 450), new WavelengthBand(500, 600), yield);
+        return new Material.Fluorescent(
+                color, new Material.WavelengthBand(320, 450), new Material.WavelengthBand(500, 600), yield);
     }
 
     private static Reradiation matrix(Material.Fluorescent m) {
@@ -94,7 +94,8 @@ class FluorescenceTest {
     @EnumSource(BuiltInMethod.class)
     void whatTakesInUltravioletAloneIsMatteWhereThereIsNone(BuiltInMethod method) {
         Texture plain = linear(0.6, 0.5, 0.2);
-        Material black = new Material.Fluorescent(plain, new WavelengthBand(320, 400), new WavelengthBand(500, 600), 1);
+        Material black = new Material.Fluorescent(
+                plain, new Material.WavelengthBand(320, 400), new Material.WavelengthBand(500, 600), 1);
         Scene dyed = withoutUltraviolet(black);
         Scene matte = withoutUltraviolet(Material.Matte.of(plain));
         assertArrayEquals(
@@ -209,7 +210,12 @@ class FluorescenceTest {
     @EnumSource(BuiltInMethod.class)
     void whiteWallsLoseNoEnergyButByLongerWaves(BuiltInMethod method) {
         Material.Fluorescent black = new Material.Fluorescent(
-                linear(0.5, 0.5, 0), new WavelengthBand(300, 400), new WavelengthBand(490, 580), 1, Rgb.BLACK, 3);
+                linear(0.5, 0.5, 0),
+                new Material.WavelengthBand(300, 400),
+                new Material.WavelengthBand(490, 580),
+                1,
+                Rgb.BLACK,
+                3);
         double left = 350 * Math.log(580.0 / 490) / 90;
         // Half of the green light is left at each bounce after the first.
         assertShown(glowing(black).build(), method, new double[] {0, 3 * left * 2, 0});
@@ -233,7 +239,7 @@ class FluorescenceTest {
             names = {"RAYTRACE", "CLUSTER", "BIDIRECTIONAL", "METROPOLIS"})
     void meshesWithNormalsShineAsMeshesWithout(BuiltInMethod method) {
         Material.Fluorescent dye = new Material.Fluorescent(
-                linear(0.9, 0.9, 0.1), new WavelengthBand(400, 490), new WavelengthBand(490, 580), 1);
+                linear(0.9, 0.9, 0.1), new Material.WavelengthBand(400, 490), new Material.WavelengthBand(490, 580), 1);
         double green = matrix(dye).element(1, 1, new double[] {0.9, 0.9, 0.1})
                 + matrix(dye).element(1, 2, new double[] {0.9, 0.9, 0.1});
         for (TriangleMesh square :
@@ -258,7 +264,7 @@ class FluorescenceTest {
     void aGreenThatIsBrighterThanWhiteIsShownAsItIs() {
         double[] color = {0.9, 0.9, 0.1};
         Material.Fluorescent dye = new Material.Fluorescent(
-                linear(0.9, 0.9, 0.1), new WavelengthBand(400, 490), new WavelengthBand(490, 580), 1);
+                linear(0.9, 0.9, 0.1), new Material.WavelengthBand(400, 490), new Material.WavelengthBand(490, 580), 1);
         Scene scene = Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Perspective(at(0, 0, -3), at(0, 0, 0), Vec3.Y, 10))

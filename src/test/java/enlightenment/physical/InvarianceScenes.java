@@ -14,12 +14,10 @@ import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Conductor;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.material.WavelengthBand;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Method;
 import enlightenment.scene.Scene;
@@ -60,8 +58,8 @@ public final class InvarianceScenes {
     public static Scene inBlackLight() {
         Material ink = new Material.Fluorescent(
                 new Texture.Checker(List.of(new Rgb(0.8, 0.7, 0.1), new Rgb(0.05, 0.1, 0.2)), 4),
-                new WavelengthBand(320, 480),
-                new WavelengthBand(470, 640),
+                new Material.WavelengthBand(320, 480),
+                new Material.WavelengthBand(470, 640),
                 0.9);
         Emission power = Emission.power(new Rgb(1, 2, 9));
         Emission intensity = Emission.intensity(new Rgb(0.3, 0.2, 0.5));
@@ -91,7 +89,7 @@ public final class InvarianceScenes {
     }
 
     private static Scene.Builder furnished() {
-        Conductor copper = new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
+        Glossy.Conductor copper = new Glossy.Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
         Material checkered = Material.Matte.of(
                 new Texture.Checker(List.of(DisplayRgb.of(0.9, 0.8, 0.7), new Rgb(0.05, 0.1, 0.2)), 5));
         Material glass = Glass.of(linear(1, 0.9, 0.95), 1.5).withAbsorption(new Rgb(0.1, 0.7, 0.3));

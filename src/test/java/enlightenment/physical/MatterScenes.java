@@ -14,7 +14,6 @@ import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
-import enlightenment.material.WavelengthBand;
 import enlightenment.render.TestScenes;
 import enlightenment.scene.Background;
 import enlightenment.scene.Scene;
@@ -81,7 +80,10 @@ public final class MatterScenes {
 
     private static Scene pictureAndDyes(Background picture) {
         Material ink = new Material.Fluorescent(
-                linear(0.1, 0.5, 0.1), new WavelengthBand(320, 480), new WavelengthBand(500, 640), 0.9);
+                linear(0.1, 0.5, 0.1),
+                new Material.WavelengthBand(320, 480),
+                new Material.WavelengthBand(500, 640),
+                0.9);
         return floor(picture, Optional.empty())
                 .object(ball(-0.4, 0.45, -0.1, 0.42), ink)
                 .object(new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1)), ink)

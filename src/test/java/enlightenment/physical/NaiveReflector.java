@@ -1,6 +1,5 @@
 package enlightenment.physical;
 
-import enlightenment.material.Conductor;
 import enlightenment.material.Glossy;
 import enlightenment.math.Vec3;
 import java.util.SplittableRandom;
@@ -129,7 +128,7 @@ abstract class NaiveReflector {
             if (material.conductor().isEmpty()) {
                 return NaiveFresnel.schlick(cosine, color[band]);
             }
-            Conductor c = material.conductor().get();
+            Glossy.Conductor c = material.conductor().get();
             double[] eta = {c.eta().r(), c.eta().g(), c.eta().b()};
             double[] k = {c.k().r(), c.k().g(), c.k().b()};
             return color[band] * NaiveFresnel.conductor(cosine, eta[band], k[band]);

@@ -23,7 +23,6 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Amount;
 import enlightenment.material.Coated;
-import enlightenment.material.Conductor;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
@@ -47,7 +46,8 @@ final class PartnerScenes {
     private static final Texture WHITE = linear(1, 1, 1);
     private static final Material MIRROR = Material.Mirror.of(linear(0.95, 0.9, 0.85));
     private static final Material GLASS = Glass.of(linear(0.95, 1, 0.9), 1.5);
-    private static final Conductor COPPER = new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
+    private static final Glossy.Conductor COPPER =
+            new Glossy.Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14));
     private static final Shape BALL = ball(-0.35, 0.45, -0.1, 0.42);
     static final Shape BLOCK = new Box(at(0.15, 0.02, -0.6), at(0.7, 0.8, 0.1));
     private static final Light CEILING = panel(0.05, 1.9, 0, 0.6, WARM, false);

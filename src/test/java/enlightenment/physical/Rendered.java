@@ -3,7 +3,7 @@ package enlightenment.physical;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.render.Film;
 import enlightenment.render.RenderRequest;
@@ -51,7 +51,7 @@ final class Rendered {
     static double[] means(List<Image> pictures, int left, int top, int right, int bottom, int band) {
         return pictures.stream()
                 .mapToDouble(image -> {
-                    assertEquals(Encoding.LINEAR, image.encoding());
+                    assertEquals(Color.Encoding.LINEAR, image.encoding());
                     double sum = 0;
                     for (int y = top; y < bottom; y++) {
                         for (int x = left; x < right; x++) {

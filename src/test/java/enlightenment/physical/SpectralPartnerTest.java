@@ -15,7 +15,6 @@ import enlightenment.light.Light;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.material.WavelengthBand;
 import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
 import enlightenment.scene.BuiltInMethod;
@@ -51,7 +50,10 @@ class SpectralPartnerTest {
     private static Material dye(
             Texture color, double fromLow, double fromHigh, double toLow, double toHigh, double yield) {
         return new Material.Fluorescent(
-                color, new WavelengthBand(fromLow, fromHigh), new WavelengthBand(toLow, toHigh), yield);
+                color,
+                new Material.WavelengthBand(fromLow, fromHigh),
+                new Material.WavelengthBand(toLow, toHigh),
+                yield);
     }
 
     private static Emission light(double r, double g, double b, double ultraviolet) {

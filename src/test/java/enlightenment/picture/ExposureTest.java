@@ -2,8 +2,8 @@ package enlightenment.picture;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import java.util.Arrays;
@@ -15,7 +15,7 @@ class ExposureTest {
         for (int i = 0; i < rgb.length; i++) {
             rgb[i] = values[i / 3];
         }
-        return new Image(values.length, 1, rgb, Encoding.LINEAR);
+        return new Image(values.length, 1, rgb, Color.Encoding.LINEAR);
     }
 
     @Test
@@ -38,8 +38,8 @@ class ExposureTest {
 
     @Test
     void greenCountsMoreThanBlue() {
-        double green = Exposure.automatic(new Image(1, 1, new float[] {0, 1, 0}, Encoding.LINEAR));
-        double blue = Exposure.automatic(new Image(1, 1, new float[] {0, 0, 1}, Encoding.LINEAR));
+        double green = Exposure.automatic(new Image(1, 1, new float[] {0, 1, 0}, Color.Encoding.LINEAR));
+        double blue = Exposure.automatic(new Image(1, 1, new float[] {0, 0, 1}, Color.Encoding.LINEAR));
         assertEquals(Math.log(0.7152 / 0.0722) / Math.log(2), blue - green, 0.011);
     }
 
@@ -62,6 +62,6 @@ class ExposureTest {
         assertEquals((TransferCurve.encode(0.0625) + 1) / 3, Exposure.meanDisplayed(darker), 1e-7);
         float[] black = new float[12];
         Arrays.fill(black, 0);
-        assertEquals(0, Exposure.meanDisplayed(new Image(2, 2, black, Encoding.LINEAR)));
+        assertEquals(0, Exposure.meanDisplayed(new Image(2, 2, black, Color.Encoding.LINEAR)));
     }
 }

@@ -19,8 +19,11 @@ import org.junit.jupiter.api.Test;
 
 /** What pixels show beside their colours, without a picture. */
 class AuxiliaryOnlyTest {
-    private static final Set<Auxiliary> RAYS =
-            EnumSet.of(Auxiliary.DEPTH, Auxiliary.NORMAL, Auxiliary.POSITION, Auxiliary.OBJECT);
+    private static final Set<RenderRequest.Auxiliary> RAYS = EnumSet.of(
+            RenderRequest.Auxiliary.DEPTH,
+            RenderRequest.Auxiliary.NORMAL,
+            RenderRequest.Auxiliary.POSITION,
+            RenderRequest.Auxiliary.OBJECT);
 
     private static RenderRequest of(String scene) {
         Scene read = SceneReader.read(Path.of("scenes", scene));
@@ -31,18 +34,18 @@ class AuxiliaryOnlyTest {
 
     @Test
     void itIsWhatARenderFindsBesideItsPicture() {
-        EnumSet<Auxiliary> kinds = EnumSet.copyOf(RAYS);
-        kinds.add(Auxiliary.ALBEDO);
+        EnumSet<RenderRequest.Auxiliary> kinds = EnumSet.copyOf(RAYS);
+        kinds.add(RenderRequest.Auxiliary.ALBEDO);
         RenderRequest request = of("cornell-box.json").withAuxiliary(kinds);
-        Map<Auxiliary, Image> beside = Renderer.render(request).auxiliary();
-        Map<Auxiliary, Image> alone = Renderer.auxiliary(request);
+        Map<RenderRequest.Auxiliary, Image> beside = Renderer.render(request).auxiliary();
+        Map<RenderRequest.Auxiliary, Image> alone = Renderer.auxiliary(request);
         assertEquals(kinds, alone.keySet());
-        for (Auxiliary kind : RAYS) {
+        for (RenderRequest.Auxiliary kind : RAYS) {
             assertArrayEquals(beside.get(kind).toArray(), alone.get(kind).toArray(), kind.word());
         }
         // The walls' colours have no noise: only pixels on an edge depend on the samples.
-        float[] a = beside.get(Auxiliary.ALBEDO).toArray();
-        float[] b = alone.get(Auxiliary.ALBEDO).toArray();
+        float[] a = beside.get(RenderRequest.Auxiliary.ALBEDO).toArray();
+        float[] b = alone.get(RenderRequest.Auxiliary.ALBEDO).toArray();
         int alike = 0;
         for (int i = 0; i < a.length; i++) {
             alike += a[i] == b[i] ? 1 : 0;
@@ -52,21 +55,24 @@ class AuxiliaryOnlyTest {
 
     @Test
     void whatTakesAPictureIsRefused() {
-        for (Auxiliary kind : new Auxiliary[] {Auxiliary.ERROR, Auxiliary.SAMPLES, Auxiliary.INDIRECT}) {
+        for (RenderRequest.Auxiliary kind : new RenderRequest.Auxiliary[] {
+            RenderRequest.Auxiliary.ERROR, RenderRequest.Auxiliary.SAMPLES, RenderRequest.Auxiliary.INDIRECT
+        }) {
             RenderRequest request = of("cornell-box.json").withAuxiliary(kind);
             assertEquals(
                     "auxiliary",
                     assertThrows(InvalidValueException.class, () -> Renderer.auxiliary(request))
                             .key());
         }
-        RenderRequest classic = of("fire-and-ice.json").withAuxiliary(Auxiliary.ALBEDO);
+        RenderRequest classic = of("fire-and-ice.json").withAuxiliary(RenderRequest.Auxiliary.ALBEDO);
         assertThrows(InvalidValueException.class, () -> Renderer.auxiliary(classic));
     }
 
     @Test
     void itCanBeStopped() {
-        RenderRequest request =
-                of("cornell-box.json").withAuxiliary(Auxiliary.DEPTH).withCancelled(() -> true);
+        RenderRequest request = of("cornell-box.json")
+                .withAuxiliary(RenderRequest.Auxiliary.DEPTH)
+                .withCancelled(() -> true);
         assertThrows(CancellationException.class, () -> Renderer.auxiliary(request));
     }
 }

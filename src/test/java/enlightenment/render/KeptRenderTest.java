@@ -263,7 +263,7 @@ class KeptRenderTest {
         archive.isUnreadable = true;
         for (boolean isFirst : new boolean[] {true, false}) {
             MemoryArchive second = new MemoryArchive();
-            List<ResultArchive> both = isFirst ? List.of(archive, second) : List.of(second, archive);
+            List<RenderResult.Archive> both = isFirst ? List.of(archive, second) : List.of(second, archive);
             RenderResult result =
                     Renderer.render(RenderRequest.of(FIRE, kind.settings(4)).withArchives(both));
             assertSame(alone(kind, 4), result);
@@ -323,11 +323,11 @@ class KeptRenderTest {
     @Test
     void furtherPicturesAreThoseOfOneGo() {
         RenderSettings settings = new Kind("lamp room", LAMP, Method.RAYTRACE).settings(8);
-        RenderRequest request = RenderRequest.of(LAMP, settings).withAuxiliary(Auxiliary.values());
+        RenderRequest request = RenderRequest.of(LAMP, settings).withAuxiliary(RenderRequest.Auxiliary.values());
         RenderResult expected = Renderer.render(request);
         Renderer.render(request.withArchives(List.of(archive)).withCancelled(() -> archive.given >= 7));
         RenderResult result = Renderer.render(request.withArchives(List.of(archive)));
-        for (Auxiliary kind : Auxiliary.values()) {
+        for (RenderRequest.Auxiliary kind : RenderRequest.Auxiliary.values()) {
             assertArrayEquals(
                     expected.auxiliary().get(kind).toArray(),
                     result.auxiliary().get(kind).toArray(),

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /** An archive in memory, which may fail. */
-final class MemoryArchive implements ResultArchive {
+final class MemoryArchive implements RenderResult.Archive {
     final List<byte[]> plans = new ArrayList<>();
     final List<Map<Integer, byte[]>> results = new ArrayList<>();
 

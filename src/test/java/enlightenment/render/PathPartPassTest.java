@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
 import enlightenment.color.DisplayRgb;
-import enlightenment.color.Encoding;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Sphere;
 import enlightenment.image.Image;
@@ -46,7 +46,10 @@ class PathPartPassTest {
 
     private static RenderResult render(Scene scene, RenderSettings settings) {
         return Renderer.render(RenderRequest.of(scene, settings)
-                .withAuxiliary(Auxiliary.ALBEDO, Auxiliary.DIRECT, Auxiliary.INDIRECT));
+                .withAuxiliary(
+                        RenderRequest.Auxiliary.ALBEDO,
+                        RenderRequest.Auxiliary.DIRECT,
+                        RenderRequest.Auxiliary.INDIRECT));
     }
 
     private static Scene shipped(String name) {
@@ -59,14 +62,16 @@ class PathPartPassTest {
         Scene scene = shipped(name);
         RenderResult result = render(scene, settings(scene, 3));
         float[] picture = result.image().toArray();
-        float[] direct = result.auxiliary().get(Auxiliary.DIRECT).toArray();
-        float[] rest = result.auxiliary().get(Auxiliary.INDIRECT).toArray();
+        float[] direct = result.auxiliary().get(RenderRequest.Auxiliary.DIRECT).toArray();
+        float[] rest = result.auxiliary().get(RenderRequest.Auxiliary.INDIRECT).toArray();
         for (int i = 0; i < picture.length; i++) {
             assertEquals(picture[i], direct[i] + rest[i], 1e-6f * (picture[i] + 1));
             // Of the same paths, and nothing is negative.
             assertTrue(rest[i] >= -1e-6f * (picture[i] + 1), name + " " + i + ": " + rest[i]);
         }
-        assertEquals(Encoding.LINEAR, result.auxiliary().get(Auxiliary.DIRECT).encoding());
+        assertEquals(
+                Color.Encoding.LINEAR,
+                result.auxiliary().get(RenderRequest.Auxiliary.DIRECT).encoding());
     }
 
     /** A ball in the light of a lamp and of the surroundings. */
@@ -90,16 +95,17 @@ class PathPartPassTest {
         RenderResult one = render(ball(1), settings(ball(1), 5));
         RenderResult more = render(ball(9), settings(ball(9), 5));
         assertArrayEquals(
-                one.image().toArray(), more.auxiliary().get(Auxiliary.DIRECT).toArray());
+                one.image().toArray(),
+                more.auxiliary().get(RenderRequest.Auxiliary.DIRECT).toArray());
         assertFalse(Arrays.equals(one.image().toArray(), more.image().toArray()));
-        for (float rest : one.auxiliary().get(Auxiliary.INDIRECT).toArray()) {
+        for (float rest : one.auxiliary().get(RenderRequest.Auxiliary.INDIRECT).toArray()) {
             assertEquals(0, rest);
         }
     }
 
     @Test
     void reflectanceIsTheLinearColorOfWhatIsSeen() {
-        Image albedo = render(ball(9), settings(ball(9), 2)).auxiliary().get(Auxiliary.ALBEDO);
+        Image albedo = render(ball(9), settings(ball(9), 2)).auxiliary().get(RenderRequest.Auxiliary.ALBEDO);
         assertEquals(0.5f, albedo.component(SIDE / 2, SIDE / 2, 0));
         assertEquals(1f, albedo.component(SIDE / 2, SIDE / 2, 1));
         assertEquals(0.25f, albedo.component(SIDE / 2, SIDE / 2, 2));
@@ -110,11 +116,12 @@ class PathPartPassTest {
     void theBytesDependNeitherOnThreadsNorOnTilesNorOnACrop() {
         Scene scene = shipped("lamp-room");
         RenderSettings settings = settings(scene, 2.5);
-        Map<Auxiliary, Image> whole = render(scene, settings).auxiliary();
-        Map<Auxiliary, Image> otherwise =
+        Map<RenderRequest.Auxiliary, Image> whole = render(scene, settings).auxiliary();
+        Map<RenderRequest.Auxiliary, Image> otherwise =
                 render(scene, settings.withThreads(3).withTileSize(8)).auxiliary();
         RenderSettings.Crop crop = new RenderSettings.Crop(5, 7, 11, 9);
-        Map<Auxiliary, Image> part = render(scene, settings.withCrop(crop)).auxiliary();
+        Map<RenderRequest.Auxiliary, Image> part =
+                render(scene, settings.withCrop(crop)).auxiliary();
         whole.forEach((kind, image) -> {
             assertArrayEquals(image.toArray(), otherwise.get(kind).toArray(), kind.word());
             for (int y = 0; y < crop.height(); y++) {
@@ -151,7 +158,15 @@ class PathPartPassTest {
         DisplayCurve bright = DisplayCurve.SRGB.withExposure(3);
         Image grey = new Image(1, 1, new float[] {0.25f, 0.25f, 0.25f}, bright);
         assertEquals(
-                0.5371f, AuxiliaryPicture.of(Auxiliary.ALBEDO, grey).image().displayed(0, 0, 0), 1e-3f);
-        assertEquals(1f, AuxiliaryPicture.of(Auxiliary.DIRECT, grey).image().displayed(0, 0, 0));
+                0.5371f,
+                AuxiliaryPicture.of(RenderRequest.Auxiliary.ALBEDO, grey)
+                        .image()
+                        .displayed(0, 0, 0),
+                1e-3f);
+        assertEquals(
+                1f,
+                AuxiliaryPicture.of(RenderRequest.Auxiliary.DIRECT, grey)
+                        .image()
+                        .displayed(0, 0, 0));
     }
 }

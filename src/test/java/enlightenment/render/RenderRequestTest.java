@@ -33,7 +33,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class RenderRequestTest {
-    private static final Set<Auxiliary> ALL = EnumSet.range(Auxiliary.ERROR, Auxiliary.OBJECT);
+    private static final Set<RenderRequest.Auxiliary> ALL =
+            EnumSet.range(RenderRequest.Auxiliary.ERROR, RenderRequest.Auxiliary.OBJECT);
     private static final Scene SMALL = TestScenes.whiteFireAndIce()
             .size(80, 40)
             .shading(new Shading.Classic(0.1, 0.5, new DisplayRgb(0.5, 0.5, 0.5), 10))
@@ -61,25 +62,26 @@ class RenderRequestTest {
                 Renderer.render(RenderRequest.of(scene, RenderSettings.of(scene).withAntialias(1))
                         .withAuxiliary(ALL));
         // The picture's middle is the middle of a pixel: there the ball is met after 5 - 1.
-        assertEquals(4, result.auxiliary().get(Auxiliary.DEPTH).component(20, 10, 0));
-        Image normal = result.auxiliary().get(Auxiliary.NORMAL);
+        assertEquals(4, result.auxiliary().get(RenderRequest.Auxiliary.DEPTH).component(20, 10, 0));
+        Image normal = result.auxiliary().get(RenderRequest.Auxiliary.NORMAL);
         assertEquals(0, normal.component(20, 10, 0), 1e-15);
         assertEquals(0, normal.component(20, 10, 1), 1e-15);
         assertEquals(-1, normal.component(20, 10, 2));
-        Image position = result.auxiliary().get(Auxiliary.POSITION);
+        Image position = result.auxiliary().get(RenderRequest.Auxiliary.POSITION);
         assertArrayEquals(new float[] {10, 20, 34}, pixel(position, 20, 10), 1e-6f);
         assertArrayEquals(new float[3], pixel(position, 0, 0));
-        Image object = result.auxiliary().get(Auxiliary.OBJECT);
+        Image object = result.auxiliary().get(RenderRequest.Auxiliary.OBJECT);
         assertEquals(1, object.component(20, 10, 0));
         // In the corner there is nothing.
         assertEquals(
-                Float.POSITIVE_INFINITY, result.auxiliary().get(Auxiliary.DEPTH).component(0, 0, 1));
+                Float.POSITIVE_INFINITY,
+                result.auxiliary().get(RenderRequest.Auxiliary.DEPTH).component(0, 0, 1));
         assertEquals(-1, object.component(0, 0, 2));
         assertEquals(0, normal.component(0, 0, 2));
         // The light stands at x/z = 0.3; the picture is 2 tan 20 degrees high for 21 pixels. It counts as object 2.
         int column = (int) (20.5 + 0.3 / (2 * Math.tan(Math.toRadians(20))) * 21);
         assertEquals(2, object.component(column, 10, 0));
-        float depth = result.auxiliary().get(Auxiliary.DEPTH).component(column, 10, 0);
+        float depth = result.auxiliary().get(RenderRequest.Auxiliary.DEPTH).component(column, 10, 0);
         assertEquals(Math.sqrt(109) - 0.5, depth, 0.1);
     }
 
@@ -91,13 +93,18 @@ class RenderRequestTest {
     @Test
     void positionsLieOnWhatIsSeen() {
         RenderResult result = Renderer.render(RenderRequest.of(ballAndLight(), RenderSettings.of(ballAndLight()))
-                .withAuxiliary(Auxiliary.POSITION, Auxiliary.DEPTH, Auxiliary.OBJECT));
+                .withAuxiliary(
+                        RenderRequest.Auxiliary.POSITION,
+                        RenderRequest.Auxiliary.DEPTH,
+                        RenderRequest.Auxiliary.OBJECT));
         int seen = 0;
         for (int y = 0; y < 21; y++) {
             for (int x = 0; x < 41; x++) {
-                if (result.auxiliary().get(Auxiliary.OBJECT).component(x, y, 0) == 1) {
-                    float[] p = pixel(result.auxiliary().get(Auxiliary.POSITION), x, y);
-                    float depth = result.auxiliary().get(Auxiliary.DEPTH).component(x, y, 0);
+                if (result.auxiliary().get(RenderRequest.Auxiliary.OBJECT).component(x, y, 0) == 1) {
+                    float[] p = pixel(result.auxiliary().get(RenderRequest.Auxiliary.POSITION), x, y);
+                    float depth = result.auxiliary()
+                            .get(RenderRequest.Auxiliary.DEPTH)
+                            .component(x, y, 0);
                     assertEquals(1, distance(p, 10, 20, 35), 1e-5);
                     assertEquals(depth, distance(p, 10, 20, 30), 1e-5);
                     seen++;
@@ -120,10 +127,11 @@ class RenderRequestTest {
                 .build();
         RenderResult result = Renderer.render(
                 RenderRequest.of(scene, RenderSettings.of(scene)).withAuxiliary(ALL));
-        assertEquals(-1, result.auxiliary().get(Auxiliary.NORMAL).component(1, 1, 2));
+        assertEquals(-1, result.auxiliary().get(RenderRequest.Auxiliary.NORMAL).component(1, 1, 2));
         for (int x = 0; x < 3; x++) {
             // Along each ray the same: it is no depth along the axis.
-            assertEquals(7, result.auxiliary().get(Auxiliary.DEPTH).component(x, 0, 0), 1e-6);
+            assertEquals(
+                    7, result.auxiliary().get(RenderRequest.Auxiliary.DEPTH).component(x, 0, 0), 1e-6);
         }
     }
 
@@ -131,12 +139,13 @@ class RenderRequestTest {
     @ClassicMethods
     void countsAndErrorsAgreeWithTheReport(Method method) {
         RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(12));
-        RenderResult result = Renderer.render(
-                RenderRequest.of(SMALL, settings).withAuxiliary(Set.of(Auxiliary.ERROR, Auxiliary.SAMPLES)));
+        RenderResult result = Renderer.render(RenderRequest.of(SMALL, settings)
+                .withAuxiliary(Set.of(RenderRequest.Auxiliary.ERROR, RenderRequest.Auxiliary.SAMPLES)));
         assertEquals(
-                Set.of(Auxiliary.ERROR, Auxiliary.SAMPLES), result.auxiliary().keySet());
-        Image counts = result.auxiliary().get(Auxiliary.SAMPLES);
-        Image errors = result.auxiliary().get(Auxiliary.ERROR);
+                Set.of(RenderRequest.Auxiliary.ERROR, RenderRequest.Auxiliary.SAMPLES),
+                result.auxiliary().keySet());
+        Image counts = result.auxiliary().get(RenderRequest.Auxiliary.SAMPLES);
+        Image errors = result.auxiliary().get(RenderRequest.Auxiliary.ERROR);
         double sum = 0;
         double squares = 0;
         for (int y = 0; y < 40; y++) {
@@ -232,9 +241,10 @@ class RenderRequestTest {
         assertEquals(0, result.report().pixels());
         assertEquals(3200, result.shownPixels());
         assertTrue(result.image().component(40, 20, 0) > 0);
-        assertEquals(0, result.auxiliary().get(Auxiliary.SAMPLES).component(40, 20, 0));
+        assertEquals(0, result.auxiliary().get(RenderRequest.Auxiliary.SAMPLES).component(40, 20, 0));
         assertEquals(
-                Float.POSITIVE_INFINITY, result.auxiliary().get(Auxiliary.ERROR).component(40, 20, 0));
+                Float.POSITIVE_INFINITY,
+                result.auxiliary().get(RenderRequest.Auxiliary.ERROR).component(40, 20, 0));
     }
 
     @ParameterizedTest

@@ -13,7 +13,6 @@ import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
-import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
@@ -30,8 +29,8 @@ class LightFeatureTest {
     private static final Sphere BALL = Sphere.of(ExactPoint.ORIGIN, 1);
     private static final Medium MILK = Medium.Colored.of(Rgb.gray(0.5), Rgb.gray(0.25));
     private static final Material WAX = Material.Scattering.of(MILK);
-    private static final Material MARKER =
-            new Material.Fluorescent(GRAY, new WavelengthBand(320, 450), new WavelengthBand(500, 600), 0.5);
+    private static final Material MARKER = new Material.Fluorescent(
+            GRAY, new Material.WavelengthBand(320, 450), new Material.WavelengthBand(500, 600), 0.5);
     private static final Material PRISM = Glass.of(GRAY, 1.5).withDispersion(36);
 
     private static Scene.Builder scene(Shading shading) {

@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import enlightenment.camera.Camera;
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
-import enlightenment.color.Tone;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Rectangle;
@@ -14,7 +14,6 @@ import enlightenment.geometry.Sphere;
 import enlightenment.image.ImageFiles;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Conductor;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
@@ -23,7 +22,7 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
-import enlightenment.net.WorkerOptions;
+import enlightenment.net.RenderWorker;
 import java.math.BigDecimal;
 import java.util.Collections;
 import java.util.LinkedList;
@@ -88,13 +87,13 @@ class NamedFaultsTest {
                 () -> Material.Matte.of(new Texture.Checker(List.of(DisplayRgb.WHITE, Rgb.gray(2)), 4)));
         fails("roughness: must lie in 0.0..1.0, not 2.0", () -> Material.Matte.of(WHITE)
                 .withRoughness(2));
-        fails("eta: must be a number greater than 0, not 0.0", () -> new Conductor(Rgb.BLACK, Rgb.WHITE));
-        fails("exposure: must lie in -1000.0..1000.0, not NaN", () -> new Display(Double.NaN, Tone.CLIP));
+        fails("eta: must be a number greater than 0, not 0.0", () -> new Glossy.Conductor(Rgb.BLACK, Rgb.WHITE));
+        fails("exposure: must lie in -1000.0..1000.0, not NaN", () -> new Display(Double.NaN, DisplayCurve.Tone.CLIP));
         fails("ambient: must lie in 0.0..1.0, not 3.0", () -> new Shading.Classic(3, 0, DisplayRgb.BLACK, 1));
         fails("g: must lie in 0.0..1.0, not 255.0", () -> DisplayRgb.of(0, 255, 0));
         fails("y: must be a finite number, not Infinity", () -> ExactPoint.of(0, 1 / 0.0, 0));
         fails("depth: must be 8 or 16 bits per component, not 24", () -> new ImageFiles.PngOptions(24, Map.of()));
-        fails("pin: must have 64 hexadecimal digits, not \"x\"", () -> WorkerOptions.builder()
+        fails("pin: must have 64 hexadecimal digits, not \"x\"", () -> RenderWorker.Options.builder()
                 .pin("x"));
     }
 

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Lens;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
@@ -77,7 +76,7 @@ class ShadingFitTest {
     @Test
     void classicShadingRefusesALens() {
         Camera lens = new Camera.Perspective(ExactPoint.of(0, 0, -5), ExactPoint.ORIGIN, Vec3.Y, 40)
-                .withLens(Lens.round(0.1, 5));
+                .withLens(Camera.Lens.round(0.1, 5));
         scene(Shading.Physical.DEFAULT).camera(lens).build();
         InvalidValueException e = refused(scene(Shading.Classic.DEFAULT).camera(lens));
         assertEquals("camera/lens", e.key());

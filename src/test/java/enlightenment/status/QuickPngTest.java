@@ -2,7 +2,7 @@ package enlightenment.status;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -15,7 +15,7 @@ class QuickPngTest {
     void thePixelsAreThoseOfTheFileThatWillBeWritten() throws Exception {
         Random random = new Random(1);
         for (int[] size : new int[][] {{1, 1}, {1, 7}, {7, 1}, {33, 20}, {300, 100}}) {
-            for (Encoding encoding : Encoding.values()) {
+            for (Color.Encoding encoding : Color.Encoding.values()) {
                 float[] rgb = new float[3 * size[0] * size[1]];
                 for (int i = 0; i < rgb.length; i++) {
                     rgb[i] = 1.5F * random.nextFloat() - 0.2F;

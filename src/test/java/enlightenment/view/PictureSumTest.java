@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 class PictureSumTest {
     private static final int SIDE = 64;
 
-    private static Image plain(int width, int height, float value, Encoding encoding) {
+    private static Image plain(int width, int height, float value, Color.Encoding encoding) {
         float[] rgb = new float[3 * width * height];
         java.util.Arrays.fill(rgb, value);
         return new Image(width, height, rgb, encoding);
@@ -37,28 +37,28 @@ class PictureSumTest {
     @Test
     void onePassSaysNothingOfItsError() {
         PictureSum sum = new PictureSum();
-        sum.add(plain(2, 2, 1, Encoding.DISPLAY), 1);
+        sum.add(plain(2, 2, 1, Color.Encoding.DISPLAY), 1);
         assertTrue(sum.noise().isEmpty());
     }
 
     @Test
     void theMeanIsWeighted() {
         PictureSum sum = new PictureSum();
-        sum.add(plain(2, 1, 1, Encoding.DISPLAY), 1);
-        sum.add(plain(2, 1, 4, Encoding.DISPLAY), 2);
-        assertEquals(3, sum.add(plain(2, 1, 3, Encoding.DISPLAY), 3).component(1, 0, 2));
+        sum.add(plain(2, 1, 1, Color.Encoding.DISPLAY), 1);
+        sum.add(plain(2, 1, 4, Color.Encoding.DISPLAY), 2);
+        assertEquals(3, sum.add(plain(2, 1, 3, Color.Encoding.DISPLAY), 3).component(1, 0, 2));
     }
 
     /** Of two passes a and b of one weight the mean deviates by |a − b|/2, from a to b: on a screen by half of what lies between. */
     @Test
     void ofTwoPassesTheErrorIsHalfTheirDifference() {
         PictureSum display = new PictureSum();
-        display.add(plain(3, 3, 0.2f, Encoding.DISPLAY), 1);
-        display.add(plain(3, 3, 0.6f, Encoding.DISPLAY), 1);
+        display.add(plain(3, 3, 0.2f, Color.Encoding.DISPLAY), 1);
+        display.add(plain(3, 3, 0.6f, Color.Encoding.DISPLAY), 1);
         assertEquals(0.2, display.noise().orElseThrow().rmse(DisplayCurve.NONE), 1e-7);
         PictureSum linear = new PictureSum();
-        linear.add(plain(3, 3, 0.1f, Encoding.LINEAR), 4);
-        linear.add(plain(3, 3, 1.5f, Encoding.LINEAR), 4);
+        linear.add(plain(3, 3, 0.1f, Color.Encoding.LINEAR), 4);
+        linear.add(plain(3, 3, 1.5f, Color.Encoding.LINEAR), 4);
         double expected = (1 - DisplayCurve.SRGB.of(0.1f)) / 2;
         PictureNoise noise = linear.noise().orElseThrow();
         assertEquals(expected, noise.rmse(DisplayCurve.SRGB), 1e-5);
@@ -106,7 +106,7 @@ class PictureSumTest {
         one[3 * 12] = one[3 * 12 + 1] = one[3 * 12 + 2] = 0.6f;
         PictureSum sum = new PictureSum();
         sum.add(new Image(5, 5, one), 1);
-        sum.add(plain(5, 5, 0, Encoding.DISPLAY), 1);
+        sum.add(plain(5, 5, 0, Color.Encoding.DISPLAY), 1);
         PictureNoise noise = sum.noise().orElseThrow();
         Image map = noise.map(DisplayCurve.NONE);
         assertEquals(0.1, map.component(1, 1, 0), 1e-6);

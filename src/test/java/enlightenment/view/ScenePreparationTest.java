@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.render.Auxiliary;
 import enlightenment.render.Film;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
@@ -99,14 +98,18 @@ class ScenePreparationTest {
 
     @Test
     void layersOfAPreparedSceneAreThoseOfTheScene() {
-        Set<Auxiliary> kinds = EnumSet.of(Auxiliary.ALBEDO, Auxiliary.DEPTH, Auxiliary.NORMAL, Auxiliary.OBJECT);
+        Set<RenderRequest.Auxiliary> kinds = EnumSet.of(
+                RenderRequest.Auxiliary.ALBEDO,
+                RenderRequest.Auxiliary.DEPTH,
+                RenderRequest.Auxiliary.NORMAL,
+                RenderRequest.Auxiliary.OBJECT);
         prepare(shot(1), 1);
-        Map<Auxiliary, Image> prepared = Renderer.auxiliary(
+        Map<RenderRequest.Auxiliary, Image> prepared = Renderer.auxiliary(
                 preparation.request(shot(1), settings(shot(1), 1), () -> false).withAuxiliary(kinds));
-        Map<Auxiliary, Image> fresh =
+        Map<RenderRequest.Auxiliary, Image> fresh =
                 Renderer.auxiliary(RenderRequest.of(scene, settings(shot(1), 1)).withAuxiliary(kinds));
         assertEquals(kinds, prepared.keySet());
-        for (Auxiliary kind : kinds) {
+        for (RenderRequest.Auxiliary kind : kinds) {
             assertArrayEquals(fresh.get(kind).toArray(), prepared.get(kind).toArray(), kind.word());
         }
     }

@@ -5,9 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.FieldOfViewAxis;
-import enlightenment.camera.Handedness;
-import enlightenment.camera.Lens;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
@@ -22,15 +19,15 @@ class ViewpointTest {
     /** Coordinates are rounded to 7 digits below the distance's first: 10 roundings are well below this share of it. */
     private static final double ROUNDED = 1e-6;
 
-    private static Camera.Perspective perspective(Handedness handedness) {
+    private static Camera.Perspective perspective(Camera.Handedness handedness) {
         return new Camera.Perspective(
                 ExactPoint.of("3", "1", "-4"),
                 ExactPoint.of("1", "0.5", "2"),
                 new Vec3(0, 2, 0),
                 40,
-                FieldOfViewAxis.VERTICAL,
+                Camera.FieldOfViewAxis.VERTICAL,
                 handedness,
-                Optional.of(Lens.round(0.1, 5)));
+                Optional.of(Camera.Lens.round(0.1, 5)));
     }
 
     private static Camera window() {
@@ -47,8 +44,8 @@ class ViewpointTest {
         ExactPoint eye = ExactPoint.of("3", "1", "-4");
         ExactPoint to = ExactPoint.of("1", "0.5", "2");
         return new Camera[] {
-            perspective(Handedness.LEFT),
-            perspective(Handedness.RIGHT),
+            perspective(Camera.Handedness.LEFT),
+            perspective(Camera.Handedness.RIGHT),
             new Camera.Orthographic(eye, to, Vec3.Y, 3),
             new Camera.Panorama(eye, to, Vec3.Y),
             window()
@@ -103,7 +100,7 @@ class ViewpointTest {
     @ParameterizedTest
     @ValueSource(doubles = {200, -200})
     void anOrbitEndsBeforeThePole(double up) {
-        Viewpoint v = Viewpoint.of(perspective(Handedness.LEFT)).orbit(0, up);
+        Viewpoint v = Viewpoint.of(perspective(Camera.Handedness.LEFT)).orbit(0, up);
         double angle = Rotations.between(offset(v), new Vec3(0, Math.signum(up), 0));
         assertEquals(1, angle, 1e-4);
         // It can still turn, and come back.
@@ -114,8 +111,8 @@ class ViewpointTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Handedness.class)
-    void whatIsAtTheAimFollowsThePointer(Handedness handedness) {
+    @EnumSource(Camera.Handedness.class)
+    void whatIsAtTheAimFollowsThePointer(Camera.Handedness handedness) {
         Viewpoint from = Viewpoint.of(perspective(handedness));
         Viewpoint to = from.pan(0.25, 0.125, 1.5);
         Pose pose = Pose.of(from.camera());
@@ -141,15 +138,15 @@ class ViewpointTest {
 
     @Test
     void theWidthMayBeWhatTheAngleSpans() {
-        Camera.Perspective vertical = perspective(Handedness.LEFT);
-        Viewpoint wide = Viewpoint.of(vertical.withAxis(FieldOfViewAxis.HORIZONTAL));
+        Camera.Perspective vertical = perspective(Camera.Handedness.LEFT);
+        Viewpoint wide = Viewpoint.of(vertical.withAxis(Camera.FieldOfViewAxis.HORIZONTAL));
         Vec3 high = Viewpoint.of(vertical)
                 .pan(1, 0, 2)
                 .aim()
                 .minus(Viewpoint.of(vertical).aim());
         Vec3 low = wide.pan(1, 0, 2).aim().minus(wide.aim());
         assertEquals(high.length() / 2, low.length(), ROUNDED * wide.distance());
-        Viewpoint larger = Viewpoint.of(vertical.withAxis(FieldOfViewAxis.LARGER));
+        Viewpoint larger = Viewpoint.of(vertical.withAxis(Camera.FieldOfViewAxis.LARGER));
         assertEquals(low.length(), larger.pan(1, 0, 2).aim().minus(larger.aim()).length(), ROUNDED * wide.distance());
     }
 
@@ -193,7 +190,7 @@ class ViewpointTest {
 
     @Test
     void theAngleOfViewStaysWithinLimits() {
-        Viewpoint from = Viewpoint.of(perspective(Handedness.RIGHT));
+        Viewpoint from = Viewpoint.of(perspective(Camera.Handedness.RIGHT));
         assertEquals(33.25, ((Camera.Perspective) from.withFieldOfView(33.25).camera()).fieldOfView());
         assertEquals(170, ((Camera.Perspective) from.withFieldOfView(360).camera()).fieldOfView());
         assertEquals(0.1, ((Camera.Perspective) from.withFieldOfView(0).camera()).fieldOfView());
@@ -202,7 +199,7 @@ class ViewpointTest {
 
     @Test
     void anAimIsAsFarAwayAsThePointAndInTheMiddleOfThePicture() {
-        Viewpoint from = Viewpoint.of(perspective(Handedness.LEFT));
+        Viewpoint from = Viewpoint.of(perspective(Camera.Handedness.LEFT));
         Pose pose = Pose.of(from.camera());
         ExactPoint point = from.camera().origin().plus(pose.direction(0.5, -0.25, 3));
         Viewpoint to = from.aimedAt(point);

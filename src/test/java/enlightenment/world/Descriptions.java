@@ -28,7 +28,6 @@ import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
-import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TriangleMesh;
@@ -132,7 +131,8 @@ public final class Descriptions {
                     Principled.of(RED, 0.25, 0.5),
                     Glass.of(RED, 1.5),
                     Material.Scattering.of(Medium.Colored.of(Rgb.gray(0.5), Rgb.gray(0.25))),
-                    new Material.Fluorescent(RED, new WavelengthBand(300, 400), new WavelengthBand(500, 600), 0.5),
+                    new Material.Fluorescent(
+                            RED, new Material.WavelengthBand(300, 400), new Material.WavelengthBand(500, 600), 0.5),
                     new Mix(Material.Matte.of(RED), Material.Mirror.of(RED), Texture.of(Rgb.gray(0.5))),
                     new Mask(Material.Matte.of(RED), Texture.of(Rgb.gray(0.5))),
                     new NormalMap(Material.Matte.of(RED), Texture.of(new Rgb(0.5, 0.25, 1))),

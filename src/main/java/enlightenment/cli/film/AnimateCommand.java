@@ -19,7 +19,7 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.FileFailure;
 import enlightenment.file.FilePlace;
-import enlightenment.net.AuditReport;
+import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.Film;
 import enlightenment.render.RenderProgress;
@@ -131,11 +131,12 @@ public final class AnimateCommand extends Subcommand {
         String title = scene.name().isEmpty() ? input.name() : scene.name();
         return watching.watch(title, asWritten, view, true, terminal, w -> {
             int faulty = make(maker, writer.notes(), plan, range, w);
-            finish(files, range, faulty, maker.audits().orElse(AuditReport.NONE));
+            finish(files, range, faulty, maker.audits().orElse(RenderServer.AuditReport.NONE));
         });
     }
 
-    private void finish(List<Path> files, FrameRange range, int faulty, AuditReport audits) throws IOException {
+    private void finish(List<Path> files, FrameRange range, int faulty, RenderServer.AuditReport audits)
+            throws IOException {
         writeVideo(files, range);
         serving.options().tellAudits(audits, terminal);
         if (faulty > 0) {

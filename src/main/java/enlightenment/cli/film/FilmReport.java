@@ -3,7 +3,7 @@ package enlightenment.cli.film;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.WholeFile;
 import enlightenment.machine.MachineFacts;
-import enlightenment.net.AuditReport;
+import enlightenment.net.RenderServer;
 import enlightenment.numeric.Counts;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
@@ -65,7 +65,7 @@ final class FilmReport {
     }
 
     /** Writes and prints what was asked for, when all frames are there or the film was stopped. */
-    void write(Optional<AuditReport> audits, Terminal terminal) throws IOException {
+    void write(Optional<RenderServer.AuditReport> audits, Terminal terminal) throws IOException {
         double seconds = (System.nanoTime() - begun) * NANO;
         double processors = (MachineFacts.processorNanos() - cpu) * NANO;
         if (file != null) {

@@ -2,7 +2,7 @@ package enlightenment.cli.film;
 
 import enlightenment.cli.picture.ReportJson;
 import enlightenment.json.JsonText;
-import enlightenment.net.AuditReport;
+import enlightenment.net.RenderServer;
 import enlightenment.report.RenderReport;
 import java.util.Map;
 import java.util.Optional;
@@ -25,7 +25,7 @@ final class FilmReportJson {
             int asked,
             int kept,
             Map<Integer, RenderReport> frames,
-            Optional<AuditReport> audits,
+            Optional<RenderServer.AuditReport> audits,
             double seconds,
             double processors) {
         return JsonText.of(json -> {

@@ -1,6 +1,6 @@
 package enlightenment.cli.film;
 
-import enlightenment.net.AuditReport;
+import enlightenment.net.RenderServer;
 import enlightenment.render.RenderProgress;
 import java.io.IOException;
 import java.util.List;
@@ -27,7 +27,7 @@ interface FrameMaker {
     boolean make(List<Integer> frames, RenderProgress display, Listener listener) throws IOException;
 
     /** The audits of the frames that were made with workers; empty without. */
-    default Optional<AuditReport> audits() {
+    default Optional<RenderServer.AuditReport> audits() {
         return Optional.empty();
     }
 }

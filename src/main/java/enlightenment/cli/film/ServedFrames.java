@@ -3,8 +3,8 @@ package enlightenment.cli.film;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.math.InvalidValueException;
-import enlightenment.net.AuditReport;
 import enlightenment.net.FilmServer;
+import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.Film;
 import enlightenment.render.RenderProgress;
@@ -29,7 +29,7 @@ final class ServedFrames implements FrameMaker {
     private final Terminal terminal;
     private final Map<Integer, FrameWriter.Subject> subjects = new HashMap<>();
 
-    private AuditReport audits = AuditReport.NONE;
+    private RenderServer.AuditReport audits = RenderServer.AuditReport.NONE;
 
     /** The frame that is prepared. */
     private int current;
@@ -74,7 +74,7 @@ final class ServedFrames implements FrameMaker {
     }
 
     @Override
-    public Optional<AuditReport> audits() {
+    public Optional<RenderServer.AuditReport> audits() {
         return Optional.of(audits);
     }
 

@@ -6,7 +6,6 @@ import enlightenment.cli.option.WordOption;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
-import enlightenment.importer.Backdrop;
 import enlightenment.importer.ImportOptions;
 import enlightenment.importer.ImportOptions.Orbit;
 import enlightenment.importer.ImportOptions.Up;
@@ -49,7 +48,7 @@ public final class ForeignOptions {
             converter = BackdropConverter.class,
             completionCandidates = BackdropWords.class,
             description = "file of another program: what surrounds it: ${COMPLETION-CANDIDATES} or #rrggbb")
-    private Backdrop background;
+    private ImportOptions.Backdrop background;
 
     @Option(
             names = "--fps",
@@ -164,20 +163,20 @@ public final class ForeignOptions {
         }
     }
 
-    static final class BackdropConverter implements ITypeConverter<Backdrop> {
-        private static final Map<String, Backdrop> NAMED = Map.of(
-                "studio", new Backdrop.Studio(),
-                "sky", new Backdrop.Sky(),
-                "white", new Backdrop.Constant(Rgb.WHITE),
-                "black", new Backdrop.Constant(Rgb.BLACK));
+    static final class BackdropConverter implements ITypeConverter<ImportOptions.Backdrop> {
+        private static final Map<String, ImportOptions.Backdrop> NAMED = Map.of(
+                "studio", new ImportOptions.Backdrop.Studio(),
+                "sky", new ImportOptions.Backdrop.Sky(),
+                "white", new ImportOptions.Backdrop.Constant(Rgb.WHITE),
+                "black", new ImportOptions.Backdrop.Constant(Rgb.BLACK));
 
         @Override
-        public Backdrop convert(String text) {
+        public ImportOptions.Backdrop convert(String text) {
             if (NAMED.containsKey(text)) {
                 return NAMED.get(text);
             }
             return DisplayRgb.ofHexadecimal(text)
-                    .map(color -> new Backdrop.Constant(color.linear()))
+                    .map(color -> new ImportOptions.Backdrop.Constant(color.linear()))
                     .orElseThrow(() -> BadValue.expected("studio, sky, white, black or #rrggbb", text));
         }
     }

@@ -2,7 +2,6 @@ package enlightenment.cli.input;
 
 import enlightenment.cli.terminal.StandardStreams;
 import enlightenment.cli.terminal.Terminal;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -79,7 +78,7 @@ public final class SceneInput {
     /** The scene of another program's file, whose notes are shown once. */
     private Scene imported() {
         if (imported == null) {
-            ImportedScene result = ForeignScene.read(file, foreign.options());
+            SceneImporter.Result result = ForeignScene.read(file, foreign.options());
             result.notes().forEach(note -> terminal.note(file + ": " + note));
             imported = result.scene();
         }

@@ -11,16 +11,14 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.cli.terminal.Version;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
-import enlightenment.color.Tone;
 import enlightenment.file.FileFailure;
 import enlightenment.image.Image;
+import enlightenment.image.ImageError;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.image.error.Flip;
-import enlightenment.image.error.ImageError;
-import enlightenment.image.error.LightError;
+import enlightenment.image.flip.Flip;
 import enlightenment.math.InvalidValueException;
 import enlightenment.picture.HeatMap;
 import java.io.IOException;
@@ -72,7 +70,7 @@ public final class CompareCommand extends Subcommand {
             converter = Tones.class,
             completionCandidates = Tones.class,
             description = "with --linear: the tone curve, ${COMPLETION-CANDIDATES} (default: clip)")
-    private Tone tone;
+    private DisplayCurve.Tone tone;
 
     @Option(
             names = "--max-rmse",
@@ -108,9 +106,9 @@ public final class CompareCommand extends Subcommand {
         }
         ImageError error;
         Flip flip;
-        LightError light;
+        ImageError.OfLight light;
         try {
-            light = linear ? LightError.between(a, b) : null;
+            light = linear ? ImageError.OfLight.between(a, b) : null;
             error = ImageError.between(a.toDisplay(), b.toDisplay());
             flip = Flip.between(a, b, pixelsPerDegree);
         } catch (InvalidValueException e) {
@@ -148,8 +146,9 @@ public final class CompareCommand extends Subcommand {
             if (!linear) {
                 return ImageFiles.read(file);
             }
-            DisplayCurve curve = DisplayCurve.of(exposure == null ? 0 : exposure, tone == null ? Tone.CLIP : tone);
-            return ImageFiles.read(file, Encoding.LINEAR).withCurve(curve);
+            DisplayCurve curve =
+                    DisplayCurve.of(exposure == null ? 0 : exposure, tone == null ? DisplayCurve.Tone.CLIP : tone);
+            return ImageFiles.read(file, Color.Encoding.LINEAR).withCurve(curve);
         } catch (IOException e) {
             String reason = FileFailure.described(e);
             // A file that is too large for this process is none that could not be used.
@@ -180,13 +179,13 @@ public final class CompareCommand extends Subcommand {
         return image.width() + "x" + image.height();
     }
 
-    static final class Tones extends WordOption<Tone> {
+    static final class Tones extends WordOption<DisplayCurve.Tone> {
         Tones() {
-            super(List.of(Tone.values()));
+            super(List.of(DisplayCurve.Tone.values()));
         }
 
         @Override
-        protected String word(Tone value) {
+        protected String word(DisplayCurve.Tone value) {
             return value.name().toLowerCase(Locale.ROOT);
         }
     }

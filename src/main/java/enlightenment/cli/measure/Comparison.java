@@ -1,8 +1,7 @@
 package enlightenment.cli.measure;
 
-import enlightenment.image.error.Flip;
-import enlightenment.image.error.ImageError;
-import enlightenment.image.error.LightError;
+import enlightenment.image.ImageError;
+import enlightenment.image.flip.Flip;
 import java.nio.file.Path;
 import java.util.Locale;
 
@@ -16,7 +15,7 @@ record Comparison(
         Path test,
         Path reference,
         ImageError error,
-        LightError light,
+        ImageError.OfLight light,
         Flip flip,
         double pixelsPerDegree,
         Double maxRmse) {

@@ -1,8 +1,7 @@
 package enlightenment.cli.measure;
 
 import enlightenment.cli.terminal.Version;
-import enlightenment.image.error.ImageError;
-import enlightenment.image.error.LightError;
+import enlightenment.image.ImageError;
 import enlightenment.json.JsonText;
 import tools.jackson.core.JsonGenerator;
 
@@ -47,7 +46,7 @@ final class ComparisonJson {
         json.writeEndObject();
     }
 
-    private static void light(JsonGenerator json, LightError light) {
+    private static void light(JsonGenerator json, ImageError.OfLight light) {
         json.writeObjectPropertyStart("light");
         number(json, "relative", light.relative());
         number(json, "rmse", light.rmse());

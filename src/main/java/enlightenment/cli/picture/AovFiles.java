@@ -1,11 +1,11 @@
 package enlightenment.cli.picture;
 
 import enlightenment.cli.option.CommandFiles;
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.render.Auxiliary;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.aov.AuxiliaryPicture;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -16,7 +16,7 @@ import java.util.Map;
 
 /** The further files beside a picture, {@code out.error.png} beside {@code out.png}. */
 public final class AovFiles {
-    private final Map<Auxiliary, Path> files = new EnumMap<>(Auxiliary.class);
+    private final Map<RenderRequest.Auxiliary, Path> files = new EnumMap<>(RenderRequest.Auxiliary.class);
 
     /** @param picture the picture's file, with the extension of an image format if any kind is asked for */
     public AovFiles(AovSet kinds, Path picture) {
@@ -45,13 +45,14 @@ public final class AovFiles {
      * @param numbers what the render gave
      * @param shown the picture as it is shown: parts of its light are shown likewise
      */
-    public void write(Map<Auxiliary, Image> numbers, Image shown, ImageFiles.PngOptions options) throws IOException {
-        for (Map.Entry<Auxiliary, Path> e : files.entrySet()) {
+    public void write(Map<RenderRequest.Auxiliary, Image> numbers, Image shown, ImageFiles.PngOptions options)
+            throws IOException {
+        for (Map.Entry<RenderRequest.Auxiliary, Path> e : files.entrySet()) {
             Image raw = numbers.get(e.getKey());
             if (ImageFormat.ofExtension(e.getValue()).orElseThrow().holdsFloats()) {
                 ImageFiles.write(raw, e.getValue(), options);
             } else {
-                Image likewise = raw.encoding() == Encoding.LINEAR ? raw.withCurve(shown.curve()) : raw;
+                Image likewise = raw.encoding() == Color.Encoding.LINEAR ? raw.withCurve(shown.curve()) : raw;
                 AuxiliaryPicture picture = AuxiliaryPicture.of(e.getKey(), likewise);
                 ImageFiles.write(picture.image(), e.getValue(), options.withText("Comment", picture.explanation()));
             }

@@ -1,7 +1,7 @@
 package enlightenment.cli.picture;
 
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.picture.Exposure;
@@ -52,7 +52,7 @@ public final class BrightnessHint {
         }
         double mean = Exposure.meanDisplayed(shown);
         double litMean = mean * shown.width() * shown.height() / lit;
-        if (shown.encoding() == Encoding.LINEAR && holdsFloats) {
+        if (shown.encoding() == Color.Encoding.LINEAR && holdsFloats) {
             return;
         }
         if (litMean < NEAR && stops(shown) >= LEAST_STOPS) {
@@ -64,13 +64,13 @@ public final class BrightnessHint {
 
     private static void tell(Image shown, boolean isDark, String mean, BiConsumer<String, String> say) {
         String what = "hint: the picture is nearly " + (isDark ? "black" : "white");
-        String help = shown.encoding() == Encoding.LINEAR ? exposureHelp(shown) : classicHelp(isDark);
+        String help = shown.encoding() == Color.Encoding.LINEAR ? exposureHelp(shown) : classicHelp(isDark);
         say.accept(what + help, what + mean + help);
     }
 
     /** How many stops brighter than now an automatic exposure would be. */
     private static double stops(Image shown) {
-        return shown.encoding() == Encoding.LINEAR
+        return shown.encoding() == Color.Encoding.LINEAR
                 ? Exposure.automatic(shown) - shown.curve().exposure()
                 : Exposure.automatic(light(shown));
     }

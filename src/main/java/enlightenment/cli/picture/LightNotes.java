@@ -1,8 +1,8 @@
 package enlightenment.cli.picture;
 
 import enlightenment.cli.terminal.CliException;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
@@ -50,7 +50,7 @@ public final class LightNotes {
                     lost));
         }
         requireNumbers(shown);
-        if (shown.encoding() == Encoding.LINEAR) {
+        if (shown.encoding() == Color.Encoding.LINEAR) {
             requireRange(shown);
         }
     }

@@ -10,7 +10,6 @@ import enlightenment.file.WholeFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.render.Auxiliary;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
@@ -199,7 +198,7 @@ public final class PictureOutput {
             Image image,
             Map<String, String> texts,
             RenderSettings settings,
-            Map<Auxiliary, Image> layers,
+            Map<RenderRequest.Auxiliary, Image> layers,
             Terminal terminal)
             throws IOException {
         if (isStandardOutput()) {
@@ -213,7 +212,7 @@ public final class PictureOutput {
             Image image,
             Map<String, String> texts,
             RenderSettings settings,
-            Map<Auxiliary, Image> layers,
+            Map<RenderRequest.Auxiliary, Image> layers,
             OutputStream out)
             throws IOException {
         PictureBytes.write(image, format(), depth(), texts, settings, layers, out);

@@ -2,7 +2,7 @@ package enlightenment.cli.picture;
 
 import enlightenment.cli.terminal.Version;
 import enlightenment.json.JsonText;
-import enlightenment.net.AuditReport;
+import enlightenment.net.RenderServer;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
 import enlightenment.scene.BuiltInMethod;
@@ -24,7 +24,7 @@ public final class ReportJson {
      * @param reason why the program chose its method; empty if the settings named it
      * @param audits those of a server; empty for others
      */
-    static String of(RenderResult result, Optional<String> reason, Optional<AuditReport> audits) {
+    static String of(RenderResult result, Optional<String> reason, Optional<RenderServer.AuditReport> audits) {
         return JsonText.of(json -> {
             json.writeStartObject();
             program(json);
@@ -36,7 +36,7 @@ public final class ReportJson {
     }
 
     /** The audits of what a server made, in an object that is begun. */
-    public static void audits(JsonGenerator json, AuditReport audits) {
+    public static void audits(JsonGenerator json, RenderServer.AuditReport audits) {
         json.writeObjectPropertyStart("audits");
         json.writeNumberProperty("due", audits.due());
         json.writeNumberProperty("missing", audits.missing());

@@ -3,7 +3,7 @@ package enlightenment.cli.picture;
 import enlightenment.cli.option.CommandFiles;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.WholeFile;
-import enlightenment.net.AuditReport;
+import enlightenment.net.RenderServer;
 import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -40,7 +40,7 @@ public final class ReportOutput {
     public void write(
             RenderResult result,
             Optional<String> reason,
-            Optional<AuditReport> audits,
+            Optional<RenderServer.AuditReport> audits,
             PictureOutput picture,
             Terminal terminal)
             throws IOException {

@@ -4,8 +4,8 @@ import enlightenment.cli.option.BadValue;
 import enlightenment.cli.option.DecimalNumber;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.picture.Exposure;
 import enlightenment.scene.Scene;
@@ -67,7 +67,7 @@ public final class ViewOption {
         if (!isGiven()) {
             return image;
         }
-        check(image.encoding() == Encoding.LINEAR);
+        check(image.encoding() == Color.Encoding.LINEAR);
         double stops = exposure.stops().orElseGet(() -> Exposure.automatic(image));
         return image.withCurve(image.curve().withExposure(limited(stops)));
     }

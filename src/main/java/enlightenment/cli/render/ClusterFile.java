@@ -2,7 +2,7 @@ package enlightenment.cli.render;
 
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.file.WholeFile;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.Method;
@@ -34,7 +34,7 @@ final class ClusterFile {
         if (!result.report().sampling().method().hasClusters()) {
             terminal.say(
                     file + " is empty: with this few samples per pixel they were evenly spaced and made no clusters");
-        } else if (result.image().encoding() == Encoding.LINEAR) {
+        } else if (result.image().encoding() == Color.Encoding.LINEAR) {
             terminal.say(file + " is empty: clusters of light points are made for classic shading only");
         }
     }

@@ -45,7 +45,6 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.render.ResultArchive;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -308,7 +307,7 @@ public final class RenderCommand extends Subcommand {
         RequestedError.require(result);
     }
 
-    private RenderResult render(Scene scene, MethodChoice choice, Watch watch, List<ResultArchive> archives) {
+    private RenderResult render(Scene scene, MethodChoice choice, Watch watch, List<RenderResult.Archive> archives) {
         RenderSettings settings = choice.settings();
         RenderProgress display = progress.display(terminal.err());
         RenderProgress told = new BudgetNotes(display, settings.budget(), terminal);

@@ -9,7 +9,7 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.StandardStreams;
 import enlightenment.cli.terminal.Terminal;
-import enlightenment.importer.ImportedScene;
+import enlightenment.importer.SceneImporter;
 import enlightenment.nff.NffReader;
 import enlightenment.scene.json.SceneWriter;
 import java.io.IOException;
@@ -79,7 +79,7 @@ public final class ConvertCommand extends Subcommand {
                 .writes(option == null ? "OUT.json" : "-o", output)
                 .check();
         ConvertedFiles files = new ConvertedFiles(output);
-        ImportedScene result = read(files);
+        SceneImporter.Result result = read(files);
         for (String note : result.notes()) {
             terminal.note((StandardStreams.isNamed(input) ? StandardStreams.INPUT : input) + ": " + note);
         }
@@ -107,7 +107,7 @@ public final class ConvertCommand extends Subcommand {
         return option == null ? second : option;
     }
 
-    private ImportedScene read(ConvertedFiles files) {
+    private SceneImporter.Result read(ConvertedFiles files) {
         if (StandardStreams.isNamed(input)) {
             foreign.refuse(StandardStreams.INPUT);
             // The format is ASCII; comments may hold anything.
@@ -115,7 +115,7 @@ public final class ConvertCommand extends Subcommand {
                     new String(StandardStreams.readInput(terminal), StandardCharsets.ISO_8859_1),
                     StandardStreams.INPUT,
                     "");
-            return new ImportedScene(nff.scene(), nff.notes());
+            return new SceneImporter.Result(nff.scene(), nff.notes());
         }
         return ForeignScene.read(input, files.options(foreign.options()));
     }

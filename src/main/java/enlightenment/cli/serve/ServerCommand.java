@@ -28,7 +28,6 @@ import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
-import enlightenment.net.AuditReport;
 import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.MethodChoice;
@@ -82,7 +81,7 @@ public final class ServerCommand extends Subcommand {
     private ProgressOption progress = new ProgressOption();
 
     private SceneInput input;
-    private AuditReport audits = AuditReport.NONE;
+    private RenderServer.AuditReport audits = RenderServer.AuditReport.NONE;
 
     public ServerCommand(Terminal terminal) {
         super(terminal);

@@ -6,7 +6,7 @@ import enlightenment.cli.option.WholeNumber;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Launcher;
 import enlightenment.cli.terminal.Terminal;
-import enlightenment.net.AuditReport;
+import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -166,14 +166,14 @@ public final class ServingOptions {
     }
 
     /** Says which audits were not made, unless that is a failure, which {@link #requireAudits} tells. */
-    public void tellAudits(AuditReport audits, Terminal terminal) {
+    public void tellAudits(RenderServer.AuditReport audits, Terminal terminal) {
         if (!audits.isComplete() && !isAuditRequired) {
             terminal.say("warning: " + audits.sentence() + "; --audit-required makes that a failure");
         }
     }
 
     /** Fails where audits were not made that have to be. */
-    public void requireAudits(AuditReport audits) {
+    public void requireAudits(RenderServer.AuditReport audits) {
         if (!audits.isComplete() && isAuditRequired) {
             throw CliException.failed(audits.sentence() + ", which --audit-required asks for");
         }

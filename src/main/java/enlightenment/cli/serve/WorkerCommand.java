@@ -11,7 +11,6 @@ import enlightenment.cli.terminal.StandardStreams;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.math.InvalidValueException;
 import enlightenment.net.RenderWorker;
-import enlightenment.net.WorkerOptions;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -72,7 +71,7 @@ public final class WorkerCommand extends Subcommand {
 
     @Override
     protected int execute() throws IOException {
-        WorkerOptions options = options();
+        RenderWorker.Options options = options();
         if (pin == null && authorities == null && !isLoopback(server.host())) {
             terminal.say("without --pin or --tls-ca whoever is on the network can see scene and picture");
         }
@@ -93,8 +92,8 @@ public final class WorkerCommand extends Subcommand {
         }
     }
 
-    private WorkerOptions options() throws IOException {
-        WorkerOptions.Builder o = WorkerOptions.builder().log(terminal::say);
+    private RenderWorker.Options options() throws IOException {
+        RenderWorker.Options.Builder o = RenderWorker.Options.builder().log(terminal::say);
         if (threads != null) {
             o.threads(threads);
         }
@@ -117,7 +116,7 @@ public final class WorkerCommand extends Subcommand {
     }
 
     /** The first line of standard input, which {@code ssh} carries to where no file holds the token. */
-    private static void typedToken(WorkerOptions.Builder o) throws IOException {
+    private static void typedToken(RenderWorker.Options.Builder o) throws IOException {
         String line = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.ISO_8859_1)).readLine();
         try {
             o.token(line == null ? "" : line);

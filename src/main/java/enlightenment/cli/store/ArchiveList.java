@@ -2,7 +2,7 @@ package enlightenment.cli.store;
 
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.file.FileFailure;
-import enlightenment.render.ResultArchive;
+import enlightenment.render.RenderResult;
 import java.io.Closeable;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -10,24 +10,24 @@ import java.util.List;
 
 /** The archives of a render, which are closed together; one that cannot be does not cost the picture. */
 public final class ArchiveList implements Closeable {
-    private final List<ResultArchive> all = new ArrayList<>();
+    private final List<RenderResult.Archive> all = new ArrayList<>();
     private final Terminal terminal;
 
     public ArchiveList(Terminal terminal) {
         this.terminal = terminal;
     }
 
-    public void add(ResultArchive archive) {
+    public void add(RenderResult.Archive archive) {
         all.add(archive);
     }
 
-    public List<ResultArchive> all() {
+    public List<RenderResult.Archive> all() {
         return List.copyOf(all);
     }
 
     @Override
     public void close() {
-        for (ResultArchive archive : all) {
+        for (RenderResult.Archive archive : all) {
             try {
                 archive.close();
             } catch (IOException e) {

@@ -7,7 +7,7 @@ import enlightenment.cli.terminal.Terminal;
 import enlightenment.job.Build;
 import enlightenment.job.RenderIdentity;
 import enlightenment.job.SceneDocument;
-import enlightenment.render.ResultArchive;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneWriter;
@@ -57,7 +57,7 @@ public final class StoreOptions {
      *
      * @param frame the frame that was asked for, or null
      */
-    public Optional<ResultArchive> open(
+    public Optional<RenderResult.Archive> open(
             Scene scene, RenderSettings settings, Integer frame, StoredSamples samples, Terminal terminal)
             throws IOException {
         if (store == null) {

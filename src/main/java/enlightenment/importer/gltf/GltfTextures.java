@@ -1,6 +1,6 @@
 package enlightenment.importer.gltf;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.color.Rgb;
 import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
@@ -175,6 +175,6 @@ final class GltfTextures {
             c[i + 1] = (float) ((y / length + 1) / 2);
             c[i + 2] = (float) ((z / length + 1) / 2);
         }
-        return new Image(normals.width(), normals.height(), c, Encoding.DISPLAY);
+        return new Image(normals.width(), normals.height(), c, Color.Encoding.DISPLAY);
     }
 }

@@ -1,7 +1,6 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Lens;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ImportView;
 import enlightenment.math.Vec3;
@@ -103,13 +102,13 @@ final class SensorReader {
     private Camera focused(Properties p, Camera camera) {
         double radius = p.number("aperture_radius", 0);
         double distance = p.number("focus_distance", p.number("far_clip", USUAL_FAR_CLIP));
-        if (!(radius >= 0 && distance > 0 && radius / Lens.MOST_DISTANCES <= distance)) {
+        if (!(radius >= 0 && distance > 0 && radius / Camera.Lens.MOST_DISTANCES <= distance)) {
             throw p.element()
-                    .failure("must have a focus_distance above 0, and an aperture_radius of 0 to " + Lens.MOST_DISTANCES
-                            + " times that");
+                    .failure("must have a focus_distance above 0, and an aperture_radius of 0 to "
+                            + Camera.Lens.MOST_DISTANCES + " times that");
         }
         if (radius > 0 && camera instanceof Camera.Perspective perspective) {
-            return perspective.withLens(Lens.round(radius, distance));
+            return perspective.withLens(Camera.Lens.round(radius, distance));
         }
         if (radius > 0) {
             scene.note(p.element(), "a lens before a shifted or cropped picture becomes a pinhole");

@@ -3,11 +3,9 @@ package enlightenment.importer.mitsuba;
 import enlightenment.color.Rgb;
 import enlightenment.material.Amount;
 import enlightenment.material.Coated;
-import enlightenment.material.Conductor;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
-import enlightenment.material.Metal;
 import enlightenment.material.Texture;
 import enlightenment.text.Plain;
 import java.util.Optional;
@@ -15,7 +13,7 @@ import java.util.Optional;
 /** The surface models of Mitsuba as materials. */
 final class SurfaceModels {
     /** Reflects all light at every angle, to 4e-11, as Mitsuba's conductor {@code none} does. */
-    private static final Conductor PERFECT = new Conductor(Rgb.gray(1.0 / 1024), Rgb.gray(1 << 14));
+    private static final Glossy.Conductor PERFECT = new Glossy.Conductor(Rgb.gray(1.0 / 1024), Rgb.gray(1 << 14));
 
     private final SceneIndex scene;
     private final TextureReader textures;
@@ -74,23 +72,23 @@ final class SurfaceModels {
         Texture color = textures.reflectance(p, "specular_reflectance", 1);
         String name = p.text("material", scene.isOld() ? "Cu" : "none");
         Optional<XmlElement> eta = p.find("eta");
-        Conductor conductor;
+        Glossy.Conductor conductor;
         if (eta.isPresent() || p.has("k")) {
             Rgb n = textures.color(p, "eta", 0);
             double outside = p.number("ext_eta", 1);
             conductor = n.max() == 0 && !p.has("k")
                     ? PERFECT
-                    : new Conductor(divided(n, outside), divided(textures.color(p, "k", 1), outside));
+                    : new Glossy.Conductor(divided(n, outside), divided(textures.color(p, "k", 1), outside));
         } else if (name.equalsIgnoreCase("none")) {
             if (roughness.equals(Amount.of(0))) {
                 return Material.Mirror.of(color);
             }
             conductor = PERFECT;
         } else {
-            conductor = Metal.of(name)
+            conductor = Glossy.Metal.of(name)
                     .orElseGet(() -> {
                         note(p, "the metal " + Plain.quoted(name) + " becomes chromium");
-                        return Metal.CHROMIUM;
+                        return Glossy.Metal.CHROMIUM;
                     })
                     .conductor();
         }

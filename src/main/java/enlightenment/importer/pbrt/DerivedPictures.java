@@ -1,6 +1,6 @@
 package enlightenment.importer.pbrt;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
@@ -69,7 +69,7 @@ final class DerivedPictures {
                 double v = source.encoding() == Texture.Encoding.SRGB ? TransferCurve.decode(c[i]) : c[i];
                 c[i] = v > 0 && v < Double.POSITIVE_INFINITY ? (float) v : 0;
             }
-            return new Image(image.width(), image.height(), c, Encoding.LINEAR);
+            return new Image(image.width(), image.height(), c, Color.Encoding.LINEAR);
         } catch (IOException e) {
             throw place.failure(e.getMessage());
         }

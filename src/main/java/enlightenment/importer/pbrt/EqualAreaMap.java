@@ -1,6 +1,6 @@
 package enlightenment.importer.pbrt;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.color.Rgb;
 import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
@@ -104,7 +104,7 @@ final class EqualAreaMap {
                 }
             }
         }
-        return new Image(width, height, rgb, Encoding.LINEAR);
+        return new Image(width, height, rgb, Color.Encoding.LINEAR);
     }
 
     private static Vec3 seen(double u, double v) {

@@ -2,7 +2,7 @@ package enlightenment.importer.pbrt;
 
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.SpectrumRgb;
-import enlightenment.material.Metal;
+import enlightenment.material.Glossy;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -77,7 +77,7 @@ final class NamedSpectra {
         if (CRYSTALS.containsKey(symbol)) {
             return Optional.of(isEta ? Rgb.gray(CRYSTALS.get(symbol)) : Rgb.BLACK);
         }
-        return Metal.of(symbol)
+        return Glossy.Metal.of(symbol)
                 .map(m -> isEta ? m.conductor().eta() : m.conductor().k());
     }
 }

@@ -4,10 +4,8 @@ import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.material.Amount;
 import enlightenment.material.Coated;
-import enlightenment.material.Conductor;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
-import enlightenment.material.Metal;
 import enlightenment.material.Texture;
 import java.util.Map;
 import java.util.Optional;
@@ -93,19 +91,19 @@ final class OpaqueMaterials {
             }
             return metal(ofReflectance(r.color()), roughness.amount(p, prefix, uv));
         }
-        Conductor copper = Metal.COPPER.conductor();
+        Glossy.Conductor copper = Glossy.Metal.COPPER.conductor();
         Rgb eta = spectra.rgb(p, prefix + "eta", Spectra.Kind.UNBOUNDED, source.space(), copper.eta());
         Rgb k = spectra.rgb(p, prefix + "k", Spectra.Kind.UNBOUNDED, source.space(), copper.k());
-        return metal(new Conductor(eta, k), roughness.amount(p, prefix, uv));
+        return metal(new Glossy.Conductor(eta, k), roughness.amount(p, prefix, uv));
     }
 
-    private static Material metal(Conductor conductor, Amount rough) {
+    private static Material metal(Glossy.Conductor conductor, Amount rough) {
         return new Glossy(Texture.of(Rgb.WHITE), rough, Optional.of(conductor), false, Rgb.BLACK, 0);
     }
 
     /** As pbrt has it: eta is 1, and k such that the reflectance straight on is the given one. */
-    private static Conductor ofReflectance(Rgb r) {
-        return new Conductor(Rgb.WHITE, new Rgb(k(r.r()), k(r.g()), k(r.b())));
+    private static Glossy.Conductor ofReflectance(Rgb r) {
+        return new Glossy.Conductor(Rgb.WHITE, new Rgb(k(r.r()), k(r.g()), k(r.b())));
     }
 
     private static double k(double reflectance) {

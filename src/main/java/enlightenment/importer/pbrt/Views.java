@@ -1,8 +1,6 @@
 package enlightenment.importer.pbrt;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.FieldOfViewAxis;
-import enlightenment.camera.Lens;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportNotes;
@@ -169,7 +167,8 @@ final class Views {
     }
 
     /** @param degrees the angle of view of the screen from -1 to 1 */
-    private Camera perspective(ImportView view, double[] window, double aspect, double degrees, Optional<Lens> lens) {
+    private Camera perspective(
+            ImportView view, double[] window, double aspect, double degrees, Optional<Camera.Lens> lens) {
         double half = StrictMath.tan(StrictMath.toRadians(degrees / 2));
         double right = window[1];
         double top = window[3];
@@ -184,7 +183,7 @@ final class Views {
         if (top == 1) {
             pinhole = view.pinhole(degrees);
         } else if (right == 1) {
-            pinhole = view.pinhole(degrees).withAxis(FieldOfViewAxis.HORIZONTAL);
+            pinhole = view.pinhole(degrees).withAxis(Camera.FieldOfViewAxis.HORIZONTAL);
         } else {
             pinhole = view.pinhole(StrictMath.toDegrees(2 * StrictMath.atan(half * top)));
         }
@@ -197,14 +196,14 @@ final class Views {
     }
 
     /** The lens in units of the scene. */
-    private Optional<Lens> lens(Parameters c) {
+    private Optional<Camera.Lens> lens(Parameters c) {
         double radius = cameraToWorld().vector(Vec3.X).length() * c.number("lensradius", 0);
         if (!(radius > 0)) {
             return Optional.empty();
         }
         double focus = cameraToWorld().vector(Vec3.Z).length() * c.positive("focaldistance", USUAL_FOCUS);
         try {
-            return Optional.of(Lens.round(radius, focus));
+            return Optional.of(Camera.Lens.round(radius, focus));
         } catch (InvalidValueException e) {
             throw c.place().failure("the camera's lens: " + e.getMessage());
         }

@@ -1,7 +1,6 @@
 package enlightenment.importer.support;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Handedness;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.math.BigDecimal;
@@ -46,8 +45,8 @@ public record ImportView(Vec3 eye, Vec3 forward, Vec3 up, Vec3 right) {
         return eye.plus(forward);
     }
 
-    private Handedness handedness() {
-        return forward.cross(up).dot(right) < 0 ? Handedness.LEFT : Handedness.RIGHT;
+    private Camera.Handedness handedness() {
+        return forward.cross(up).dot(right) < 0 ? Camera.Handedness.LEFT : Camera.Handedness.RIGHT;
     }
 
     /**

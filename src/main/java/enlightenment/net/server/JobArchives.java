@@ -2,7 +2,7 @@ package enlightenment.net.server;
 
 import enlightenment.checkpoint.Origin;
 import enlightenment.engine.UnitAssembly;
-import enlightenment.render.ResultArchive;
+import enlightenment.render.RenderResult;
 import enlightenment.text.FailureText;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -30,16 +30,16 @@ final class JobArchives implements AutoCloseable {
 
     /** An archive, what it calls the plan, and which units it had in the beginning. */
     private static final class Kept {
-        final ResultArchive archive;
+        final RenderResult.Archive archive;
         int plan;
         final BitSet units = new BitSet();
 
-        Kept(ResultArchive archive) {
+        Kept(RenderResult.Archive archive) {
             this.archive = archive;
         }
     }
 
-    JobArchives(List<ResultArchive> archives, Consumer<String> log) {
+    JobArchives(List<RenderResult.Archive> archives, Consumer<String> log) {
         this.log = log;
         archives.forEach(archive -> all.add(new Kept(archive)));
     }
@@ -82,7 +82,7 @@ final class JobArchives implements AutoCloseable {
      */
     void begin(byte[] plan, Set<Origin.Peer> distrusted, UnitAssembly film, Taker taker) {
         each(kept -> {
-            ResultArchive archive = kept.archive;
+            RenderResult.Archive archive = kept.archive;
             kept.plan = archive.keep(plan);
             for (Origin.Peer machine : distrusted) {
                 archive.removeAll(kept.plan, machine.toString());

@@ -14,7 +14,7 @@ import enlightenment.file.ContentHash;
 import enlightenment.job.RenderIdentity;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.schedule.Action;
-import enlightenment.render.ResultArchive;
+import enlightenment.render.RenderResult;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -218,7 +218,7 @@ public final class ServerJob implements Closeable {
      * Goes on from archives, after the checkpoint, gives each what the other has, and keeps in them what is done from now on; of a job of
      * one picture.
      */
-    public void keepIn(List<ResultArchive> all) {
+    public void keepIn(List<RenderResult.Archive> all) {
         if (all.isEmpty()) {
             return;
         }

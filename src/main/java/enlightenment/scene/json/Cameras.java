@@ -1,9 +1,6 @@
 package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.FieldOfViewAxis;
-import enlightenment.camera.Handedness;
-import enlightenment.camera.Lens;
 import enlightenment.math.Vec3;
 import java.util.Map;
 import java.util.Optional;
@@ -47,8 +44,8 @@ final class Cameras {
                     .point("lookAt", c.lookAt())
                     .vector("up", c.up())
                     .number("fieldOfView", c.fieldOfView())
-                    .wordUnless(FieldOfViewAxis.VERTICAL, "fieldOfViewAxis", c.axis())
-                    .wordUnless(Handedness.LEFT, "handedness", c.handedness());
+                    .wordUnless(Camera.FieldOfViewAxis.VERTICAL, "fieldOfViewAxis", c.axis())
+                    .wordUnless(Camera.Handedness.LEFT, "handedness", c.handedness());
             c.lens()
                     .ifPresent(
                             lens -> p.put("lens", write(lens, p.child("lens")).json()));
@@ -57,7 +54,7 @@ final class Cameras {
                     .point("lookAt", c.lookAt())
                     .vector("up", c.up())
                     .number("height", c.height())
-                    .wordUnless(Handedness.LEFT, "handedness", c.handedness());
+                    .wordUnless(Camera.Handedness.LEFT, "handedness", c.handedness());
         } else if (value instanceof Camera.Isometric c) {
             p.point("lookAt", c.lookAt()).number("height", c.height());
         } else if (value instanceof Camera.Panorama c) {
@@ -65,7 +62,7 @@ final class Cameras {
                     .point("lookAt", c.lookAt())
                     .vector("up", c.up())
                     .numberUnless(0, "eyeSeparation", c.eyeSeparation())
-                    .wordUnless(Handedness.LEFT, "handedness", c.handedness());
+                    .wordUnless(Camera.Handedness.LEFT, "handedness", c.handedness());
         } else {
             throw Family.unknown(value);
         }
@@ -92,9 +89,9 @@ final class Cameras {
         var lookAt = f.point("lookAt");
         Vec3 up = f.direction("up", Vec3.Y);
         double fieldOfView = f.number("fieldOfView");
-        FieldOfViewAxis axis = f.word("fieldOfViewAxis", FieldOfViewAxis.VERTICAL);
-        Handedness handedness = f.word("handedness", Handedness.LEFT);
-        Optional<Lens> lens = f.has("lens") ? Optional.ofNullable(lens(f)) : Optional.empty();
+        Camera.FieldOfViewAxis axis = f.word("fieldOfViewAxis", Camera.FieldOfViewAxis.VERTICAL);
+        Camera.Handedness handedness = f.word("handedness", Camera.Handedness.LEFT);
+        Optional<Camera.Lens> lens = f.has("lens") ? Optional.ofNullable(lens(f)) : Optional.empty();
         return f.make(() -> new Camera.Perspective(eye, lookAt, up, fieldOfView, axis, handedness, lens));
     }
 
@@ -103,24 +100,24 @@ final class Cameras {
         var lookAt = f.point("lookAt");
         Vec3 up = f.direction("up", Vec3.Y);
         double height = f.number("height");
-        Handedness handedness = f.word("handedness", Handedness.LEFT);
+        Camera.Handedness handedness = f.word("handedness", Camera.Handedness.LEFT);
         return f.make(() -> new Camera.Orthographic(eye, lookAt, up, height, handedness));
     }
 
     /** The lens of a perspective camera; null after a problem. */
-    private static Lens lens(Fields camera) {
+    private static Camera.Lens lens(Fields camera) {
         Fields f = Fields.of(camera.get("lens"), camera.at("lens"), PartKeys.LENS, camera.values());
         if (f == null) {
             return null;
         }
         double radius = f.number("radius");
         double focusDistance = f.number("focusDistance");
-        int blades = f.integer("blades", 0, Lens.MOST_BLADES, 0);
+        int blades = f.integer("blades", 0, Camera.Lens.MOST_BLADES, 0);
         double rotation = f.number("rotation", 0);
-        return f.make(() -> new Lens(radius, focusDistance, blades, rotation));
+        return f.make(() -> new Camera.Lens(radius, focusDistance, blades, rotation));
     }
 
-    private static JsonObjectBuilder write(Lens lens, JsonObjectBuilder p) {
+    private static JsonObjectBuilder write(Camera.Lens lens, JsonObjectBuilder p) {
         return p.number("radius", lens.radius())
                 .number("focusDistance", lens.focusDistance())
                 .wholeUnless(0, "blades", lens.blades())
@@ -132,7 +129,7 @@ final class Cameras {
         var lookAt = f.point("lookAt");
         Vec3 up = f.direction("up", Vec3.Y);
         double eyeSeparation = f.number("eyeSeparation", 0);
-        Handedness handedness = f.word("handedness", Handedness.LEFT);
+        Camera.Handedness handedness = f.word("handedness", Camera.Handedness.LEFT);
         return f.make(() -> new Camera.Panorama(eye, lookAt, up, eyeSeparation, handedness));
     }
 

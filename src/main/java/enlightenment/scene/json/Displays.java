@@ -1,6 +1,6 @@
 package enlightenment.scene.json;
 
-import enlightenment.color.Tone;
+import enlightenment.color.DisplayCurve;
 import enlightenment.scene.Display;
 
 /** Reads and writes the display part. */
@@ -14,7 +14,7 @@ final class Displays {
             return null;
         }
         double exposure = f.number("exposure", Display.DEFAULT.exposure());
-        Tone tone = f.word("tone", Display.DEFAULT.tone());
+        DisplayCurve.Tone tone = f.word("tone", Display.DEFAULT.tone());
         return f.make(() -> new Display(exposure, tone));
     }
 

@@ -2,7 +2,7 @@ package enlightenment.scene.json;
 
 import enlightenment.color.Color;
 import enlightenment.color.Rgb;
-import enlightenment.material.WavelengthBand;
+import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
@@ -212,7 +212,7 @@ final class Fields {
     }
 
     /** A band of wavelengths; null where it is missing or wrong. */
-    WavelengthBand wavelengths(String key) {
+    Material.WavelengthBand wavelengths(String key) {
         JsonValue v = get(key);
         return v == null ? null : values.wavelengths(v, at(key));
     }

@@ -8,7 +8,6 @@ import enlightenment.geometry.Transform;
 import enlightenment.material.Amount;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
@@ -231,7 +230,7 @@ final class JsonObjectBuilder {
         return v.equals(usual) && !animated(key) ? this : bands(key, v);
     }
 
-    JsonObjectBuilder wavelengths(String key, WavelengthBand band) {
+    JsonObjectBuilder wavelengths(String key, Material.WavelengthBand band) {
         return put(key, JsonValue.Arr.of(List.of(number(band.low()), number(band.high()))));
     }
 

@@ -5,19 +5,16 @@ import enlightenment.color.Rgb;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Coated;
-import enlightenment.material.Conductor;
 import enlightenment.material.EmissionPattern;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Metal;
 import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
-import enlightenment.material.WavelengthBand;
 import enlightenment.text.Plain;
 import enlightenment.text.Suggestion;
 import java.util.Map;
@@ -271,14 +268,14 @@ final class Materials {
         double ultraviolet = f.number("ultraviolet", 0);
         Rgb eta = constant(f, "eta", hasConstants);
         Rgb k = constant(f, "k", hasConstants);
-        Optional<Conductor> metal = metal(f, hasConstants);
+        Optional<Glossy.Conductor> metal = metal(f, hasConstants);
         if (color == null || roughness == null) {
             return null;
         }
         return f.make(() -> new Glossy(
                 color,
                 roughness,
-                hasConstants ? Optional.of(new Conductor(eta, k)) : metal,
+                hasConstants ? Optional.of(new Glossy.Conductor(eta, k)) : metal,
                 several,
                 radiance,
                 ultraviolet,
@@ -286,20 +283,20 @@ final class Materials {
     }
 
     /** The constants of the metal that has a name; empty without one, and after a problem. */
-    private static Optional<Conductor> metal(Fields f, boolean hasConstants) {
+    private static Optional<Glossy.Conductor> metal(Fields f, boolean hasConstants) {
         if (!f.has("metal")) {
             return Optional.empty();
         }
         if (hasConstants) {
             f.problem("metal", "must stand without \"eta\" and \"k\", which are the constants of another metal");
         }
-        return Optional.ofNullable(f.word("metal", Metal.words(), null))
-                .flatMap(Metal::of)
-                .map(Metal::conductor);
+        return Optional.ofNullable(f.word("metal", Glossy.Metal.words(), null))
+                .flatMap(Glossy.Metal::of)
+                .map(Glossy.Metal::conductor);
     }
 
-    private static void conductor(Conductor c, JsonObjectBuilder p) {
-        Optional<Metal> metal = Metal.of(c);
+    private static void conductor(Glossy.Conductor c, JsonObjectBuilder p) {
+        Optional<Glossy.Metal> metal = Glossy.Metal.of(c);
         if (metal.isPresent()) {
             p.text("metal", metal.get().word());
         } else {
@@ -367,8 +364,8 @@ final class Materials {
 
     private static Material fluorescent(Fields f) {
         Texture color = Textures.color(f, "color");
-        WavelengthBand absorption = f.wavelengths("absorption");
-        WavelengthBand emission = f.wavelengths("emission");
+        Material.WavelengthBand absorption = f.wavelengths("absorption");
+        Material.WavelengthBand emission = f.wavelengths("emission");
         double yield = f.number("yield");
         Rgb radiance = radiance(f);
         EmissionPattern pattern = pattern(f);

@@ -3,7 +3,7 @@ package enlightenment.scene.json;
 import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
-import enlightenment.material.WavelengthBand;
+import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
@@ -244,7 +244,7 @@ final class Values {
     }
 
     /** Two wavelengths; null after a problem. */
-    WavelengthBand wavelengths(JsonValue v, JsonPointer place) {
+    Material.WavelengthBand wavelengths(JsonValue v, JsonPointer place) {
         int before = problems.count();
         JsonValue.Arr a = array(v, place, 2, "two wavelengths [from, to] in nanometres");
         double low = a == null ? Double.NaN : number(a.get(0), place.child(0));
@@ -252,7 +252,7 @@ final class Values {
         if (problems.count() > before) {
             return null;
         }
-        return make(v, place, () -> new WavelengthBand(low, high));
+        return make(v, place, () -> new Material.WavelengthBand(low, high));
     }
 
     /** Makes a record of a value; what the record refuses becomes a problem with that. Null after it. */

@@ -1,8 +1,6 @@
 package enlightenment.world.camera;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Handedness;
-import enlightenment.camera.Lens;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.Rotation;
 import enlightenment.frame.SceneFrame;
@@ -64,7 +62,7 @@ final class AffineCamera extends CompiledCamera {
         if (camera instanceof Camera.Isometric i) {
             // Seen along (1, -1, 1), an upright edge of length 1 is √(2/3) high; in units of the drawing it is 1.
             double half = frame.toFrame(i.height()) / 2 * Math.sqrt(2.0 / 3);
-            View view = new View(new Vec3(1, -1, 1), Vec3.Y, Handedness.LEFT);
+            View view = new View(new Vec3(1, -1, 1), Vec3.Y, Camera.Handedness.LEFT);
             return parallel(view, half, BEHIND_EVERYTHING, width, height);
         }
         throw new AssertionError("no compiled form of the camera " + camera.type());
@@ -96,7 +94,7 @@ final class AffineCamera extends CompiledCamera {
         Vec3 corner = v.forward.plus(toTop).minus(toRight);
         ThinLens lens = null;
         if (p.lens().isPresent() && p.lens().get().radius() > 0) {
-            Lens l = p.lens().get();
+            Camera.Lens l = p.lens().get();
             double radius = frame.toFrame(l.radius());
             // A direction goes 1 forward.
             double slope = l.radius() / l.focusDistance();

@@ -1,6 +1,6 @@
 package enlightenment.world.camera;
 
-import enlightenment.camera.Handedness;
+import enlightenment.camera.Camera;
 import enlightenment.math.Vec3;
 
 /** Orthonormal axes of a view: in the paper's axes, right is +x and up is +y for a viewer who looks along +z. */
@@ -9,10 +9,10 @@ final class View {
     final Vec3 right;
     final Vec3 up;
 
-    View(Vec3 along, Vec3 upwards, Handedness handedness) {
+    View(Vec3 along, Vec3 upwards, Camera.Handedness handedness) {
         forward = along.normalized();
         Vec3 leftHanded = upwards.normalized().cross(forward).normalized();
         up = forward.cross(leftHanded);
-        right = handedness == Handedness.LEFT ? leftHanded : leftHanded.times(-1);
+        right = handedness == Camera.Handedness.LEFT ? leftHanded : leftHanded.times(-1);
     }
 }

@@ -17,7 +17,6 @@ import enlightenment.bsdf.SmoothRefraction;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.material.Amount;
 import enlightenment.material.Coated;
-import enlightenment.material.Conductor;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
@@ -102,7 +101,7 @@ public final class MaterialBsdfs {
         return known;
     }
 
-    private Bsdf metal(double roughness, Optional<Conductor> conductor, boolean losesNothing) {
+    private Bsdf metal(double roughness, Optional<Glossy.Conductor> conductor, boolean losesNothing) {
         double alpha = roughness * roughness;
         Supplier<Fresnel> fresnel =
                 () -> conductor.map(c -> Fresnel.conductor(c.eta(), c.k())).orElse(Fresnel.SCHLICK);

@@ -9,7 +9,7 @@ import enlightenment.cli.CliRun;
 import enlightenment.cli.terminal.Version;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.image.error.Flip;
+import enlightenment.image.flip.Flip;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

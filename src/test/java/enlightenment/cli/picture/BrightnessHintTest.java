@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.cli.CliRun;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import java.io.IOException;
@@ -46,7 +46,7 @@ class BrightnessHintTest {
     }
 
     private static Image grey(double display, DisplayCurve curve) {
-        double value = curve.encoding() == Encoding.LINEAR ? TransferCurve.decode(display) : display;
+        double value = curve.encoding() == Color.Encoding.LINEAR ? TransferCurve.decode(display) : display;
         return grey(value, value, 50, curve);
     }
 

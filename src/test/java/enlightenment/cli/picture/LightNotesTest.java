@@ -8,8 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.ExitCode;
+import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
-import enlightenment.color.Encoding;
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
@@ -81,7 +81,7 @@ class LightNotesTest {
     @Test
     void lightBeyondTheRangeOfFloatsFailsTheCommandAndIsTold() throws Exception {
         RenderResult good = result(0);
-        Image bright = new Image(1, 1, new float[] {1, Float.POSITIVE_INFINITY, 2}, Encoding.LINEAR);
+        Image bright = new Image(1, 1, new float[] {1, Float.POSITIVE_INFINITY, 2}, Color.Encoding.LINEAR);
         CliException e = assertThrows(CliException.class, () -> LightNotes.require(good, bright));
         assertTrue(
                 e.getMessage().startsWith("1 numbers of the picture are beyond the range of floats"), e.getMessage());
@@ -91,7 +91,7 @@ class LightNotesTest {
     @Test
     void whatIsNoNumberFailsTheCommandWhateverThePictureIsOf() throws Exception {
         RenderResult good = result(0);
-        for (Encoding encoding : Encoding.values()) {
+        for (Color.Encoding encoding : Color.Encoding.values()) {
             Image bad = new Image(1, 2, new float[] {0, Float.NaN, 0, 0, Float.NaN, 0}, encoding);
             CliException e = assertThrows(CliException.class, () -> LightNotes.require(good, bad));
             assertEquals(ExitCode.FAILED, e.exitCode());

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.cli.CliRun;
 import enlightenment.cli.input.FrameChoice;
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.scene.Animation;
@@ -108,7 +108,7 @@ class ValidateFramesTest {
     void surroundingsThatBecomeTooBrightAreFoundBeforeTheFilmIsBegun(String kind) throws IOException {
         float[] white = new float[24];
         Arrays.fill(white, 1);
-        ImageFiles.writePng(new Image(4, 2, white, Encoding.DISPLAY), folder.resolve("around.png"));
+        ImageFiles.writePng(new Image(4, 2, white, Color.Encoding.DISPLAY), folder.resolve("around.png"));
         Path scene = Files.writeString(
                 folder.resolve("around.json"),
                 """

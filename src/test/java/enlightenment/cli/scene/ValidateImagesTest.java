@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.cli.CliRun;
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import java.io.IOException;
@@ -42,7 +42,7 @@ class ValidateImagesTest {
 
     private byte[] png() throws IOException {
         Path image = folder.resolve("image.png");
-        ImageFiles.writePng(new Image(4, 4, new float[48], Encoding.DISPLAY), image);
+        ImageFiles.writePng(new Image(4, 4, new float[48], Color.Encoding.DISPLAY), image);
         return Files.readAllBytes(image);
     }
 
@@ -50,7 +50,7 @@ class ValidateImagesTest {
     @Test
     void allImagesThatCannotBeReadAreToldWithTheirTextures() throws IOException {
         Path image = folder.resolve("whole.png");
-        ImageFiles.writePng(new Image(4, 4, new float[48], Encoding.DISPLAY), image);
+        ImageFiles.writePng(new Image(4, 4, new float[48], Color.Encoding.DISPLAY), image);
         byte[] bytes = Files.readAllBytes(image);
         Files.write(folder.resolve("half.png"), Arrays.copyOf(bytes, bytes.length / 2));
         Files.write(folder.resolve("most.png"), Arrays.copyOf(bytes, bytes.length * 3 / 4));

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.cli.CliRun;
 import enlightenment.geometry.Mesh;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
@@ -44,7 +43,7 @@ class GltfAnimationTest {
         motion.move(node, path, interpolation, times, values);
     }
 
-    private ImportedScene imported(ImportOptions options) throws IOException {
+    private SceneImporter.Result imported(ImportOptions options) throws IOException {
         return motion.read(folder, options);
     }
 
@@ -212,7 +211,7 @@ class GltfAnimationTest {
         other.folder = folder;
         other.file.add("nodes", "{'mesh':0,'scale':[3,3,3]}");
         other.move(0, "scale", "LINEAR", new float[] {0, 1}, 1, 1, 1, 0, 0, 0);
-        ImportedScene still = other.imported(ImportOptions.DEFAULT);
+        SceneImporter.Result still = other.imported(ImportOptions.DEFAULT);
         assertTrue(
                 still.notes().toString().contains("keeps that of its rest"),
                 still.notes().toString());
@@ -365,7 +364,7 @@ class GltfAnimationTest {
     private double end(String animation) throws IOException {
         Path glb = folder.resolve("three.glb");
         Files.write(glb, file.glb());
-        ImportedScene imported = SceneImporter.read(
+        SceneImporter.Result imported = SceneImporter.read(
                 glb, ImportOptions.DEFAULT.withFramesPerSecond(8).withAnimation(animation));
         assertEquals("[]", imported.notes().toString(), "what was chosen needs no note");
         return 8 * moved(imported.scene(), 1, 0, 0, 0).x();

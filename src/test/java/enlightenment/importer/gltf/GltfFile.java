@@ -1,7 +1,6 @@
 package enlightenment.importer.gltf;
 
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -155,11 +154,11 @@ final class GltfFile {
     }
 
     /** What the importer makes of it, as a GLB file in a folder; pictures go to the folder "extracted" there. */
-    ImportedScene read(Path folder) throws IOException {
+    SceneImporter.Result read(Path folder) throws IOException {
         return read(folder, glb());
     }
 
-    static ImportedScene read(Path folder, byte[] glb) throws IOException {
+    static SceneImporter.Result read(Path folder, byte[] glb) throws IOException {
         Path file = folder.resolve("model.glb");
         Files.write(file, glb);
         Path extracted = folder.resolve("extracted" + System.nanoTime());

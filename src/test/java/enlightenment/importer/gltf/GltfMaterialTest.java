@@ -8,7 +8,7 @@ import enlightenment.colorimetry.TransferCurve;
 import enlightenment.geometry.Mesh;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.importer.ImportedScene;
+import enlightenment.importer.SceneImporter;
 import enlightenment.material.Amount;
 import enlightenment.material.Glass;
 import enlightenment.material.Mask;
@@ -41,11 +41,11 @@ class GltfMaterialTest {
         return out.toByteArray();
     }
 
-    private ImportedScene read(String material) throws IOException {
+    private SceneImporter.Result read(String material) throws IOException {
         return GltfFile.ofMaterial(material).read(folder);
     }
 
-    private static Material material(ImportedScene imported) {
+    private static Material material(SceneImporter.Result imported) {
         return imported.scene().objects().get(0).material();
     }
 
@@ -55,7 +55,7 @@ class GltfMaterialTest {
 
     @Test
     void metallicRoughnessIsPrincipled() throws IOException {
-        ImportedScene imported = read("{'name':'gold','pbrMetallicRoughness':{'baseColorFactor':[0.9,0.6,0.2,1],"
+        SceneImporter.Result imported = read("{'name':'gold','pbrMetallicRoughness':{'baseColorFactor':[0.9,0.6,0.2,1],"
                 + "'metallicFactor':0.75,'roughnessFactor':0.25}}");
         Material expected = Principled.of(Texture.of(new Rgb(0.9, 0.6, 0.2)), 0.75, 0.25);
         assertEquals(expected, material(imported));
@@ -74,7 +74,7 @@ class GltfMaterialTest {
 
     @Test
     void extensionsOfDielectricsAreComponents() throws IOException {
-        ImportedScene imported = read(
+        SceneImporter.Result imported = read(
                 "{'pbrMetallicRoughness':{'metallicFactor':0},'emissiveFactor':[0.5,0.25,0],"
                         + "'extensions':{'KHR_materials_ior':{'ior':1.25},'KHR_materials_specular':{'specularFactor':0.5},"
                         + "'KHR_materials_clearcoat':{'clearcoatFactor':0.75,'clearcoatRoughnessFactor':0.125},"
@@ -188,7 +188,7 @@ class GltfMaterialTest {
         int i = file.indices(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3);
         file.add("meshes", "{'primitives':[{'attributes':{'POSITION':" + p + "},'indices':" + i + ",'material':0}]}");
         file.add("nodes", "{'mesh':0}");
-        ImportedScene imported = file.read(folder);
+        SceneImporter.Result imported = file.read(folder);
         Glass glass = (Glass) material(imported);
         assertEquals(1.45, glass.indexOfRefraction());
         assertEquals(1, glass.transparency());
@@ -222,7 +222,7 @@ class GltfMaterialTest {
         for (int metallic = 0; metallic <= 1; metallic++) {
             GltfFile file = tetrahedron(rough.formatted(metallic));
             file.texture(png(0xff00ff00, 0xff008000));
-            ImportedScene imported = file.read(folder);
+            SceneImporter.Result imported = file.read(folder);
             Amount.Textured roughness = (Amount.Textured) ((Glass) material(imported)).roughness();
             assertEquals(Amount.Channel.GREEN, roughness.channel());
             assertEquals(0.5, roughness.factor());
@@ -239,7 +239,7 @@ class GltfMaterialTest {
         GltfFile file = GltfFile.ofMaterial("{'extensions':{'KHR_materials_clearcoat':{'clearcoatFactor':1,"
                 + "'clearcoatRoughnessFactor':0.25,'clearcoatRoughnessTexture':{'index':0}}}}");
         file.texture(png(0xff00ff00, 0xff008000));
-        ImportedScene imported = file.read(folder);
+        SceneImporter.Result imported = file.read(folder);
         Amount.Textured roughness =
                 (Amount.Textured) ((Principled) material(imported)).clearcoat().roughness();
         assertEquals(Amount.Channel.GREEN, roughness.channel());
@@ -250,7 +250,7 @@ class GltfMaterialTest {
 
     @Test
     void openMeshesThatTransmitLightAreSmooth() throws IOException {
-        ImportedScene imported = read("{'pbrMetallicRoughness':{'metallicFactor':0,'roughnessFactor':0.5},"
+        SceneImporter.Result imported = read("{'pbrMetallicRoughness':{'metallicFactor':0,'roughnessFactor':0.5},"
                 + "'extensions':{'KHR_materials_transmission':{'transmissionFactor':0.5}}}");
         Glass glass = (Glass) material(imported);
         assertTrue(glass.roughness().isZero());
@@ -279,7 +279,7 @@ class GltfMaterialTest {
 
     @Test
     void unlitIsMatteWithANote() throws IOException {
-        ImportedScene imported = read("{'extensions':{'KHR_materials_unlit':{}}}");
+        SceneImporter.Result imported = read("{'extensions':{'KHR_materials_unlit':{}}}");
         assertEquals(Material.Matte.of(Texture.of(Rgb.WHITE)), material(imported));
         assertEquals(1, imported.notes().size());
     }
@@ -309,7 +309,7 @@ class GltfMaterialTest {
         for (boolean isEven : List.of(true, false)) {
             GltfFile file = GltfFile.ofMaterial("{'emissiveFactor':[1,1,1],'emissiveTexture':{'index':0}}");
             file.texture(isEven ? png(0xff00ff00, 0xff00ff00) : png(0xff00ff00, 0xff000000));
-            ImportedScene imported = file.read(folder);
+            SceneImporter.Result imported = file.read(folder);
             Material glowing = material(imported);
             assertEquals(isEven ? new Rgb(0, 1, 0) : Rgb.WHITE, glowing.radiance());
             assertEquals(isEven, glowing.radianceMap().isEmpty());
@@ -325,7 +325,7 @@ class GltfMaterialTest {
     void imagesThatCannotBeReadAreLeftOutWithANote() throws IOException {
         GltfFile file = GltfFile.ofMaterial("{'pbrMetallicRoughness':{'baseColorTexture':{'index':0}}}");
         file.texture("RIFF....WEBPVP8 ".getBytes(java.nio.charset.StandardCharsets.US_ASCII));
-        ImportedScene imported = file.read(folder);
+        SceneImporter.Result imported = file.read(folder);
         assertEquals(List.of("a texture is left out: images/0: is neither PNG nor JPEG, but WebP"), imported.notes());
         assertEquals(Principled.of(Texture.of(Rgb.WHITE), 1, 1), material(imported));
     }

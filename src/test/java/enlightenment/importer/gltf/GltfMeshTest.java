@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.geometry.Mesh;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TriangleMesh;
@@ -35,7 +34,7 @@ class GltfMeshTest {
         return mesh(file.read(folder), 0);
     }
 
-    private static Mesh mesh(ImportedScene imported, int index) {
+    private static Mesh mesh(SceneImporter.Result imported, int index) {
         return (Mesh) imported.scene().objects().get(index).shape();
     }
 
@@ -52,7 +51,7 @@ class GltfMeshTest {
         Files.write(beside.resolve("the buffer.bin"), file.buffer());
         Path external = Files.writeString(beside.resolve("model.gltf"), file.gltf("the%20buffer.bin"));
         Path inline = Files.writeString(folder.resolve("model.gltf"), file.withDataUri());
-        ImportedScene first = file.read(folder);
+        SceneImporter.Result first = file.read(folder);
         TriangleMesh expected = SQUARE.withUv(new float[] {0, 0, 1, 0, 1, 1, 0, 1});
         assertEquals(Mesh.of(expected), mesh(first, 0));
         assertEquals("a square", first.scene().objects().get(0).name());
@@ -248,7 +247,7 @@ class GltfMeshTest {
         file.square("");
         file.add("nodes", "{'mesh':0}");
         file.add("nodes", "{'mesh':0,'scale':[0,0,0]}");
-        ImportedScene imported = file.read(folder);
+        SceneImporter.Result imported = file.read(folder);
         assertTrue(
                 imported.notes().toString().contains("nodes/1: its mesh is left out"),
                 imported.notes().toString());
@@ -260,7 +259,7 @@ class GltfMeshTest {
         file.square("");
         file.add("nodes", "{'mesh':0,'name':'a'}");
         file.add("nodes", "{'mesh':0,'name':'a','translation':[3,0,0]}");
-        ImportedScene imported = file.read(folder);
+        SceneImporter.Result imported = file.read(folder);
         assertSame(mesh(imported, 0).triangles(), mesh(imported, 1).triangles());
         assertEquals("a 2", imported.scene().objects().get(1).name());
     }
@@ -275,7 +274,7 @@ class GltfMeshTest {
                 "nodes",
                 "{'mesh':0,'translation':[0,0,7],'extensions':{'EXT_mesh_gpu_instancing':{'attributes':"
                         + "{'TRANSLATION':" + t + ",'SCALE':" + s + "}}}}");
-        ImportedScene imported = file.read(folder);
+        SceneImporter.Result imported = file.read(folder);
         List<Vec3> seen = new ArrayList<>();
         for (int i = 0; i < 2; i++) {
             seen.add(placed(mesh(imported, i), Vec3.Y));

@@ -1,7 +1,6 @@
 package enlightenment.importer.gltf;
 
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -43,7 +42,7 @@ final class GltfMotion {
     }
 
     /** Writes the file with the animation to {@code moving.glb} and reads it. */
-    ImportedScene read(Path folder, ImportOptions options) throws IOException {
+    SceneImporter.Result read(Path folder, ImportOptions options) throws IOException {
         add("");
         Path glb = folder.resolve("moving.glb");
         Files.write(glb, file.glb());

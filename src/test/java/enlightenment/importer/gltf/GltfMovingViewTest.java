@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.camera.Camera;
 import enlightenment.cli.CliRun;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
+import enlightenment.importer.SceneImporter;
 import enlightenment.light.Light;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Scene;
@@ -50,7 +50,7 @@ class GltfMovingViewTest {
     }
 
     private Scene scene() throws IOException {
-        ImportedScene imported = motion.read(folder, EIGHT);
+        SceneImporter.Result imported = motion.read(folder, EIGHT);
         assertEquals("[]", imported.notes().toString());
         return imported.scene();
     }
@@ -134,7 +134,7 @@ class GltfMovingViewTest {
     void aParallelViewGrowsWithItsNode() throws IOException {
         file.add("nodes", "{'camera':1,'translation':[0,0,5]}");
         motion.move(1, "scale", "LINEAR", A_SECOND, 1, 1, 1, 3, 3, 3);
-        ImportedScene imported = motion.read(folder, EIGHT.withCamera("1"));
+        SceneImporter.Result imported = motion.read(folder, EIGHT.withCamera("1"));
         SceneFrames frames = SceneFrames.of(imported.scene(), "zoom");
         for (int n = 0; n < 8; n++) {
             Camera.Orthographic camera = (Camera.Orthographic) frames.read(n).camera();
@@ -212,7 +212,7 @@ class GltfMovingViewTest {
         file.add("nodes", "{'children':[2]}");
         file.add("nodes", "{" + light(1) + ",'translation':[3,0,0]}");
         motion.move(1, "scale", "STEP", A_SECOND, 0, 0, 0, 1, 1, 1);
-        ImportedScene imported = motion.read(folder, EIGHT);
+        SceneImporter.Result imported = motion.read(folder, EIGHT);
         assertTrue(imported.notes().toString().contains("keeps that of its rest"), imported.notes()::toString);
         Light.Spot spot = (Light.Spot) imported.scene().lights().get(0);
         assertNear(3, 0, 0, spot.position().toVec3());
@@ -223,7 +223,7 @@ class GltfMovingViewTest {
     void aViewFromOutsideStandsStill() throws IOException {
         file.add("nodes", "{'camera':0,'translation':[0,0,5]}");
         motion.move(1, "translation", "LINEAR", A_SECOND, 0, 0, 5, 0, 0, 9);
-        ImportedScene imported = motion.read(folder, EIGHT.withOrbit(ImportOptions.Orbit.USUAL));
+        SceneImporter.Result imported = motion.read(folder, EIGHT.withOrbit(ImportOptions.Orbit.USUAL));
         assertTrue(imported.scene().animation().isEmpty());
     }
 

@@ -6,11 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.FieldOfViewAxis;
-import enlightenment.camera.Handedness;
 import enlightenment.color.Rgb;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
@@ -72,7 +69,7 @@ class GltfViewTest {
         GltfFile file = square();
         file.add("cameras", "{'type':'perspective','perspective':{'yfov':1.2,'aspectRatio':2,'znear':0.1}}");
         file.add("nodes", "{'camera':0,'translation':[1,2,9]}");
-        ImportedScene imported = file.read(folder);
+        SceneImporter.Result imported = file.read(folder);
         Camera.Perspective camera = (Camera.Perspective) imported.scene().camera();
         assertEquals(ExactPoint.of(1, 2, 9), camera.eye());
         assertEquals(Vec3.Y, camera.up());
@@ -83,9 +80,9 @@ class GltfViewTest {
                         .normalized()
                         .minus(new Vec3(0, 0, -1))
                         .length());
-        assertEquals(Handedness.RIGHT, camera.handedness(), "x points to the right");
+        assertEquals(Camera.Handedness.RIGHT, camera.handedness(), "x points to the right");
         assertEquals(StrictMath.toDegrees(1.2), camera.fieldOfView(), 1e-12);
-        assertEquals(FieldOfViewAxis.VERTICAL, camera.axis());
+        assertEquals(Camera.FieldOfViewAxis.VERTICAL, camera.axis());
         assertEquals(2.0, (double) imported.scene().width() / imported.scene().height());
     }
 
@@ -99,7 +96,7 @@ class GltfViewTest {
         assertEquals(4, camera.height(), 1e-12);
         assertEquals(1.5, (double) scene.width() / scene.height());
         assertEquals(ExactPoint.of(0, 0, 5), camera.eye());
-        assertEquals(Handedness.RIGHT, camera.handedness());
+        assertEquals(Camera.Handedness.RIGHT, camera.handedness());
     }
 
     /** The trap "units of KHR_lights_punctual": candela are numbers of intensity. */
@@ -109,7 +106,7 @@ class GltfViewTest {
                         "'extensions':{'KHR_lights_punctual':{'lights':[{'type':'point','color':[1,0.5,0.25],"
                                 + "'intensity':40}]}}");
         file.add("nodes", "{'translation':[1,2,3],'extensions':{'KHR_lights_punctual':{'light':0}}}");
-        ImportedScene imported = file.read(folder);
+        SceneImporter.Result imported = file.read(folder);
         assertEquals(
                 List.of(new Light.Point(ExactPoint.of(1, 2, 3), Rgb.WHITE, Emission.intensity(new Rgb(40, 20, 10)))),
                 imported.scene().lights());
@@ -144,7 +141,7 @@ class GltfViewTest {
 
     @Test
     void aModelAloneStandsInAStudio() throws IOException {
-        ImportedScene imported = square().read(folder);
+        SceneImporter.Result imported = square().read(folder);
         assertEquals(2, imported.scene().objects().size(), "the model and the ground");
         assertEquals(1, imported.scene().lights().size());
     }

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Budget;
@@ -26,7 +25,7 @@ class ThumbnailTest {
     Path folder;
 
     private static void makeThumbnail(Path file, Path picture) throws IOException {
-        ImportedScene model = SceneImporter.read(file, ImportOptions.DEFAULT);
+        SceneImporter.Result model = SceneImporter.read(file, ImportOptions.DEFAULT);
         RenderSettings small =
                 RenderSettings.of(model.scene()).withSize(160, 120).withBudget(Budget.NONE.withSamples(8));
         ImageFiles.writePng(Renderer.render(model.scene(), small), picture);

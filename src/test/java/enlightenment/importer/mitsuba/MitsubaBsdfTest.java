@@ -16,7 +16,6 @@ import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
-import enlightenment.material.Metal;
 import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
@@ -62,7 +61,7 @@ class MitsubaBsdfTest {
                 "<float name=\"alpha\" value=\"0.09\"/><string name=\"distribution\" value=\"ggx\"/>"
                         + "<string name=\"material\" value=\"Au\"/>"));
         assertEquals(0.3, ((Amount.Constant) m.roughness()).value(), 1e-15);
-        assertEquals(Metal.GOLD.conductor(), m.conductor().orElseThrow());
+        assertEquals(Glossy.Metal.GOLD.conductor(), m.conductor().orElseThrow());
     }
 
     @Test

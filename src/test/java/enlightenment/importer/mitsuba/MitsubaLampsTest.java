@@ -244,7 +244,7 @@ class MitsubaLampsTest {
     @Test
     void picturesOfFloatsAreDividedByTheirLargestComponent() throws IOException {
         ImageFiles.writePfm(
-                new Image(2, 1, new float[] {8, 2, 0, 4, 4, 1}, enlightenment.color.Encoding.LINEAR),
+                new Image(2, 1, new float[] {8, 2, 0, 4, 4, 1}, enlightenment.color.Color.Encoding.LINEAR),
                 folder.resolve("p.pfm"));
         Material m = scenes.read(screen(bitmap("p.pfm", "")).formatted(""))
                 .objects()

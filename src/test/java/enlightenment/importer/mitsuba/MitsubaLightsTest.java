@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Lens;
 import enlightenment.color.Rgb;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
@@ -145,7 +144,7 @@ class MitsubaLightsTest {
     void thinLensesKeepTheirApertureAndFocus() throws IOException {
         ImportDraft draft = lens(number("aperture_radius", 0.25) + number("focus_distance", 7));
         Camera.Perspective camera = (Camera.Perspective) draft.camera().orElseThrow();
-        assertEquals(Lens.round(0.25, 7), camera.lens().orElseThrow());
+        assertEquals(Camera.Lens.round(0.25, 7), camera.lens().orElseThrow());
         assertTrue(draft.notes().list().isEmpty(), draft.notes().list()::toString);
     }
 

@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.FieldOfViewAxis;
-import enlightenment.camera.Handedness;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
@@ -58,13 +56,13 @@ class MitsubaTrapsTest {
 
     /** What a camera with a vertical angle of view sees, by a window at distance 1. */
     private static Camera.Window window(Camera.Perspective p, double aspect) {
-        assertEquals(FieldOfViewAxis.VERTICAL, p.axis());
+        assertEquals(Camera.FieldOfViewAxis.VERTICAL, p.axis());
         Vec3 forward = p.eye().directionTo(p.lookAt()).normalized();
         Vec3 toLeftHand = p.up().cross(forward).normalized();
-        Vec3 right = p.handedness() == Handedness.LEFT ? toLeftHand : toLeftHand.negated();
+        Vec3 right = p.handedness() == Camera.Handedness.LEFT ? toLeftHand : toLeftHand.negated();
         double half = StrictMath.tan(StrictMath.toRadians(p.fieldOfView() / 2));
         Vec3 x = right.times(half * aspect);
-        Vec3 y = (p.handedness() == Handedness.LEFT ? forward.cross(right) : right.cross(forward)).times(half);
+        Vec3 y = (p.handedness() == Camera.Handedness.LEFT ? forward.cross(right) : right.cross(forward)).times(half);
         ExactPoint middle = p.eye().plus(forward);
         return new Camera.Window(
                 p.eye(),

@@ -7,14 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Handedness;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Disk;
-import enlightenment.importer.Backdrop;
 import enlightenment.importer.ImportOptions;
 import enlightenment.importer.ImportOptions.Orbit;
 import enlightenment.importer.ImportOptions.Up;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.light.Light;
 import enlightenment.material.Amount;
@@ -108,7 +105,7 @@ class ModelReaderTest {
     void materialsOfAnObjFileBecomeOurs() throws IOException {
         Files.writeString(folder.resolve("model.mtl"), MATERIALS);
         Path file = Files.writeString(folder.resolve("model.obj"), TRIANGLES);
-        ImportedScene read = SceneImporter.read(file, ImportOptions.DEFAULT);
+        SceneImporter.Result read = SceneImporter.read(file, ImportOptions.DEFAULT);
         Map<String, Material> by =
                 read.scene().objects().stream().collect(Collectors.toMap(SceneObject::name, SceneObject::material));
         assertEquals(Material.Matte.of(Texture.of(new Rgb(0.5, 0.25, 0.125))), by.get("clay"));
@@ -135,7 +132,7 @@ class ModelReaderTest {
                     TestMeshes.icosphere(2), false, v -> stretch.apply(v).plus(new Vec3(100, -7, 3)));
             Scene scene = SceneImporter.read(ply(mesh), ImportOptions.DEFAULT).scene();
             Camera.Perspective camera = (Camera.Perspective) scene.camera();
-            assertEquals(Handedness.RIGHT, camera.handedness());
+            assertEquals(Camera.Handedness.RIGHT, camera.handedness());
             Vec3 forward = camera.eye().directionTo(camera.lookAt()).normalized();
             Vec3 right = forward.cross(camera.up()).normalized();
             Vec3 top = right.cross(forward);
@@ -224,7 +221,7 @@ class ModelReaderTest {
             assertEquals(-0.75, away.dot(up.right()), 1e-12);
             assertEquals(-StrictMath.sqrt(3) / 4, away.dot(up.front()), 1e-12);
             assertEquals(0, up.front().minus(up.right().cross(up.axis())).length(), "right-handed");
-            assertEquals(Handedness.RIGHT, camera.handedness());
+            assertEquals(Camera.Handedness.RIGHT, camera.handedness());
             assertEquals(up.axis(), camera.up());
             Disk ground = (Disk) scene.objects().get(1).shape();
             assertEquals(up.axis(), ground.normal());
@@ -253,20 +250,21 @@ class ModelReaderTest {
     void surroundingsAreWhatTheOptionsSay() throws IOException {
         Path ball = ply(TestMeshes.icosphere(1));
         Rgb blue = new Rgb(0.1, 0.2, 0.9);
-        Scene plain = SceneImporter.read(ball, ImportOptions.DEFAULT.withBackdrop(new Backdrop.Constant(blue)))
+        Scene plain = SceneImporter.read(
+                        ball, ImportOptions.DEFAULT.withBackdrop(new ImportOptions.Backdrop.Constant(blue)))
                 .scene();
         assertEquals(new Background.Constant(blue), background(plain));
         assertEquals(1, plain.lights().size(), "the lamp");
         assertEquals(1, plain.objects().size(), "no ground");
-        Scene sky = SceneImporter.read(ball, ImportOptions.DEFAULT.withBackdrop(new Backdrop.Sky()))
+        Scene sky = SceneImporter.read(ball, ImportOptions.DEFAULT.withBackdrop(new ImportOptions.Backdrop.Sky()))
                 .scene();
         assertInstanceOf(Background.Sky.class, background(sky));
         assertEquals(0, sky.lights().size(), "the sun is its light");
         assertEquals(2, sky.objects().size(), "with a ground");
         assertEquals(
                 SceneImporter.read(ball, ImportOptions.DEFAULT),
-                SceneImporter.read(ball, ImportOptions.DEFAULT.withBackdrop(new Backdrop.Studio())));
-        ImportOptions tilted = ImportOptions.DEFAULT.withUp(Up.X).withBackdrop(new Backdrop.Sky());
+                SceneImporter.read(ball, ImportOptions.DEFAULT.withBackdrop(new ImportOptions.Backdrop.Studio())));
+        ImportOptions tilted = ImportOptions.DEFAULT.withUp(Up.X).withBackdrop(new ImportOptions.Backdrop.Sky());
         SceneException e = assertThrows(SceneException.class, () -> SceneImporter.read(ball, tilted));
         assertTrue(e.getMessage().contains("y axis points upwards"), e.getMessage());
     }
@@ -278,7 +276,7 @@ class ModelReaderTest {
     @Test
     void aBackgroundTakesThePlaceOfTheFilesAndLeavesItsLamps() throws IOException {
         String text = "<scene version=\"3.0.0\"><emitter type=\"constant\"/>%s<shape type=\"sphere\"/></scene>";
-        ImportOptions black = ImportOptions.DEFAULT.withBackdrop(new Backdrop.Constant(Rgb.BLACK));
+        ImportOptions black = ImportOptions.DEFAULT.withBackdrop(new ImportOptions.Backdrop.Constant(Rgb.BLACK));
         Path lamp = Files.writeString(folder.resolve("a.xml"), text.formatted("<emitter type=\"point\"/>"));
         Scene lit = SceneImporter.read(lamp, black).scene();
         assertEquals(Background.Constant.BLACK, background(lit));
@@ -318,11 +316,11 @@ class ModelReaderTest {
     @Test
     void aFileWhoseLightsAreAllLeftOutIsLitAndSaysSo() throws IOException {
         String text = "<scene version=\"3.0.0\"><emitter type=\"moonlight\"/>%s<shape type=\"sphere\"/></scene>";
-        ImportedScene dark = SceneImporter.read(
+        SceneImporter.Result dark = SceneImporter.read(
                 Files.writeString(folder.resolve("dark.xml"), text.formatted("")), ImportOptions.DEFAULT);
         assertEquals(1, dark.scene().lights().size());
         assertTrue(dark.notes().stream().anyMatch(n -> n.contains("a soft light stands in")), "" + dark.notes());
-        ImportedScene lit = SceneImporter.read(
+        SceneImporter.Result lit = SceneImporter.read(
                 Files.writeString(folder.resolve("lit.xml"), text.formatted("<emitter type=\"constant\"/>")),
                 ImportOptions.DEFAULT);
         assertEquals(0, lit.scene().lights().size());

@@ -3,7 +3,7 @@ package enlightenment.importer.pbrt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.importer.support.Affine;
 import enlightenment.math.Vec3;
@@ -56,7 +56,7 @@ class EqualAreaMapTest {
             rgb[3 * i + 1] = (float) (d.y() + 1);
             rgb[3 * i + 2] = (float) (d.z() + 1);
         }
-        return new EqualAreaMap(new Image(n, n, rgb, Encoding.LINEAR), false);
+        return new EqualAreaMap(new Image(n, n, rgb, Color.Encoding.LINEAR), false);
     }
 
     private static void assertDirection(double x, double y, double z, Image image, double u, double v) {
@@ -87,7 +87,7 @@ class EqualAreaMapTest {
     void aWhiteSkyGivesTheIlluminancePi() {
         float[] white = new float[3 * 64 * 64];
         Arrays.fill(white, 1);
-        EqualAreaMap map = new EqualAreaMap(new Image(64, 64, white, Encoding.LINEAR), false);
+        EqualAreaMap map = new EqualAreaMap(new Image(64, 64, white, Color.Encoding.LINEAR), false);
         assertEquals(StrictMath.PI, map.illuminance(), 1e-2);
     }
 }

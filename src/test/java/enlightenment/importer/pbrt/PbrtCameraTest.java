@@ -5,11 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.FieldOfViewAxis;
-import enlightenment.camera.Handedness;
-import enlightenment.camera.Lens;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneException;
@@ -25,7 +21,7 @@ class PbrtCameraTest {
     @TempDir
     private Path folder;
 
-    private ImportedScene read(String text) throws IOException {
+    private SceneImporter.Result read(String text) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(file, text);
         return SceneImporter.read(file, ImportOptions.DEFAULT);
@@ -49,10 +45,10 @@ class PbrtCameraTest {
     void fieldOfViewIsThatOfTheSmallerSide() throws IOException {
         Camera.Perspective wide = (Camera.Perspective) camera("Camera \"perspective\" \"float fov\" 60" + film(40, 30));
         assertEquals(60, wide.fieldOfView());
-        assertEquals(FieldOfViewAxis.VERTICAL, wide.axis());
+        assertEquals(Camera.FieldOfViewAxis.VERTICAL, wide.axis());
         Camera.Perspective high = (Camera.Perspective) camera("Camera \"perspective\" \"float fov\" 60" + film(30, 40));
         assertEquals(60, high.fieldOfView());
-        assertEquals(FieldOfViewAxis.HORIZONTAL, high.axis());
+        assertEquals(Camera.FieldOfViewAxis.HORIZONTAL, high.axis());
     }
 
     /** pbrt's camera looks along +z with +x to the right: a left-handed space. */
@@ -62,14 +58,14 @@ class PbrtCameraTest {
         assertNear(new Vec3(1, 2, 3), c.eye().toVec3());
         assertNear(Vec3.Z, c.eye().directionTo(c.lookAt()));
         assertNear(Vec3.Y, c.up());
-        assertEquals(Handedness.LEFT, c.handedness());
+        assertEquals(Camera.Handedness.LEFT, c.handedness());
     }
 
     @Test
     void aScaleBeforeLookAtMirrorsThePicture() throws IOException {
         Camera.Perspective c =
                 (Camera.Perspective) camera("Scale -1 1 1 LookAt 0 0 -5 0 0 0 0 1 0\nCamera \"perspective\"");
-        assertEquals(Handedness.RIGHT, c.handedness());
+        assertEquals(Camera.Handedness.RIGHT, c.handedness());
     }
 
     /** The middle half of each side has half of the tangent. */
@@ -94,9 +90,10 @@ class PbrtCameraTest {
     @Test
     void aLensHasTheUnitsOfTheScene() throws IOException {
         String lens = "Camera \"perspective\" \"float lensradius\" .5 \"float focaldistance\" 8";
-        assertEquals(Optional.of(Lens.round(0.5, 8)), ((Camera.Perspective) camera(lens)).lens());
+        assertEquals(Optional.of(Camera.Lens.round(0.5, 8)), ((Camera.Perspective) camera(lens)).lens());
         // The world is twice as large in the camera's coordinates.
-        assertEquals(Optional.of(Lens.round(0.25, 4)), ((Camera.Perspective) camera("Scale 2 2 2 " + lens)).lens());
+        assertEquals(
+                Optional.of(Camera.Lens.round(0.25, 4)), ((Camera.Perspective) camera("Scale 2 2 2 " + lens)).lens());
         String wrong = "Camera \"perspective\" \"float lensradius\" 5000 \"float focaldistance\" 1";
         assertTrue(assertThrows(SceneException.class, () -> camera(wrong))
                 .getMessage()
@@ -110,7 +107,7 @@ class PbrtCameraTest {
         Camera.Panorama p = (Camera.Panorama) camera(text);
         Vec3 forward = p.eye().directionTo(p.lookAt());
         assertNear(Vec3.X.negated(), forward);
-        Vec3 right = p.handedness() == Handedness.RIGHT ? forward.cross(p.up()) : p.up().cross(forward);
+        Vec3 right = p.handedness() == Camera.Handedness.RIGHT ? forward.cross(p.up()) : p.up().cross(forward);
         assertNear(Vec3.Z.negated(), right.normalized());
         assertEquals(0, read(text + END).notes().size());
         assertEquals(1, read("Camera \"spherical\"" + END).notes().size());

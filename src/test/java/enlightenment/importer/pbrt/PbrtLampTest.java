@@ -3,7 +3,7 @@ package enlightenment.importer.pbrt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Mesh;
@@ -11,7 +11,6 @@ import enlightenment.geometry.Sphere;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.importer.support.Fronts;
 import enlightenment.material.EmissionPattern;
@@ -37,7 +36,7 @@ class PbrtLampTest {
     @TempDir
     private Path folder;
 
-    private ImportedScene lamp(String light, String shape) throws IOException {
+    private SceneImporter.Result lamp(String light, String shape) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(
                 file,
@@ -51,7 +50,7 @@ class PbrtLampTest {
     }
 
     private Vec3 front(String shape) throws IOException {
-        ImportedScene s = lamp("\"rgb L\" [1 2 3]", shape);
+        SceneImporter.Result s = lamp("\"rgb L\" [1 2 3]", shape);
         assertEquals(List.of(), s.notes());
         SceneObject o = s.scene().objects().get(0);
         assertEquals(EmissionPattern.Side.FRONT, o.material().pattern().side());
@@ -93,7 +92,7 @@ class PbrtLampTest {
         String light = "\"rgb L\" [1 2 3]";
         for (String type : new String[] {"sphere", "cylinder"}) {
             String shape = "Shape \"" + type + "\"";
-            ImportedScene inwards = lamp(light, "ReverseOrientation " + shape);
+            SceneImporter.Result inwards = lamp(light, "ReverseOrientation " + shape);
             assertEquals(List.of(), inwards.notes());
             assertEquals(
                     EmissionPattern.Side.BACK, side(inwards.scene().objects().get(0)));
@@ -134,7 +133,7 @@ class PbrtLampTest {
     @Test
     void picturesOfFloatsAreDividedByTheirLargestComponent() throws IOException {
         float[] light = {8, 2, 0, 4, 4, 1};
-        ImageFiles.writePfm(new Image(2, 1, light, Encoding.LINEAR), folder.resolve("p.pfm"));
+        ImageFiles.writePfm(new Image(2, 1, light, Color.Encoding.LINEAR), folder.resolve("p.pfm"));
         Material m = object("\"string filename\" \"p.pfm\"", QUAD).material();
         assertEquals(Rgb.gray(8), m.radiance());
         Image map = ImageFiles.read(((Texture.File) m.radianceMap().orElseThrow()).file());
@@ -146,7 +145,7 @@ class PbrtLampTest {
     @Test
     void powerIsSharedByAreaAndMeanLuminance() throws IOException {
         float[] light = {8, 2, 0, 4, 4, 1};
-        ImageFiles.writePfm(new Image(2, 1, light, Encoding.LINEAR), folder.resolve("p.pfm"));
+        ImageFiles.writePfm(new Image(2, 1, light, Color.Encoding.LINEAR), folder.resolve("p.pfm"));
         Material m =
                 object("\"string filename\" \"p.pfm\" \"float power\" 7", QUAD).material();
         double mean = 0.2126 * 6 + 0.7152 * 3 + 0.0722 * 0.5;

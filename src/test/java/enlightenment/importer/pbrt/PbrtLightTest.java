@@ -3,13 +3,12 @@ package enlightenment.importer.pbrt;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.color.Rgb;
 import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
@@ -30,14 +29,14 @@ class PbrtLightTest {
     @TempDir
     private Path folder;
 
-    private ImportedScene read(String text) throws IOException {
+    private SceneImporter.Result read(String text) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(file, text);
         return SceneImporter.read(file, ImportOptions.DEFAULT.withExtracted(folder.resolve("made")));
     }
 
     private Light light(String text) throws IOException {
-        ImportedScene s = read("WorldBegin\n" + text + " Shape \"sphere\"");
+        SceneImporter.Result s = read("WorldBegin\n" + text + " Shape \"sphere\"");
         assertEquals(List.of(), s.notes());
         return s.scene().lights().get(0);
     }
@@ -119,7 +118,7 @@ class PbrtLightTest {
     @Test
     void floatsBeyondOneShareTheirScaleWithTheIntensity() throws IOException {
         float[] rgb = {8, 4, 2, 0, 0, 1};
-        ImageFiles.writePfm(new Image(2, 1, rgb, Encoding.LINEAR), folder.resolve("p.pfm"));
+        ImageFiles.writePfm(new Image(2, 1, rgb, Color.Encoding.LINEAR), folder.resolve("p.pfm"));
         Light.Projector p =
                 (Light.Projector) light("LightSource \"projection\" \"string filename\" \"p.pfm\" \"float scale\" 3");
         assertEquals(Emission.intensity(Rgb.gray(24)), p.emission());
@@ -129,7 +128,7 @@ class PbrtLightTest {
 
     @Test
     void aDistantLightAloneLightsTheScene() throws IOException {
-        ImportedScene s = read("WorldBegin LightSource \"distant\" Shape \"sphere\"");
+        SceneImporter.Result s = read("WorldBegin LightSource \"distant\" Shape \"sphere\"");
         assertEquals(0, s.notes().size(), s.notes().toString());
         assertTrue(s.scene().lights().get(0) instanceof Light.Distant);
         assertEquals(

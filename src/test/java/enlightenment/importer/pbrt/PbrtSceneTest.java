@@ -11,7 +11,6 @@ import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
@@ -22,7 +21,6 @@ import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Metal;
 import enlightenment.material.Mix;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -46,13 +44,13 @@ class PbrtSceneTest {
     @TempDir
     private Path folder;
 
-    private ImportedScene read(String text) throws IOException {
+    private SceneImporter.Result read(String text) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(file, text);
         return SceneImporter.read(file, ImportOptions.DEFAULT);
     }
 
-    private ImportedScene world(String text) throws IOException {
+    private SceneImporter.Result world(String text) throws IOException {
         return read("WorldBegin\n" + text);
     }
 
@@ -196,7 +194,7 @@ class PbrtSceneTest {
     void conductorsAreMetalsWithoutMultipleScattering() throws IOException {
         Glossy g = (Glossy)
                 material("Material \"conductor\" \"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" \"metal-Au-k\"");
-        assertEquals(Optional.of(Metal.GOLD.conductor()), g.conductor());
+        assertEquals(Optional.of(Glossy.Metal.GOLD.conductor()), g.conductor());
         assertEquals(false, g.multipleScattering());
         Glossy r = (Glossy) material("Material \"conductor\" \"rgb reflectance\" [.5 .5 .5]");
         double k = r.conductor().orElseThrow().k().r();
@@ -369,8 +367,9 @@ class PbrtSceneTest {
 
     @Test
     void whatIsLeftOutIsNotedWithItsLine() throws IOException {
-        ImportedScene s = world("Shape \"sphere\"\nShape \"curve\" \"point3 P\" [0 0 0]\nActiveTransform EndTime\n"
-                + "Translate 1 1 1\nActiveTransform All\nMaterial \"hair\" Shape \"sphere\"\n");
+        SceneImporter.Result s =
+                world("Shape \"sphere\"\nShape \"curve\" \"point3 P\" [0 0 0]\nActiveTransform EndTime\n"
+                        + "Translate 1 1 1\nActiveTransform All\nMaterial \"hair\" Shape \"sphere\"\n");
         assertEquals(3, s.notes().size(), s.notes().toString());
         assertTrue(s.notes().get(0).startsWith("line 3: "), s.notes().toString());
         assertTrue(s.notes().get(1).startsWith("line 5: "), s.notes().toString());

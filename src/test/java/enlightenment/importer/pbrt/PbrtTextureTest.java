@@ -6,7 +6,6 @@ import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportedScene;
 import enlightenment.importer.SceneImporter;
 import enlightenment.material.Amount;
 import enlightenment.material.Coated;
@@ -26,7 +25,7 @@ class PbrtTextureTest {
     @TempDir
     private Path folder;
 
-    private ImportedScene read(String text) throws IOException {
+    private SceneImporter.Result read(String text) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(file, text);
         return SceneImporter.read(file, ImportOptions.DEFAULT.withExtracted(folder.resolve("made")));
@@ -37,7 +36,8 @@ class PbrtTextureTest {
     /** Red, green and blue are as they stand in the file. */
     private Material material(String texture, String material) throws IOException {
         ImageFiles.writePng(new Image(1, 1, new float[] {0.2f, 0.4f, 0.6f}), folder.resolve("p.png"));
-        ImportedScene s = read("WorldBegin Texture \"t\" " + texture + " Material " + material + " Shape \"sphere\"");
+        SceneImporter.Result s =
+                read("WorldBegin Texture \"t\" " + texture + " Material " + material + " Shape \"sphere\"");
         assertEquals(List.of(), s.notes());
         return s.scene().objects().get(0).material();
     }

@@ -3,7 +3,7 @@ package enlightenment.scene.json;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.scene.SceneException.Problem;
@@ -106,7 +106,7 @@ class BadMatterTest {
     @Test
     void ofMapsThatShowNothing() throws IOException {
         Documents.withImage(folder);
-        ImageFiles.writePfm(new Image(1, 1, new float[3], Encoding.LINEAR), folder.resolve("sky.pfm"));
+        ImageFiles.writePfm(new Image(1, 1, new float[3], Color.Encoding.LINEAR), folder.resolve("sky.pfm"));
         String textures =
                 "'textures': {'colors': {'file': 'ice.png'}, 'plain': {'type': 'color', 'color': '#888'}, 'floats': {'file':"
                         + " 'sky.pfm', 'encoding': 'linear'}}, 'materials': {'m': {'of': {'type': 'matte', 'color': '#fff'}, 'type': ";

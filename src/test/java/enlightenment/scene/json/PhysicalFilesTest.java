@@ -4,16 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
-import enlightenment.color.Tone;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Conductor;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Metal;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Background;
@@ -102,13 +100,13 @@ class PhysicalFilesTest {
                 material("\"type\": \"glossy\", \"color\": \"#fff\", \"roughness\": 0.25"));
         Glossy metal = (Glossy) material(
                 "\"type\": \"glossy\", \"color\": \"#fff\", \"roughness\": 0.25, \"eta\": 0.5, \"k\": [3, 2, 1]");
-        assertEquals(Optional.of(new Conductor(Rgb.gray(0.5), new Rgb(3, 2, 1))), metal.conductor());
+        assertEquals(Optional.of(new Glossy.Conductor(Rgb.gray(0.5), new Rgb(3, 2, 1))), metal.conductor());
         assertTrue(metal.multipleScattering());
     }
 
     @Test
     void metalsHaveNames() {
-        for (Metal metal : Metal.values()) {
+        for (Glossy.Metal metal : Glossy.Metal.values()) {
             Glossy named = Glossy.metal(Texture.of(DisplayRgb.WHITE), metal.conductor(), 0.25);
             for (String word : List.of(metal.word(), metal.symbol())) {
                 assertEquals(named, material("\"type\": \"glossy\", \"roughness\": 0.25, \"metal\": \"" + word + "\""));
@@ -128,7 +126,7 @@ class PhysicalFilesTest {
         assertEquals(Display.DEFAULT, s.display());
         assertFalse(SceneWriter.toJson(s, folder).contains("display"));
         s = read("\"display\": {\"exposure\": 1.5, \"tone\": \"filmic\"}");
-        assertEquals(new Display(1.5, Tone.FILMIC), s.display());
+        assertEquals(new Display(1.5, DisplayCurve.Tone.FILMIC), s.display());
         assertEquals(s, again(s));
     }
 

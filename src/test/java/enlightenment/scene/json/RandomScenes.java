@@ -1,13 +1,10 @@
 package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.FieldOfViewAxis;
-import enlightenment.camera.Handedness;
-import enlightenment.camera.Lens;
 import enlightenment.color.Color;
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
-import enlightenment.color.Tone;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
@@ -25,19 +22,16 @@ import enlightenment.light.Light;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Coated;
-import enlightenment.material.Conductor;
 import enlightenment.material.EmissionPattern;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Metal;
 import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
-import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
@@ -124,7 +118,7 @@ final class RandomScenes {
                 shading,
                 random.nextBoolean()
                         ? Display.DEFAULT
-                        : new Display(2000 * random.nextDouble() - 1000, Tone.values()[random.nextInt(2)]),
+                        : new Display(2000 * random.nextDouble() - 1000, DisplayCurve.Tone.values()[random.nextInt(2)]),
                 textures,
                 materials,
                 lights,
@@ -317,7 +311,7 @@ final class RandomScenes {
                         point(),
                         up,
                         180 * unit(),
-                        FieldOfViewAxis.values()[random.nextInt(4)],
+                        Camera.FieldOfViewAxis.values()[random.nextInt(4)],
                         handedness(),
                         isPhysical && random.nextBoolean() ? Optional.of(lens()) : Optional.empty());
             case 2:
@@ -334,13 +328,13 @@ final class RandomScenes {
                 w.eye(), w.lowerLeft(), w.upperLeft(), w.upperRight(), w.lowerRight(), w.distance() / 8);
     }
 
-    private Handedness handedness() {
-        return random.nextBoolean() ? Handedness.LEFT : Handedness.RIGHT;
+    private Camera.Handedness handedness() {
+        return random.nextBoolean() ? Camera.Handedness.LEFT : Camera.Handedness.RIGHT;
     }
 
-    private Lens lens() {
+    private Camera.Lens lens() {
         double focus = positive();
-        return new Lens(
+        return new Camera.Lens(
                 focus * random.nextInt(3) / 4, focus, random.nextBoolean() ? 0 : 3 + random.nextInt(5), number());
     }
 
@@ -420,14 +414,14 @@ final class RandomScenes {
                 || material instanceof Glass glass && !glass.roughness().isZero();
     }
 
-    private Optional<Conductor> conductor() {
+    private Optional<Glossy.Conductor> conductor() {
         switch (random.nextInt(3)) {
             case 0:
                 return Optional.empty();
             case 1:
-                return Optional.of(Metal.values()[random.nextInt(Metal.values().length)].conductor());
+                return Optional.of(Glossy.Metal.values()[random.nextInt(Glossy.Metal.values().length)].conductor());
             default:
-                return Optional.of(new Conductor(new Rgb(positive(), positive(), positive()), radiance()));
+                return Optional.of(new Glossy.Conductor(new Rgb(positive(), positive(), positive()), radiance()));
         }
     }
 
@@ -644,9 +638,9 @@ final class RandomScenes {
         return random.nextBoolean() ? 0 : Math.abs(number());
     }
 
-    private WavelengthBand wavelengths() {
+    private Material.WavelengthBand wavelengths() {
         double low = 300 + 400 * unit();
-        return new WavelengthBand(low, low + 0.25 + 75 * unit());
+        return new Material.WavelengthBand(low, low + 0.25 + 75 * unit());
     }
 
     private Texture.File file() {

@@ -3,7 +3,7 @@ package enlightenment.scene.json;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.Tone;
+import enlightenment.color.DisplayCurve;
 import enlightenment.material.Amount;
 import enlightenment.material.Texture;
 import enlightenment.mesh.MeshFiles;
@@ -226,7 +226,7 @@ class SceneFormatDocumentTest {
                         Shadings.models(),
                         Fields.words(Texture.Filter.class),
                         Fields.words(MeshFiles.Origin.Normals.class),
-                        Fields.words(Tone.class),
+                        Fields.words(DisplayCurve.Tone.class),
                         Fields.words(Amount.Channel.class),
                         Fields.words(Texture.Encoding.class))
                 .flatMap(List::stream)

@@ -6,12 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 import enlightenment.camera.Camera;
-import enlightenment.camera.FieldOfViewAxis;
-import enlightenment.camera.Handedness;
-import enlightenment.camera.Lens;
+import enlightenment.color.DisplayCurve;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
-import enlightenment.color.Tone;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
@@ -28,7 +25,6 @@ import enlightenment.light.Light;
 import enlightenment.material.Amount;
 import enlightenment.material.Bump;
 import enlightenment.material.Coated;
-import enlightenment.material.Conductor;
 import enlightenment.material.EmissionPattern;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
@@ -39,7 +35,6 @@ import enlightenment.material.Mix;
 import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
-import enlightenment.material.WavelengthBand;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
@@ -109,7 +104,7 @@ class SceneReaderTest {
         Material copper = new Glossy(
                 plain(255, 238, 255),
                 0.375,
-                Optional.of(new Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14))),
+                Optional.of(new Glossy.Conductor(new Rgb(0.2, 0.92, 1.1), new Rgb(3.91, 2.45, 2.14))),
                 false,
                 Rgb.gray(1.5),
                 0.25);
@@ -132,8 +127,8 @@ class SceneReaderTest {
         Material milk = Material.Scattering.of(Medium.Coefficients.of(new Rgb(6, 5, 4), Rgb.gray(0.125)));
         Material marker = new Material.Fluorescent(
                 Texture.of(DisplayRgb.of(0.5, 0.25, 0)),
-                new WavelengthBand(320, 450),
-                new WavelengthBand(500, 600.5),
+                new Material.WavelengthBand(320, 450),
+                new Material.WavelengthBand(500, 600.5),
                 0.875,
                 Rgb.gray(0.5),
                 0.75);
@@ -148,7 +143,7 @@ class SceneReaderTest {
         materials.putAll(
                 Map.of("enamel", enamel, "leaf", leaf, "rust", rust, "grooves", grooves, "hammered", hammered));
         assertEquals(materials, s.materials());
-        assertEquals(new Display(-0.5, Tone.FILMIC), s.display());
+        assertEquals(new Display(-0.5, DisplayCurve.Tone.FILMIC), s.display());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());
         assertEquals(new Shading.Classic(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48), 7), s.shading());
         ChosenSettings chosen =
@@ -280,7 +275,7 @@ class SceneReaderTest {
                                 folder)
                         .camera());
         assertEquals(
-                new Camera.Panorama(p(0, 1, 2), p(3, 4, 5), Vec3.Y, 0.25, Handedness.RIGHT),
+                new Camera.Panorama(p(0, 1, 2), p(3, 4, 5), Vec3.Y, 0.25, Camera.Handedness.RIGHT),
                 Documents.read(
                                 Documents.edited(
                                         window,
@@ -322,11 +317,11 @@ class SceneReaderTest {
     void aLensIsReadAndItsFocusCanBeMovedByATrack() {
         String lens = "{ \"radius\": 0.5, \"focusDistance\": 4, \"blades\": 6, \"rotation\": 15 }";
         Camera.Perspective expected = new Camera.Perspective(p(0, 1, 2), p(3, 4, 5), Vec3.Y, 40)
-                .withAxis(FieldOfViewAxis.LARGER)
-                .withLens(new Lens(0.5, 4, 6, 15));
+                .withAxis(Camera.FieldOfViewAxis.LARGER)
+                .withLens(new Camera.Lens(0.5, 4, 6, 15));
         assertEquals(expected, withLens(lens, OptionalInt.empty()).camera());
         assertEquals(
-                expected.withLens(new Lens(0.5, 6, 6, 15)),
+                expected.withLens(new Camera.Lens(0.5, 6, 6, 15)),
                 withLens(lens, OptionalInt.of(5)).camera());
     }
 

@@ -8,9 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.networknt.schema.Schema;
 import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
-import enlightenment.camera.FieldOfViewAxis;
-import enlightenment.camera.Handedness;
-import enlightenment.color.Tone;
+import enlightenment.camera.Camera;
+import enlightenment.color.DisplayCurve;
 import enlightenment.material.Texture;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.scene.BuiltInMethod;
@@ -156,7 +155,7 @@ class SceneSchemaTest {
                         property("classicShading", "model").get("const").asString(),
                         property("physicalShading", "model").get("const").asString()));
         assertEquals(
-                words(Fields.words(Tone.class)),
+                words(Fields.words(DisplayCurve.Tone.class)),
                 strings(property("display", "tone").get("enum")));
         for (Keys keys : List.of(Meshes.NAMED, Shapes.FAMILY.keys("mesh"))) {
             assertEquals(
@@ -174,10 +173,10 @@ class SceneSchemaTest {
     @Test
     void bothKnowTheSameWordsOfCameras() {
         assertEquals(
-                words(Fields.words(FieldOfViewAxis.class)),
+                words(Fields.words(Camera.FieldOfViewAxis.class)),
                 strings(property("perspectiveCamera", "fieldOfViewAxis").get("enum")));
         assertEquals(
-                words(Fields.words(Handedness.class)),
+                words(Fields.words(Camera.Handedness.class)),
                 strings(TEXT.get("$defs").get("handedness").get("enum")));
     }
 

@@ -4,8 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.FieldOfViewAxis;
-import enlightenment.camera.Handedness;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.math.ExactPoint;
@@ -123,7 +121,7 @@ class CompiledCameraTest {
         "VERTICAL, 300, 100, 1", "VERTICAL, 100, 300, 1", "HORIZONTAL, 300, 100, 0", "HORIZONTAL, 100, 300, 0",
         "SMALLER, 300, 100, 1", "SMALLER, 100, 300, 0", "LARGER, 300, 100, 0", "LARGER, 100, 300, 1"
     })
-    void theFieldOfViewSpansItsAxis(FieldOfViewAxis axis, int width, int height, int spanned) {
+    void theFieldOfViewSpansItsAxis(Camera.FieldOfViewAxis axis, int width, int height, int spanned) {
         Camera.Perspective p =
                 new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, 1), Vec3.Y, 90).withAxis(axis);
         CompiledCamera camera = CompiledCamera.of(p, new SceneFrame(p.origin(), 0), width, height);
@@ -141,13 +139,13 @@ class CompiledCameraTest {
         List<List<Camera>> pairs = List.of(
                 List.of(
                         new Camera.Perspective(eye, aim, Vec3.Y, 50),
-                        new Camera.Perspective(eye, aim, Vec3.Y, 50).withHandedness(Handedness.RIGHT)),
+                        new Camera.Perspective(eye, aim, Vec3.Y, 50).withHandedness(Camera.Handedness.RIGHT)),
                 List.of(
                         new Camera.Orthographic(eye, aim, Vec3.Y, 5),
-                        new Camera.Orthographic(eye, aim, Vec3.Y, 5, Handedness.RIGHT)),
+                        new Camera.Orthographic(eye, aim, Vec3.Y, 5, Camera.Handedness.RIGHT)),
                 List.of(
                         new Camera.Panorama(eye, aim, Vec3.Y),
-                        new Camera.Panorama(eye, aim, Vec3.Y, 0, Handedness.RIGHT)));
+                        new Camera.Panorama(eye, aim, Vec3.Y, 0, Camera.Handedness.RIGHT)));
         for (List<Camera> pair : pairs) {
             for (double x : new double[] {0, 0.125, 0.5, 1}) {
                 Ray left = ray(compile(pair.get(0)), x, 0.25);
@@ -158,7 +156,7 @@ class CompiledCameraTest {
         }
         // The picture's right is forward × up.
         Camera towardsZ = new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(0, 0, -1), Vec3.Y, 50)
-                .withHandedness(Handedness.RIGHT);
+                .withHandedness(Camera.Handedness.RIGHT);
         assertTrue(direction(ray(compile(towardsZ), 1, 0.5)).x() > 0);
     }
 
@@ -184,8 +182,8 @@ class CompiledCameraTest {
     /** Right eye minus left eye is the separation, towards the right of the longitude. */
     @Test
     void theEyesOfAStereoPairStandBesideEachOtherForEachLongitude() {
-        CompiledCamera camera = compile(
-                new Camera.Panorama(ExactPoint.of(1, 2, 3), ExactPoint.of(1, 2, 5), Vec3.Y, 0.5, Handedness.LEFT));
+        CompiledCamera camera = compile(new Camera.Panorama(
+                ExactPoint.of(1, 2, 3), ExactPoint.of(1, 2, 5), Vec3.Y, 0.5, Camera.Handedness.LEFT));
         for (double x : new double[] {0, 0.25, 0.4, 0.5, 0.75}) {
             for (double y : new double[] {0.125, 0.5, 0.75}) {
                 Ray left = ray(camera, x, y / 2);
@@ -253,7 +251,7 @@ class CompiledCameraTest {
             new Camera.Perspective(ExactPoint.ORIGIN, ExactPoint.of(1, 2, 3), Vec3.Y, 40),
             new Camera.Orthographic(ExactPoint.ORIGIN, ExactPoint.of(1, 2, 3), Vec3.Y, 3),
             new Camera.Isometric(ExactPoint.ORIGIN, 3),
-            new Camera.Panorama(ExactPoint.ORIGIN, ExactPoint.of(1, 2, 3), Vec3.Y, 0.5, Handedness.LEFT)
+            new Camera.Panorama(ExactPoint.ORIGIN, ExactPoint.of(1, 2, 3), Vec3.Y, 0.5, Camera.Handedness.LEFT)
         };
         for (Camera c : cameras) {
             CompiledCamera camera = compile(c);

@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.camera.Handedness;
-import enlightenment.camera.Lens;
 import enlightenment.frame.Bounds;
 import enlightenment.frame.SceneFrame;
 import enlightenment.math.ExactPoint;
@@ -37,7 +35,7 @@ class LensTest {
     private final double[] pair = new double[2];
 
     private static Camera.Perspective perspective(int blades) {
-        return new Camera.Perspective(EYE, AIM, UP, 50).withLens(new Lens(RADIUS, FOCUS, blades, 20));
+        return new Camera.Perspective(EYE, AIM, UP, 50).withLens(new Camera.Lens(RADIUS, FOCUS, blades, 20));
     }
 
     private static Camera.Window window() {
@@ -48,7 +46,7 @@ class LensTest {
     }
 
     private static Camera stereo() {
-        return new Camera.Panorama(EYE, AIM, UP, RADIUS, Handedness.LEFT);
+        return new Camera.Panorama(EYE, AIM, UP, RADIUS, Camera.Handedness.LEFT);
     }
 
     static Stream<Camera> cameras() {
@@ -219,7 +217,7 @@ class LensTest {
     @Test
     void aLensOfNoSizeIsAPinhole() {
         Camera.Perspective pinhole = new Camera.Perspective(EYE, AIM, UP, 50);
-        CompiledCamera camera = compile(pinhole.withLens(Lens.round(0, FOCUS)));
+        CompiledCamera camera = compile(pinhole.withLens(Camera.Lens.round(0, FOCUS)));
         assertFalse(camera.hasLens());
         assertTrue(camera.isPinholeOrParallel());
         assertFalse(compile(perspective(0)).withoutLens().hasLens());

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.color.Encoding;
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.scene.RenderSettings;
@@ -33,7 +33,7 @@ class SceneProblemsTest {
     void surroundingsThatAreTooBrightAreToldAtTheirRadiance(String kind, @TempDir Path folder) throws IOException {
         float[] white = new float[24];
         Arrays.fill(white, 1);
-        ImageFiles.writePng(new Image(4, 2, white, Encoding.DISPLAY), folder.resolve("around.png"));
+        ImageFiles.writePng(new Image(4, 2, white, Color.Encoding.DISPLAY), folder.resolve("around.png"));
         Scene scene = SceneReader.readString(
                 """
                 { "image": { "width": 8, "height": 6 },
@@ -87,7 +87,7 @@ class SceneProblemsTest {
     @Test
     void eachImageIsReadOnce(@TempDir Path folder) throws IOException {
         for (String name : List.of("a.png", "b.png", "around.png", "c.png")) {
-            ImageFiles.writePng(new Image(4, 2, new float[24], Encoding.DISPLAY), folder.resolve(name));
+            ImageFiles.writePng(new Image(4, 2, new float[24], Color.Encoding.DISPLAY), folder.resolve(name));
         }
         Scene scene = SceneReader.readString(
                 """

@@ -1,7 +1,9 @@
-package enlightenment.image.error;
+package enlightenment.image.flip;
 
 import enlightenment.image.Image;
+import enlightenment.image.ImageError;
 import enlightenment.math.InvalidValueException;
+import enlightenment.numeric.CompensatedSum;
 
 /**
  * ꟻLIP: how different two images look to somebody who flips between them in one place. 0 is no difference, 1 the largest
@@ -67,7 +69,7 @@ public final class Flip {
                     "pixelsPerDegree",
                     "must lie in " + MIN_PIXELS_PER_DEGREE + ".." + MAX_PIXELS_PER_DEGREE + ", not " + pixelsPerDegree);
         }
-        ImagePair.check(test, reference);
+        ImageError.requireComparable(test, reference);
         FlipKernels kernels = new FlipKernels(pixelsPerDegree);
         FlipRows a = new FlipRows(test, kernels);
         FlipRows b = new FlipRows(reference, kernels);

@@ -1,4 +1,4 @@
-package enlightenment.image.error;
+package enlightenment.image.flip;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;

@@ -1,4 +1,4 @@
-package enlightenment.image.error;
+package enlightenment.image.flip;
 
 import enlightenment.image.Image;
 import java.util.Arrays;

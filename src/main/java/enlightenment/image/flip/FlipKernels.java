@@ -1,4 +1,4 @@
-package enlightenment.image.error;
+package enlightenment.image.flip;
 
 /**
  * The filters of ꟻLIP for a number of pixels per degree: products of a row filter and a column filter, or for blue and

@@ -1,19 +1,19 @@
-package enlightenment.image.error;
+package enlightenment.numeric;
 
 /** A sum that loses next to nothing however many terms it has (Neumaier 1974). It depends on the order of its terms. */
-final class CompensatedSum {
+public final class CompensatedSum {
     private double sum;
     private double lost;
 
-    CompensatedSum() {}
+    public CompensatedSum() {}
 
-    void add(double term) {
+    public void add(double term) {
         double next = sum + term;
         lost += Math.abs(sum) >= Math.abs(term) ? (sum - next) + term : (term - next) + sum;
         sum = next;
     }
 
-    double value() {
+    public double value() {
         return sum + lost;
     }
 }

@@ -1,4 +1,4 @@
-package enlightenment.image.error;
+package enlightenment.image.flip;
 
 import enlightenment.codec.PngWriter;
 import enlightenment.colorimetry.TransferCurve;

@@ -1,7 +1,6 @@
-package enlightenment.image.error;
+package enlightenment.image;
 
-import enlightenment.color.Encoding;
-import enlightenment.image.Image;
+import enlightenment.color.Color;
 import enlightenment.math.InvalidValueException;
 
 /** What two images must have in common to be compared. */
@@ -41,7 +40,7 @@ final class ImagePair {
     }
 
     private static String holds(Image image) {
-        return image.encoding() == Encoding.LINEAR ? "holds linear light" : "is display-referred";
+        return image.encoding() == Color.Encoding.LINEAR ? "holds linear light" : "is display-referred";
     }
 
     private static String size(Image image) {

@@ -1,10 +1,8 @@
-package enlightenment.image.error;
+package enlightenment.image;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import enlightenment.image.Image;
-import enlightenment.image.TestImages;
 import enlightenment.math.InvalidValueException;
 import java.math.BigDecimal;
 import java.math.MathContext;

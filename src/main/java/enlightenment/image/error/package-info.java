@@ -1,2 +1,0 @@
-/** By how much one picture differs from another, in figures. */
-package enlightenment.image.error;

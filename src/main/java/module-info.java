@@ -20,6 +20,9 @@ module enlightenment {
     requires static org.apache.xmlgraphics.batik.svggen;
     // Charts, and scenes of Mitsuba; java.desktop brings it along.
     requires static java.xml;
+    // Only renders on other devices need these.
+    requires static org.lwjgl;
+    requires static org.lwjgl.opencl;
     // Only the sample store needs this.
     requires static java.sql;
 

@@ -42,9 +42,6 @@ public interface Accelerator extends RaySearch {
     /** As {@link #occluded}, for a ray from the apex of the cone that the query was narrowed to by {@link #narrow}, to its ball. */
     boolean occludedWithin(Ray ray, double tMax, BvhQuery query);
 
-    /** Whether a primitive blocks every segment from the cone's apex to its ball, by the judge's verdict. */
-    boolean blocksAll(BallCone cone, ConeJudge judge, BvhQuery query);
-
     /** Adds the ids of primitives to the query's list, among them all whose boxes overlap a box. */
     void overlapping(Bounds box, BvhQuery query);
 

@@ -166,9 +166,11 @@ public abstract class Bvh implements Accelerator {
         return 1;
     }
 
-    /** Looks where the cone's axis leads: what blocks every segment blocks that one. */
-    @Override
-    public final boolean blocksAll(BallCone cone, ConeJudge judge, BvhQuery query) {
+    /**
+     * Whether a primitive blocks every segment from the cone's apex to its ball, by the judge's verdict. Looks where the cone's axis leads:
+     * what blocks every segment blocks that one.
+     */
+    final boolean blocksAll(BallCone cone, ConeJudge judge, BvhQuery query) {
         SlabTest slabs = query.slabs;
         slabs.set(query.axis.set(cone.x, cone.y, cone.z, cone.wx, cone.wy, cone.wz, 0), reach);
         double limit = slabs.limit(cone.distance);

@@ -134,16 +134,6 @@ public final class PrimitiveList implements Accelerator {
         return false;
     }
 
-    @Override
-    public boolean blocksAll(BallCone cone, ConeJudge judge, BvhQuery query) {
-        for (int k = 0; k < size; k++) {
-            if (judge.judge(members[k]) == ConeJudge.BLOCKS_ALL) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     /** Adds all ids: comparing boxes is left to the caller. */
     @Override
     public void overlapping(Bounds box, BvhQuery query) {

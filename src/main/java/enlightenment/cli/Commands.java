@@ -8,6 +8,7 @@ import enlightenment.cli.measure.TradeCommand;
 import enlightenment.cli.option.FilePath;
 import enlightenment.cli.option.Subcommand;
 import enlightenment.cli.option.Typos;
+import enlightenment.cli.render.DevicesCommand;
 import enlightenment.cli.render.MergeCommand;
 import enlightenment.cli.render.RenderCommand;
 import enlightenment.cli.scene.ConvertCommand;
@@ -42,6 +43,7 @@ final class Commands {
         "trade",
         "bench",
         "merge",
+        "devices",
         "render-store",
         "store-info",
         "store-export",
@@ -63,6 +65,7 @@ final class Commands {
             case "inspect" -> new InspectCommand(terminal);
             case "schema" -> new SchemaCommand(terminal);
             case "convert" -> new ConvertCommand(terminal);
+            case "devices" -> new DevicesCommand(terminal);
             case "merge" -> new MergeCommand(terminal);
             case "render-store" -> new RenderStoreCommand(terminal);
             case "store-info" -> new StoreInfoCommand(terminal);

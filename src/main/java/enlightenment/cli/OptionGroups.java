@@ -59,7 +59,7 @@ final class OptionGroups {
                         "--store-password-file",
                         "--store-samples",
                         "--store-rays"));
-        RENDER.put("Many machines", List.of("--part"));
+        RENDER.put("Many machines, other devices", List.of("--part", "--device"));
     }
 
     /** For options of methods from outside, which are in no group. */

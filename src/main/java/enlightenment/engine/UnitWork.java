@@ -63,6 +63,20 @@ public final class UnitWork {
         }
     }
 
+    /**
+     * What does units that are tiles, by something else than the method's own integrator.
+     *
+     * @param tiles makes them
+     */
+    public UnitWork(WorkUnits units, RenderOutline outline, TileIntegrator tiles, BooleanSupplier cancelled) {
+        this.units = units;
+        this.tiles = tiles;
+        display = outline.display();
+        paths = null;
+        batch = null;
+        tiles.stopWhen(cancelled);
+    }
+
     /** A tile, or a pass over it. */
     FilmTile tile(int unit) {
         RenderSettings.Crop place = units.place(unit);

@@ -28,7 +28,11 @@ import java.util.function.Function;
 public final class RayTraceMethod implements TileIntegrator {
     private final CompiledScene scene;
     private final RenderSettings settings;
+    /** Shades one sample after the other; null if {@link #tiles} does it. */
     private final Shader shader;
+
+    /** Shades the samples of a tile; null if they are shaded one by one. */
+    private final TileShader tiles;
 
     /** Which moment a sample sees; null if all see the same. */
     private final Exposure exposure;
@@ -58,18 +62,20 @@ public final class RayTraceMethod implements TileIntegrator {
      * @param samples at least 1; or 0 for antialias² samples in each pixel
      */
     public RayTraceMethod(CompiledScene scene, RenderSettings settings, Shader shader, double samples) {
-        this(scene, settings, moment -> shader, null, samples);
+        this(scene, settings, shader, null, null, samples);
     }
 
     private RayTraceMethod(
             CompiledScene scene,
             RenderSettings settings,
-            Function<CompiledScene, Shader> shader,
+            Shader shader,
+            TileShader tiles,
             Exposure exposure,
             double samples) {
         this.scene = scene;
         this.settings = settings;
-        this.shader = shader.apply(scene);
+        this.shader = shader;
+        this.tiles = tiles;
         this.exposure = exposure;
         fewer = samples == 0 ? settings.antialias() * settings.antialias() : Integer.highestOneBit((int) samples);
         doubled = samples == 0 ? 0 : samples / fewer - 1;
@@ -112,7 +118,13 @@ public final class RayTraceMethod implements TileIntegrator {
         Function<CompiledScene, Shader> counted = moment -> shader.apply(
                 moment, moment.kindNames.equals(scene.kindNames) ? counters : new RayCounters(moment.kindNames.size()));
         Exposure exposure = scene.instants.length == 0 ? null : new Exposure(scene.instants, counted);
-        return new RayTraceMethod(scene, settings, counted, exposure, samples);
+        return new RayTraceMethod(scene, settings, counted.apply(scene), null, exposure, samples);
+    }
+
+    /** Another shader takes the samples of a whole tile. Tiles that are begun elsewhere do not grow here. */
+    public static RayTraceMethod ofTiles(
+            CompiledScene scene, RenderSettings settings, double samples, TileShader shader) {
+        return new RayTraceMethod(scene, settings, null, shader, null, samples);
     }
 
     /** Of physical shading, that part of each sample which is direct light: {@link PathPart#DIRECT}. */
@@ -145,6 +157,10 @@ public final class RayTraceMethod implements TileIntegrator {
 
     @Override
     public void stopWhen(BooleanSupplier cancelled) {
+        if (tiles != null) {
+            tiles.stopWhen(cancelled);
+            return;
+        }
         shader.stopWhen(cancelled);
         if (exposure != null) {
             exposure.stopWhen(cancelled);
@@ -159,7 +175,11 @@ public final class RayTraceMethod implements TileIntegrator {
     @Override
     public void render(FilmTile tile, int pass, int passes) {
         TilePasses.check(pass, passes, fewer);
-        begin(tile);
+        if (tiles == null) {
+            begin(tile);
+        } else {
+            begin(tile, pass, passes);
+        }
         for (int y = tile.y; y < tile.y + tile.height; y++) {
             for (int x = tile.x; x < tile.x + tile.width; x++) {
                 renderPixel(tile, x, y, pass, passes);
@@ -179,8 +199,25 @@ public final class RayTraceMethod implements TileIntegrator {
         }
     }
 
+    /** Tells which samples are taken of which pixels. */
+    private void begin(FilmTile tile, int pass, int passes) {
+        int pixels = tile.width * tile.height;
+        int[] first = new int[pixels];
+        int[] start = new int[pixels + 1];
+        for (int k = 0; k < pixels; k++) {
+            int samples = samplesOf(tile.x + k % tile.width, tile.y + k / tile.width);
+            first[k] = TilePasses.firstSample(samples, pass, passes);
+            start[k + 1] = start[k] + TilePasses.firstSample(samples, pass + 1, passes) - first[k];
+        }
+        tiles.begin(tile.x, tile.y, tile.width, first, start);
+    }
+
     @Override
     public int samples(int x, int y) {
+        return tiles == null ? samplesOf(x, y) : 0;
+    }
+
+    private int samplesOf(int x, int y) {
         return Dither.at(x, y) < doubled ? 2 * fewer : fewer;
     }
 
@@ -196,7 +233,7 @@ public final class RayTraceMethod implements TileIntegrator {
     }
 
     private void growPixel(FilmTile tile, int x, int y, TileGrowth growth) {
-        int samples = samples(x, y);
+        int samples = samplesOf(x, y);
         spread.begin(samples);
         int there = growth.begin(tile, x, y, samples, spread);
         if (there < samples) {
@@ -222,7 +259,7 @@ public final class RayTraceMethod implements TileIntegrator {
 
     private void renderPixel(FilmTile tile, int x, int y, int pass, int passes) {
         beginPixel(x, y);
-        int samples = samples(x, y);
+        int samples = samplesOf(x, y);
         if (passes > 1) {
             int end = TilePasses.firstSample(samples, pass + 1, passes);
             for (int s = TilePasses.firstSample(samples, pass, passes); s < end; s++) {
@@ -248,7 +285,9 @@ public final class RayTraceMethod implements TileIntegrator {
         sampler.sample(index);
         dx = sampler.filmX();
         dy = sampler.filmY();
-        if (exposure == null) {
+        if (tiles != null) {
+            tiles.next(color);
+        } else if (exposure == null) {
             scene.camera.ray((x + dx) / settings.width(), (y + dy) / settings.height(), sampler, ray);
             shader.shade(ray, sampler, color);
         } else {

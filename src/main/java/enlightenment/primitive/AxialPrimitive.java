@@ -308,6 +308,23 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         return capped ? 3 : 1;
     }
 
+    /** The numbers of a subclass for code on another device: whether it is a cone, and four that cylinders and cones have of their own. */
+    abstract double[] flatNumbers();
+
+    @Override
+    public FlatForm flatForm() {
+        return FlatForm.of(
+                FlatForm.Kind.AXIAL,
+                new double[] {cx, cy, cz, ax, ay, az, unit, length, extent, narrowRadius, wideRadius, slope},
+                new double[] {reachSquared, narrowIsTop ? 1 : 0, aligned},
+                concat(axis, unitAxis),
+                new double[] {capped ? 1 : 0},
+                flatNumbers(),
+                surface.flatForm(),
+                concat(base, top),
+                new double[] {baseRadius, topRadius});
+    }
+
     @Override
     public double[] parameters() {
         return new double[] {

@@ -125,4 +125,9 @@ final class AxialSurface {
         double fraction = Products.dot(q.x(), q.y(), q.z(), solid.ax, solid.ay, solid.az) / solid.extent;
         hit.v = Watertight.clamp01(solid.narrowIsTop ? fraction : 1 - fraction);
     }
+
+    /** Its own numbers for code on another device. */
+    double[] flatForm() {
+        return new double[] {tiltAcross, tiltAlong, seam.x(), seam.y(), seam.z(), east.x(), east.y(), east.z()};
+    }
 }

@@ -162,6 +162,11 @@ public final class BoxPrimitive extends Primitive {
     }
 
     @Override
+    public FlatForm flatForm() {
+        return FlatForm.of(FlatForm.Kind.BOX, parameters());
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new BoxPrimitive(new Vec3(x0, y0, z0).scaledBy(k), new Vec3(x1, y1, z1).scaledBy(k));
     }

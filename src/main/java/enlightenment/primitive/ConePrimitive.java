@@ -120,6 +120,11 @@ public final class ConePrimitive extends AxialPrimitive {
     }
 
     @Override
+    double[] flatNumbers() {
+        return new double[] {1, 0, 0, narrowOverLength, narrowTimesLength};
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new ConePrimitive(
                 base().scaledBy(k),

@@ -241,6 +241,12 @@ public final class CubePrimitive extends Primitive {
     }
 
     @Override
+    public FlatForm flatForm() {
+        double[] asBox = box == null ? new double[] {0} : new double[] {1};
+        return FlatForm.of(FlatForm.Kind.CUBE, parameters(), asBox, box == null ? new double[0] : box.parameters());
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new CubePrimitive(center.scaledBy(k), Scale.scalb(half, k), rotation);
     }

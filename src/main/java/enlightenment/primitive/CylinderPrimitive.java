@@ -77,6 +77,11 @@ public final class CylinderPrimitive extends AxialPrimitive {
     }
 
     @Override
+    double[] flatNumbers() {
+        return new double[] {0, radiusSquared, radiusLength, 0, 0};
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new CylinderPrimitive(
                 base().scaledBy(k),

@@ -142,6 +142,15 @@ public final class DiskPrimitive extends Primitive {
     }
 
     @Override
+    public FlatForm flatForm() {
+        return FlatForm.of(
+                FlatForm.Kind.DISK,
+                concat(center, normal, unitNormal),
+                new double[] {radius, aligned},
+                concat(right, up));
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new DiskPrimitive(center.scaledBy(k), normal, Scale.scalb(radius, k));
     }

@@ -138,4 +138,28 @@ final class Plane {
         hit.u = Watertight.clamp01(Products.dot(toU.x(), toU.y(), toU.z(), x, y, z));
         hit.v = Watertight.clamp01(1 - Products.dot(toV.x(), toV.y(), toV.z(), x, y, z));
     }
+
+    /** Its numbers for code on another device. */
+    double[] flatForm() {
+        return new double[] {
+            a.x(),
+            a.y(),
+            a.z(),
+            n.x(),
+            n.y(),
+            n.z(),
+            nn,
+            toU.x(),
+            toU.y(),
+            toU.z(),
+            toV.x(),
+            toV.y(),
+            toV.z(),
+            axis,
+            coordinate,
+            unitX,
+            unitY,
+            unitZ
+        };
+    }
 }

@@ -204,6 +204,11 @@ public abstract sealed class Primitive
     /** This primitive with every coordinate and length times 2^k. */
     abstract Primitive scaledBy(int k);
 
+    /** The primitive for code on another device; null if that does not know it. */
+    public FlatForm flatForm() {
+        return null;
+    }
+
     /** The numbers that define the primitive, in a fixed order: equal arrays and classes mean equal primitives. */
     public abstract double[] parameters();
 

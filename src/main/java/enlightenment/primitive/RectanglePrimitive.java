@@ -199,6 +199,13 @@ public final class RectanglePrimitive extends Primitive {
     }
 
     @Override
+    public FlatForm flatForm() {
+        return FlatForm.of(FlatForm.Kind.RECTANGLE, plane.flatForm(), concat(a, b, c, d), new double[] {
+            axis, lo1, hi1, lo2, hi2, edgeMagnitude
+        });
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new RectanglePrimitive(
                 plane.degenerateNormal(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k), d.scaledBy(k));

@@ -198,6 +198,11 @@ public final class SpherePrimitive extends Primitive {
     }
 
     @Override
+    public FlatForm flatForm() {
+        return FlatForm.of(FlatForm.Kind.SPHERE, parameters());
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new SpherePrimitive(center().scaledBy(k), Scale.scalb(radius, k), meridian);
     }

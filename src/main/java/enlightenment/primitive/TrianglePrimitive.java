@@ -126,6 +126,12 @@ public final class TrianglePrimitive extends Primitive {
     }
 
     @Override
+    public FlatForm flatForm() {
+        double[] ofCorners = uv == null ? new double[] {0} : uv.appendTo(new double[] {1});
+        return FlatForm.of(FlatForm.Kind.TRIANGLE, plane.flatForm(), concat(a, b, c), ofCorners);
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new TrianglePrimitive(plane.degenerateNormal(), a.scaledBy(k), b.scaledBy(k), c.scaledBy(k), uv);
     }

@@ -47,6 +47,9 @@ final class LocalRender implements PictureRender {
     /** Gathers chains, or null. */
     private List<RenderResult.PathChain> chains;
 
+    /** The device that takes part, or null. */
+    private DeviceShare device;
+
     private long peakMemory;
 
     /**
@@ -71,6 +74,11 @@ final class LocalRender implements PictureRender {
         outline = RenderOutline.of(sceneName, scene, settings, plan);
         units = WorkUnits.forThreads(settings, plan);
         film = PictureFilm.of(units, outline, place);
+    }
+
+    /** Says before the start that a device takes part. */
+    void share(DeviceShare with) {
+        device = with;
     }
 
     /** Says before the start that ray clusters are to be gathered. */
@@ -109,12 +117,22 @@ final class LocalRender implements PictureRender {
 
     @Override
     public void run() {
-        Workers.run(outline.settings().threads(), units.count(), cancelled, () -> {
+        int ofDevice = device == null ? 0 : device.threads();
+        Workers.run(outline.settings().threads() + ofDevice, units.count(), cancelled, () -> {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
-            UnitWork work = new UnitWork(units, scene, outline, mine, learned(), cancelled);
+            UnitWork work = counters.size() <= ofDevice
+                    ? new UnitWork(
+                            units,
+                            outline,
+                            device.tiles(counters.size() - 1, outline.plan().level(), mine),
+                            cancelled)
+                    : new UnitWork(units, scene, outline, mine, learned(), cancelled);
             return unit -> render(unit, work);
         });
+        if (device != null) {
+            device.tell(counters.stream().mapToLong(c -> c.cameraRays).sum());
+        }
     }
 
     private void render(int unit, UnitWork work) {

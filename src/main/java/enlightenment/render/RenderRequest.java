@@ -36,6 +36,9 @@ import java.util.function.Consumer;
  * @param denoised whether to make a second picture without grain, {@link RenderResult#denoised}; physical shading only
  * @param scratch where a picture is kept that is too large for the memory; empty if it is refused
  * @param choice the method that was chosen for scene and settings; empty to choose it where the settings leave that open
+ * @param device what shades samples beside the processor's threads: {@code cpu} for nothing, {@code opencl} or {@code opencl:N} for the N-th
+ *     device, from 0, that a driver for OpenCL offers, {@code auto} for a graphics processor where there is one that can; it has no influence on
+ *     the picture
  */
 public record RenderRequest(
         Scene scene,
@@ -50,7 +53,8 @@ public record RenderRequest(
         List<RenderResult.Archive> archives,
         boolean denoised,
         Optional<ScratchFolder> scratch,
-        Optional<MethodChoice> choice) {
+        Optional<MethodChoice> choice,
+        String device) {
 
     /**
      * Copies the set and the list; nothing may be null.
@@ -67,6 +71,7 @@ public record RenderRequest(
         auxiliary = Collections.unmodifiableSet(copy);
         archives = List.copyOf(archives);
         Objects.requireNonNull(scratch, "scratch");
+        Objects.requireNonNull(device, "device");
         if (!archives.isEmpty() && (clusters || chains)) {
             throw new IllegalArgumentException("results that are kept do not tell of ray clusters and chains");
         }
@@ -92,7 +97,8 @@ public record RenderRequest(
                 List.of(),
                 false,
                 Optional.empty(),
-                Optional.empty());
+                Optional.empty(),
+                "cpu");
     }
 
     /** This request with other settings, for which nothing is chosen. */
@@ -169,6 +175,11 @@ public record RenderRequest(
         return with(c -> c.scratch = Optional.of(value));
     }
 
+    /** This request with a device that takes part. */
+    public RenderRequest withDevice(String value) {
+        return with(c -> c.device = value);
+    }
+
     /** What has to be found of each pixel beside its colour: what is asked for, and what grain is removed by. */
     Set<Auxiliary> neededAuxiliary() {
         EnumSet<Auxiliary> all = EnumSet.noneOf(Auxiliary.class);
@@ -200,6 +211,7 @@ public record RenderRequest(
         boolean denoised;
         Optional<ScratchFolder> scratch;
         Optional<MethodChoice> choice;
+        String device;
 
         Parts(RenderRequest of) {
             scene = of.scene;
@@ -215,6 +227,7 @@ public record RenderRequest(
             denoised = of.denoised;
             scratch = of.scratch;
             choice = of.choice;
+            device = of.device;
         }
 
         RenderRequest request() {
@@ -231,7 +244,8 @@ public record RenderRequest(
                     archives,
                     denoised,
                     scratch,
-                    choice);
+                    choice,
+                    device);
         }
     }
 

@@ -35,6 +35,9 @@ final class RenderRounds {
 
     private final FilmPlace place;
 
+    /** The device that takes part, or null. */
+    private final DeviceShare device;
+
     /**
      * One render of the picture.
      *
@@ -49,6 +52,7 @@ final class RenderRounds {
      * @param time since the render began
      * @param archives where the results of units are kept, or null
      * @param place where finished pixels are
+     * @param device takes part, if not null
      */
     RenderRounds(
             RenderRequest request,
@@ -60,7 +64,9 @@ final class RenderRounds {
             Phases phases,
             Stopwatch time,
             Archives archives,
-            FilmPlace place) {
+            FilmPlace place,
+            DeviceShare device) {
+        this.device = device;
         this.request = request;
         settings = request.settings();
         this.scene = scene;
@@ -135,6 +141,7 @@ final class RenderRounds {
     private LocalRender local(RenderPlan plan) {
         LocalRender render = new LocalRender(
                 request.scene().name(), scene, settings, plan, request.progress(), request.cancelled(), preview, place);
+        render.share(device);
         if (request.clusters()) {
             render.gatherClusters();
         }

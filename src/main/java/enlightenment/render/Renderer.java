@@ -1,7 +1,5 @@
 package enlightenment.render;
 
-import enlightenment.engine.FilmPlace;
-import enlightenment.engine.Preview;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.math.InvalidValueException;
@@ -9,9 +7,6 @@ import enlightenment.mesh.tree.TriangleTree;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.MethodDecision;
 import enlightenment.plan.MethodPilot;
-import enlightenment.plan.Planner;
-import enlightenment.plan.RenderPlan;
-import enlightenment.plan.Rounds;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -202,68 +197,10 @@ public final class Renderer {
         if (request.denoised()) {
             Denoising.check(scene);
         }
-        Preview preview = preview(request, scene, film);
-        if (preview != null && !preview.isKept()) {
-            // Before all that takes long: planning, too.
-            phases.run("preview", () -> preview.begin(cancelled));
-            if (!cancelled.getAsBoolean()) {
-                request.progress().coarse(preview::image);
-            }
+        DeviceShare device = DeviceShare.of(request, scene).orElse(null);
+        try (device) {
+            return new PreparedRender(request, scene, film, phases, time, device, cancelled).run();
         }
-        AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.neededAuxiliary());
-        if (request.neededAuxiliary().stream().anyMatch(RenderRequest.Auxiliary::needsRays)) {
-            phases.run("auxiliary", () -> pass.run(cancelled));
-        }
-        PathPartPass parts = new PathPartPass(scene, settings, request.neededAuxiliary());
-        Planner planner = new Planner(scene, settings, cancelled);
-        Archives archives =
-                request.archives().isEmpty() ? null : new Archives(request.archives(), request.progress()::note);
-        Optional<RenderPlan> kept = archives == null ? Optional.empty() : archives.planFor(settings, 1);
-        RenderRequest stoppable = request.withCancelled(cancelled);
-        RenderPlan plan;
-        try {
-            plan = phases.run("plan", () -> kept.map(planner::known)
-                    .orElseGet(() -> planner.plan(time, (preview == null ? 0 : preview.share()) + parts.share())));
-        } catch (CancellationException e) {
-            return new RenderRounds(stoppable, scene, planner, null, pass, parts, phases, time, null, FilmPlace.MEMORY)
-                    .nothing();
-        }
-        FilmPlace place = film.place(plan);
-        planner.notes().forEach(request.progress()::note);
-        if (kept.isPresent() && settings.budget().seconds().isPresent()) {
-            request.progress()
-                    .note("the plan that is kept is gone on with: " + Rounds.number(plan.samples())
-                            + " samples per pixel, whatever time is left");
-        }
-        request.progress().planned(plan.samples(), plan.decidedBy());
-        if (preview != null) {
-            phases.run("preview", () -> refine(preview, planner, plan, request, cancelled));
-        }
-        return new RenderRounds(stoppable, scene, planner, preview, pass, parts, phases, time, archives, place)
-                .run(plan);
-    }
-
-    /** What is shown of a picture where it is not finished; null for nothing. */
-    private static Preview preview(RenderRequest request, CompiledScene scene, FilmChoice film) {
-        RenderSettings settings = request.settings();
-        if (settings.method().kind() != Method.Kind.TILES) {
-            // Paths that may end anywhere show something of the whole picture from the first on.
-            return null;
-        }
-        if (request.progressive()) {
-            return new Preview(Preview.Kind.FINE, scene, settings);
-        }
-        return request.watched() && film.hasRoom() ? new Preview(Preview.Kind.COARSE, scene, settings) : null;
-    }
-
-    private static void refine(
-            Preview preview, Planner planner, RenderPlan plan, RenderRequest request, BooleanSupplier cancelled) {
-        RenderSettings.Crop region = request.settings().region();
-        long total = (long) region.width() * region.height();
-        if (preview.isKept()) {
-            preview.begin(cancelled);
-        }
-        preview.refine(planner, plan, () -> request.progress().progress(0, total, preview::image), cancelled);
     }
 
     /**

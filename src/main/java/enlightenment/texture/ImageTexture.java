@@ -132,6 +132,21 @@ public final class ImageTexture {
         return height;
     }
 
+    /** Its texels as 0xRRGGBB, row by row, where components have 8 bits, to be looked up in {@link #values}; else null. Not to be changed. */
+    public int[] packed() {
+        return packed;
+    }
+
+    /** The component that each of 256 bytes stands for, where texels are {@link #packed}; else null. Not to be changed. */
+    public double[] values() {
+        return values;
+    }
+
+    /** Three components for each texel, row by row, where they are not {@link #packed}; else null. Not to be changed. */
+    public float[] components() {
+        return deep;
+    }
+
     /** Gives the red, green and blue of each texel, in an array that is used for the next one again. */
     public void forEachTexel(Consumer<double[]> consumer) {
         double[] rgb = new double[3];

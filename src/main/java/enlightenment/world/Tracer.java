@@ -186,8 +186,8 @@ public final class Tracer {
     }
 
     /**
-     * Lets {@link #prepareShadows} answer {@link Visibility#UNKNOWN} wherever a shadow ray costs less than the answer. Whoever wants the
-     * same picture must then ask {@link #isHidden}. Without this the answer is a function of the cone and the scene alone.
+     * Lets {@link #prepareShadows} answer {@link Visibility#UNKNOWN} wherever a shadow ray costs less than the answer. Without this the answer
+     * is a function of the cone and the scene alone.
      */
     public void leaveVisibilityOpen() {
         leavesOpen = tileList == null;
@@ -215,14 +215,6 @@ public final class Tracer {
             left = decides.narrow(cone, judge, query);
         }
         return left == 0 ? Visibility.ALL : left == Accelerator.BLOCKED ? Visibility.NONE : Visibility.UNKNOWN;
-    }
-
-    /**
-     * Whether {@link #prepareShadows} would have answered {@link Visibility#NONE} if visibilities were not left open: one primitive
-     * occludes all of the light. To be asked after an answer of {@link Visibility#UNKNOWN}, if all shadow rays were occluded.
-     */
-    public boolean isHidden() {
-        return leavesOpen && scene.accelerator.blocksAll(judge.cone(), judge, query);
     }
 
     /**

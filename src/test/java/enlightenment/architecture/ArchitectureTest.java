@@ -101,6 +101,8 @@ class ArchitectureTest {
             .definedBy("enlightenment.probe")
             .layer("method")
             .definedBy("enlightenment.method..")
+            .layer("device")
+            .definedBy("enlightenment.device..")
             .layer("classic cluster")
             .definedBy("enlightenment.classic.cluster")
             .layer("work")
@@ -196,13 +198,15 @@ class ArchitectureTest {
             .whereLayer("json")
             .mayOnlyBeAccessedByLayers("job", "net", "view", "cli")
             .whereLayer("method")
-            .mayOnlyBeAccessedByLayers("classic cluster", "plan", "render", "engine")
+            .mayOnlyBeAccessedByLayers("device", "classic cluster", "plan", "render", "engine")
+            .whereLayer("device")
+            .mayOnlyBeAccessedByLayers("render", "cli")
             .whereLayer("classic cluster")
             .mayOnlyBeAccessedByLayers("plan", "render")
             .whereLayer("probe")
             .mayOnlyBeAccessedByLayers("method")
             .whereLayer("classic shading")
-            .mayOnlyBeAccessedByLayers("probe", "method", "classic cluster")
+            .mayOnlyBeAccessedByLayers("probe", "method", "device", "classic cluster")
             .whereLayer("transport")
             .mayOnlyBeAccessedByLayers("classic shading", "probe", "method", "classic cluster")
             .whereLayer("film")
@@ -233,6 +237,7 @@ class ArchitectureTest {
                     "world",
                     "transport",
                     "method",
+                    "device",
                     "render")
             .whereLayer("world")
             .mayOnlyBeAccessedByLayers(
@@ -242,6 +247,7 @@ class ArchitectureTest {
                     "film",
                     "transport",
                     "method",
+                    "device",
                     "work",
                     "plan",
                     "render",
@@ -249,7 +255,7 @@ class ArchitectureTest {
             .whereLayer("accel")
             .mayOnlyBeAccessedByLayers("world")
             .whereLayer("bvh")
-            .mayOnlyBeAccessedByLayers("mesh", "accel", "world")
+            .mayOnlyBeAccessedByLayers("mesh", "accel", "world", "device")
             .whereLayer("scene")
             .mayOnlyBeAccessedByLayers(
                     "classic shading",

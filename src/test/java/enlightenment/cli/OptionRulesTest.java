@@ -55,6 +55,7 @@ class OptionRulesTest {
             Map.entry("--part", "1/2"),
             Map.entry("--error", "0.1"),
             Map.entry("--time", "1"),
+            Map.entry("--device", "cpu"),
             Map.entry("--host", "127.0.0.1"),
             Map.entry("--port", "0"),
             Map.entry("--min-workers", "1"),

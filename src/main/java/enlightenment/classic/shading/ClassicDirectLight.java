@@ -183,7 +183,8 @@ final class ClassicDirectLight {
         contrast = (1 - keeps) * unshadowed;
         boolean guided = guide != null && !light.isDelta && guide.begin(path.at.id, index, path.surfaces);
         double blocked = guided ? guidedShare(emitter, sampler, count) : blockedShare(emitter, sampler, count);
-        if (blocked == 1 && keeps > 0 && tracer.isHidden()) {
+        if (blocked == 1) {
+            // To the last bit what is known without rays of a light that is hidden.
             return keeps * unshadowed;
         }
         return Math.fma(-contrast, blocked, unshadowed);

@@ -45,6 +45,10 @@ public final class OptionRules {
 
     public static final List<OptionRule> RENDER = List.of(
             excludes(
+                    List.of("--device"),
+                    List.of("--part", "--checkpoint", "--store"),
+                    "--device must not be given with --part, --checkpoint and --store: devices keep no results yet"),
+            excludes(
                     List.of("--checkpoint", "--store"),
                     List.of("--part"),
                     "%s must not be given with --part: take more parts, of which each is short"),

@@ -131,6 +131,9 @@ public final class RenderCommand extends Subcommand {
     private PartNumber part;
 
     @Mixin
+    private DeviceOption device = new DeviceOption();
+
+    @Mixin
     private KeepOptions keep = new KeepOptions();
 
     @Mixin
@@ -312,7 +315,7 @@ public final class RenderCommand extends Subcommand {
         RenderProgress display = progress.display(terminal.err());
         RenderProgress told = new BudgetNotes(display, settings.budget(), terminal);
         PreviewWriter writer = preview == null ? null : previewWriter(scene, settings, told);
-        RenderRequest request = RenderRequest.of(scene, settings)
+        RenderRequest request = device.addTo(RenderRequest.of(scene, settings))
                 .withChoice(choice)
                 .withProgress(watch.over(writer == null ? told : writer))
                 .withCancelled(terminal.stop())

@@ -109,6 +109,7 @@ public final class RenderOptions {
         return switch (e.key()) {
             case "error" ->
                 CliException.wrongUsage("--error " + e.problem() + "; more bits (--depth 16) or a .pfm file can");
+            case "device" -> CliException.wrongUsage("--device " + e.problem());
             case "samples" -> CliException.wrongUsage("--samples " + e.problem());
             default -> settings.blame(e, input);
         };

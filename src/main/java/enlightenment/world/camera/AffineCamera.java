@@ -219,4 +219,18 @@ final class AffineCamera extends CompiledCamera {
         Vec3 turn = lens.turn(point);
         ray.set(start.x(), start.y(), start.z(), ray.dx - turn.x(), ray.dy - turn.y(), ray.dz - turn.z(), tMin);
     }
+
+    @Override
+    public double[] linearForm() {
+        if (lens != null) {
+            return null;
+        }
+        double[] all = new double[19];
+        Vec3[] parts = {origin, originX, originY, direction, directionX, directionY};
+        for (int k = 0; k < 18; k++) {
+            all[k] = parts[k / 3].component(k % 3);
+        }
+        all[18] = tMin;
+        return all;
+    }
 }

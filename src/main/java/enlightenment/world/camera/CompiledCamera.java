@@ -62,4 +62,12 @@ public abstract sealed class CompiledCamera permits AffineCamera, PanoramaCamera
 
     /** The places where rays start. */
     public abstract RayStarts rayStarts();
+
+    /**
+     * Of a camera without a lens whose rays depend on the position (x, y) linearly: the ray's origin and what x and y add to it, its
+     * direction likewise, and the t that it starts at. Null for others.
+     */
+    public double[] linearForm() {
+        return null;
+    }
 }

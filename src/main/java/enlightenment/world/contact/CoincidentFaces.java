@@ -215,4 +215,20 @@ public final class CoincidentFaces {
                 && z >= other.minZ - by
                 && z <= other.maxZ + by;
     }
+
+    /**
+     * For each pair seven numbers: this primitive's face, and the least and the greatest coordinates of the box outside of which it does not
+     * count; null where there are many.
+     */
+    double[] boxes() {
+        if (places == null) {
+            return null;
+        }
+        double[] all = new double[(PlaceTree.BOX + 1) * size];
+        for (int k = 0; k < size; k++) {
+            all[(PlaceTree.BOX + 1) * k] = face(k);
+            System.arraycopy(places, PlaceTree.BOX * k, all, (PlaceTree.BOX + 1) * k + 1, PlaceTree.BOX);
+        }
+        return all;
+    }
 }

@@ -104,6 +104,14 @@ public final class CoincidentSurfaces {
     }
 
     /**
+     * Where faces of a primitive coincide with others: seven numbers each, the face and the least and the greatest coordinates of a box.
+     * Empty where nothing does; null where there are too many to be asked one by one.
+     */
+    public double[] boxes(int id) {
+        return concerns(id) ? faces[id].boxes() : new double[0];
+    }
+
+    /**
      * Whether the first of two coincident opaque faces is seen rather than the second, by who sees these sides of them: one from outside, or
      * of an open shape, before the inside of a solid; then one that glows to its side.
      */

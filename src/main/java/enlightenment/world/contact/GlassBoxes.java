@@ -39,6 +39,15 @@ public final class GlassBoxes {
         }
     }
 
+    /** Six numbers for each box: its least and its greatest coordinates. */
+    public double[] numbers() {
+        double[] all = new double[PlaceTree.BOX * boxes.length];
+        for (int i = 0; i < boxes.length; i++) {
+            put(boxes[i], all, PlaceTree.BOX * i);
+        }
+        return all;
+    }
+
     /** A search, for one thread. */
     public Search search() {
         return new Search();

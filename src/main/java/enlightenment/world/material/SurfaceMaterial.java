@@ -240,6 +240,11 @@ public final class SurfaceMaterial {
         return texture.isTextured();
     }
 
+    /** Where its colour is looked up. */
+    public TextureLookup texture() {
+        return texture;
+    }
+
     /** Whether the colour comes from an image. */
     public boolean hasImage() {
         return texture.hasImage();

@@ -78,6 +78,22 @@ public final class TextureLookup {
         return image != null;
     }
 
+    /** The image that it is, or null. */
+    public ImageTexture image() {
+        return image;
+    }
+
+    /** Whether places between texels of the image are interpolated. */
+    public boolean isBilinear() {
+        return bilinear;
+    }
+
+    /** Its colour, a checkerboard's second colour, and how many squares that has along a unit: 0 for what is none. */
+    public double[] numbers() {
+        double[] second = other == null ? new double[3] : other;
+        return new double[] {r, g, b, second[0], second[1], second[2], checks};
+    }
+
     /** The distance of two columns, or of two rows if there are more of them, in texture coordinates; 0 without an image. */
     double texel() {
         return image == null ? 0 : 1.0 / Math.max(image.width(), image.height());

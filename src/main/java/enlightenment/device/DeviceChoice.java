@@ -1,0 +1,53 @@
+package enlightenment.device;
+
+import enlightenment.math.InvalidValueException;
+
+/**
+ * Which device takes part in a render.
+ *
+ * @param kind none, or one of a kind
+ * @param number of the device among those of its kind, from 0
+ */
+public record DeviceChoice(Kind kind, int number) {
+    /** What a choice may be. */
+    public enum Kind {
+        /** The processor alone. */
+        CPU,
+        /** A device that is programmed in OpenCL. */
+        OPENCL,
+        /** A graphics processor, where there is one and the render is one that it can take part in. */
+        AUTO
+    }
+
+    /** What the words may be. */
+    public static final String WORDS = "cpu, opencl, opencl:N with N from 0, or auto";
+
+    /** Devices of one machine. */
+    private static final int MOST = 255;
+
+    private static final String NUMBERED = "opencl:";
+
+    /**
+     * The choice that a word stands for.
+     *
+     * @throws InvalidValueException key {@code device} for another word
+     */
+    public static DeviceChoice of(String word) {
+        if (word.equals("cpu")) {
+            return new DeviceChoice(Kind.CPU, 0);
+        }
+        if (word.equals("auto")) {
+            return new DeviceChoice(Kind.AUTO, 0);
+        }
+        String number =
+                word.equals("opencl") ? "0" : word.startsWith(NUMBERED) ? word.substring(NUMBERED.length()) : "";
+        if (number.length() < 1 || number.length() > 3 || !number.chars().allMatch(c -> c >= '0' && c <= '9')) {
+            throw new InvalidValueException("device", "must be " + WORDS);
+        }
+        int n = Integer.parseInt(number);
+        if (n > MOST) {
+            throw new InvalidValueException("device", "must be " + WORDS);
+        }
+        return new DeviceChoice(Kind.OPENCL, n);
+    }
+}

@@ -1,0 +1,188 @@
+package enlightenment.device;
+
+import enlightenment.bvh.BvhBuilder;
+import enlightenment.bvh.ItemBoxes;
+import enlightenment.primitive.FlatForm;
+import enlightenment.primitive.Primitive;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.texture.ImageTexture;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.light.ClassicLight;
+import enlightenment.world.material.SurfaceMaterial;
+import enlightenment.world.material.TextureLookup;
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Writes the arrays of a {@link DeviceScene}; the code of the kernel says what a record holds, beside its sizes. */
+final class DeviceSceneWriter {
+    /** Boxes of faces that touch others are asked one by one: a primitive with more is left to the host as a whole. */
+    private static final int MOST_CONTACTS = 64;
+
+    private static final int LEFT_TO_HOST = -1;
+    private static final int CONTACT = 7;
+
+    /** What a texture is, in the kernel's order. */
+    private enum Lookup {
+        SOLID,
+        CHECKER,
+        NEAREST,
+        BILINEAR
+    }
+
+    private final CompiledScene scene;
+    private final RenderSettings settings;
+    private final NumberList.Doubles doubles = new NumberList.Doubles();
+    private final NumberList.Ints ints = new NumberList.Ints();
+    private final NumberList.Floats floats = new NumberList.Floats();
+    private final Map<SurfaceMaterial, Integer> materialNumbers = new IdentityHashMap<>();
+    private final List<SurfaceMaterial> materials = new ArrayList<>();
+    private final Map<ImageTexture, Integer> imageNumbers = new IdentityHashMap<>();
+    private final List<ImageTexture> images = new ArrayList<>();
+
+    DeviceSceneWriter(CompiledScene scene, RenderSettings settings) {
+        this.scene = scene;
+        this.settings = settings;
+    }
+
+    DeviceScene write() {
+        writeWhole();
+        for (DeviceScene.Int slot : DeviceScene.Int.values()) {
+            ints.add(0);
+        }
+        writeTree();
+        writePrimitives();
+        writeMaterials();
+        writeImages();
+        writeLights();
+        set(DeviceScene.Int.MAX_BOUNCES, scene.classic.maxBounces());
+        set(DeviceScene.Int.MAX_STRAIGHT, scene.crossings);
+        set(
+                DeviceScene.Int.LIGHT_POINTS,
+                BuiltInMethod.RayTraceSettings.of(settings).shadowSamples());
+        double[] boxes = scene.glassBoxes.numbers();
+        set(DeviceScene.Int.GLASS_BOXES, doubles.add(boxes));
+        set(DeviceScene.Int.GLASS_BOX_COUNT, boxes.length / 6);
+        return new DeviceScene(doubles.toArray(), ints.toArray(), floats.toArray());
+    }
+
+    private void set(DeviceScene.Int slot, int value) {
+        ints.set(slot.ordinal(), value);
+    }
+
+    /** In the order of {@link DeviceScene.Number}. */
+    private void writeWhole() {
+        doubles.add(scene.classic.ambient(), scene.classic.shadow(), 0, settings.width(), settings.height());
+        doubles.add(
+                scene.classic.background().r(),
+                scene.classic.background().g(),
+                scene.classic.background().b());
+        doubles.add(scene.camera.linearForm());
+    }
+
+    private void writeTree() {
+        Primitive[] all = scene.primitives;
+        BvhBuilder tree = new BvhBuilder(new ItemBoxes(all.length, i -> all[i].bounds()), () -> {});
+        doubles.set(DeviceScene.Number.REACH.place(), tree.reach());
+        floats.add(tree.floats());
+        set(DeviceScene.Int.CHILDREN, ints.add(tree.child()));
+        set(DeviceScene.Int.ORDER, ints.add(tree.order()));
+    }
+
+    /** The primitives of the scene by id, then the surfaces of the lights that can be seen. */
+    private void writePrimitives() {
+        NumberList.Ints records = new NumberList.Ints();
+        for (int id = 0; id < scene.primitives.length; id++) {
+            Primitive p = scene.primitives[id];
+            int[] faces = new int[p.faceCount()];
+            for (int face = 0; face < faces.length; face++) {
+                faces[face] = materialNumber(scene.material(id, face));
+            }
+            double[] contacts = scene.coincident.boxes(id);
+            boolean areFew = contacts != null && contacts.length <= MOST_CONTACTS * CONTACT;
+            FlatForm form = p.flatForm();
+            records.add(
+                    form.kind().ordinal(),
+                    doubles.add(form.numbers()),
+                    ints.add(faces),
+                    p.isSolid() ? 1 : 0,
+                    areFew ? doubles.add(contacts) : 0,
+                    areFew ? contacts.length / CONTACT : LEFT_TO_HOST,
+                    scene.glassSolids.length == 0 ? 0 : scene.mediumRank[id],
+                    doubles.add(scene.inside(id).indexOfRefraction));
+        }
+        for (ClassicLight light : scene.visibleLights) {
+            FlatForm form = light.surface.flatForm();
+            records.add(form.kind().ordinal(), doubles.add(form.numbers()), 0, 0, 0, 0, 0, 0);
+        }
+        set(DeviceScene.Int.PRIMITIVES, ints.add(records.toArray()));
+    }
+
+    private int materialNumber(SurfaceMaterial material) {
+        return materialNumbers.computeIfAbsent(material, m -> {
+            materials.add(m);
+            return materials.size() - 1;
+        });
+    }
+
+    private void writeMaterials() {
+        NumberList.Ints records = new NumberList.Ints();
+        for (SurfaceMaterial m : materials) {
+            TextureLookup texture = m.texture();
+            int place = doubles.add(texture.numbers());
+            doubles.add(m.indexOfRefraction, m.transparency);
+            int kind = m.isGlass ? 2 : m.isDelta ? 1 : 0;
+            records.add(
+                    kind, lookup(texture).ordinal(), imageNumber(texture.image()), m.receivesShadows ? 1 : 0, place);
+        }
+        set(DeviceScene.Int.MATERIALS, ints.add(records.toArray()));
+    }
+
+    private static Lookup lookup(TextureLookup texture) {
+        if (texture.hasImage()) {
+            return texture.isBilinear() ? Lookup.BILINEAR : Lookup.NEAREST;
+        }
+        return texture.isTextured() ? Lookup.CHECKER : Lookup.SOLID;
+    }
+
+    private int imageNumber(ImageTexture image) {
+        if (image == null) {
+            return 0;
+        }
+        return imageNumbers.computeIfAbsent(image, i -> {
+            images.add(i);
+            return images.size() - 1;
+        });
+    }
+
+    private void writeImages() {
+        NumberList.Ints records = new NumberList.Ints();
+        for (ImageTexture image : images) {
+            boolean isPacked = image.packed() != null;
+            records.add(
+                    image.width(),
+                    image.height(),
+                    isPacked ? ints.add(image.packed()) : LEFT_TO_HOST,
+                    isPacked ? 0 : floats.add(image.components()),
+                    isPacked ? doubles.add(image.values()) : 0);
+        }
+        set(DeviceScene.Int.IMAGES, ints.add(records.toArray()));
+    }
+
+    private void writeLights() {
+        NumberList.Ints records = new NumberList.Ints();
+        int seen = 0;
+        for (ClassicLight light : scene.lights) {
+            int place = doubles.add(light.r, light.g, light.b, light.ballX, light.ballY, light.ballZ, light.ballRadius);
+            doubles.add(light.x, light.y, light.z, light.right.x(), light.right.y(), light.right.z());
+            doubles.add(light.up.x(), light.up.y(), light.up.z());
+            int surface = light.surface == null ? LEFT_TO_HOST : scene.primitives.length + seen++;
+            int kind = light.isDelta ? 2 : light.radius > 0 ? 0 : 1;
+            records.add(kind, surface, place);
+        }
+        set(DeviceScene.Int.LIGHTS, ints.add(records.toArray()));
+        set(DeviceScene.Int.LIGHT_COUNT, scene.lights.length);
+    }
+}

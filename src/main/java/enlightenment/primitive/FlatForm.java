@@ -1,0 +1,32 @@
+package enlightenment.primitive;
+
+/**
+ * A primitive as plain numbers, for code on another device that computes what the primitive does, operation by operation. Which number is
+ * what stands beside that code.
+ */
+public record FlatForm(Kind kind, double[] numbers) {
+    /** What such code knows. */
+    public enum Kind {
+        SPHERE,
+        RECTANGLE,
+        TRIANGLE,
+        DISK,
+        BOX,
+        CUBE,
+        AXIAL
+    }
+
+    static FlatForm of(Kind kind, double[]... parts) {
+        int size = 0;
+        for (double[] part : parts) {
+            size += part.length;
+        }
+        double[] all = new double[size];
+        int at = 0;
+        for (double[] part : parts) {
+            System.arraycopy(part, 0, all, at, part.length);
+            at += part.length;
+        }
+        return new FlatForm(kind, all);
+    }
+}

@@ -1,0 +1,367 @@
+// The colour along one camera ray by the paper's cosine shading: classic.shading.ClassicShader and ClassicDirectLight, with what they need of
+// transport.ray.PathFollower, GlassTracer and MediumStack. Where surfaces touch, where a ray is too large or too small, and where glass is
+// nested too deeply, the sample is left to the host.
+
+#define MAX_SOLIDS 8
+
+typedef struct {
+    ulong pixelHash;
+    uint sample;
+    // The surfaces left behind.
+    int surfaces;
+    int bounces;
+    int straight;
+    // The solids of glass that the ray is inside of.
+    int solids[MAX_SOLIDS];
+    int solidCount;
+    Ray ray;
+    Hit hit;
+    Vec throughput;
+    Vec light;
+} Path;
+
+bool isBlocked(Scene *s, const Hit *hit, const View *view) {
+    Ray shadow;
+    setRay(s, &shadow, hit->p.x, hit->p.y, hit->p.z, view->d.x, view->d.y, view->d.z, 0);
+    startOn(&shadow, hit, hit->side);
+    s->shadowRays++;
+    Closest best;
+    best.t = view->length;
+    best.id = NOTHING;
+    return search(s, &shadow, true, &best);
+}
+
+// The mean over light points of (visible ? 1 : keeps) · cosθ at the hit.
+double lightMean(Scene *s, const Path *path, Vec n, int index, double keeps) {
+    View view;
+    const Hit *hit = &path->hit;
+    aim(s, &view, index, hit->p);
+    int count = view.kind == POINT_LIGHT ? 1 : s->i[LIGHT_POINTS];
+    s->lightSamples += count;
+    double unshadowed = meanCosine(&view, n);
+    if (unshadowed == 0) {
+        return 0;
+    }
+    bool known = unshadowed == unshadowed;
+    bool rays = keeps < 1;
+    if (!rays && known) {
+        return unshadowed;
+    }
+    ulong seed = hashOf(hashOf(path->pixelHash, 1 + (ulong) index), (ulong) path->surfaces);
+    uint first = shuffledIndex(path->sample, mixed(seed)) * (uint) count;
+    if (!known) {
+        double sum = 0;
+        for (int j = 0; j < count; j++) {
+            sampleLight(&view, sobolX(first + j, seed), sobolY(first + j, seed));
+            double cosine = n.x * view.d.x + n.y * view.d.y + n.z * view.d.z;
+            if (cosine > 0) {
+                sum += rays && isBlocked(s, hit, &view) ? keeps * cosine : cosine;
+            }
+        }
+        return sum / count;
+    }
+    prepareByCosine(&view, n);
+    int blocked = 0;
+    for (int j = 0; j < count; j++) {
+        sampleByCosine(&view, sobolX(first + j, seed), sobolY(first + j, seed));
+        blocked += isBlocked(s, hit, &view) ? 1 : 0;
+    }
+    if (blocked == count) {
+        return keeps * unshadowed;
+    }
+    return fma(-((1 - keeps) * unshadowed), (double) blocked / count, unshadowed);
+}
+
+void addLight(Path *path, double r, double g, double b) {
+    path->light.x = fma(path->throughput.x, r, path->light.x);
+    path->light.y = fma(path->throughput.y, g, path->light.y);
+    path->light.z = fma(path->throughput.z, b, path->light.z);
+}
+
+void filterBy(Path *path, Vec color, double share) {
+    path->throughput.x *= color.x * share;
+    path->throughput.y *= color.y * share;
+    path->throughput.z *= color.z * share;
+}
+
+// Adds the light that the surface itself reflects, times a share.
+void shadeSurface(Scene *s, Path *path, __global const int *material, Vec color, double share) {
+    int lights = s->i[LIGHT_COUNT];
+    double ambient = s->d[AMBIENT];
+    if (lights == 0) {
+        double factor = ambient * share;
+        addLight(path, color.x * factor, color.y * factor, color.z * factor);
+        return;
+    }
+    const Hit *hit = &path->hit;
+    Vec n = vec(hit->n.x * hit->side, hit->n.y * hit->side, hit->n.z * hit->side);
+    double keeps = material[RECEIVES_SHADOWS] != 0 ? s->d[SHADOW] : 1;
+    Vec sum = vec(0, 0, 0);
+    for (int k = 0; k < lights && s->state == DONE; k++) {
+        double factor = fma(1 - ambient, lightMean(s, path, n, k, keeps), ambient);
+        __global const double *q = s->d + lightOf(s, k)[LIGHT_NUMBERS];
+        sum.x += q[0] * factor;
+        sum.y += q[1] * factor;
+        sum.z += q[2] * factor;
+    }
+    double count = lights;
+    addLight(path, color.x * (sum.x * share) / count, color.y * (sum.y * share) / count, color.z * (sum.z * share) / count);
+}
+
+int mediumOf(const Scene *s, const Path *path) {
+    int best = NOTHING;
+    for (int k = 0; k < path->solidCount; k++) {
+        if (best < 0 || primitive(s, path->solids[k])[RANK] < primitive(s, best)[RANK]) {
+            best = path->solids[k];
+        }
+    }
+    return best;
+}
+
+double indexOf(const Scene *s, int medium) {
+    return medium < 0 ? 1 : s->d[primitive(s, medium)[INDEX_OF_REFRACTION]];
+}
+
+// Enters a solid through its border, or leaves it.
+void crossBorder(Scene *s, Path *path, int solid, int side) {
+    int at = NOTHING;
+    for (int k = 0; k < path->solidCount; k++) {
+        if (path->solids[k] == solid) {
+            at = k;
+        }
+    }
+    if (side == OUTSIDE && at < 0) {
+        if (path->solidCount == MAX_SOLIDS) {
+            s->state = LEFT_TO_HOST;
+        } else {
+            path->solids[path->solidCount++] = solid;
+        }
+    } else if (side != OUTSIDE && at >= 0) {
+        path->solids[at] = path->solids[--path->solidCount];
+    }
+}
+
+// Lets the ray leave the hit to the mirror image of where it came from, or to where it is refracted; whether it was refracted.
+bool turn(Scene *s, Path *path, double eta, bool mayRefract) {
+    Ray *r = &path->ray;
+    const Hit *hit = &path->hit;
+    double scale = 1 / sqrt(r->dd);
+    double ox = -r->dx * scale;
+    double oy = -r->dy * scale;
+    double oz = -r->dz * scale;
+    double nx = hit->n.x * hit->side;
+    double ny = hit->n.y * hit->side;
+    double nz = hit->n.z * hit->side;
+    double cosine = ox * nx + oy * ny + oz * nz;
+    double x;
+    double y;
+    double z;
+    bool through = false;
+    if (mayRefract) {
+        double etaCos = eta * smaller(larger(cosine, 0), 1);
+        double cos2 = fma(etaCos, etaCos, (1 - eta) * (1 + eta));
+        through = cos2 >= 0;
+        if (through) {
+            double along = etaCos - sqrt(cos2);
+            x = fma(along, nx, -eta * ox);
+            y = fma(along, ny, -eta * oy);
+            z = fma(along, nz, -eta * oz);
+        }
+    }
+    if (!through) {
+        double twice = 2 * cosine;
+        x = twice * nx - ox;
+        y = twice * ny - oy;
+        z = twice * nz - oz;
+    }
+    double unit = 1 / sqrt(x * x + y * y + z * z);
+    setRay(s, r, hit->p.x, hit->p.y, hit->p.z, x * unit, y * unit, z * unit, 0);
+    startOn(r, hit, through ? -hit->side : hit->side);
+    return through;
+}
+
+// Whether a ray leaves a mirror where a border of glass may have been missed.
+bool isInGlassBox(const Scene *s, Vec p) {
+    __global const double *b = s->d + s->i[GLASS_BOXES];
+    for (int k = 0; k < s->i[GLASS_BOX_COUNT]; k++, b += 6) {
+        if (p.x >= b[0] && p.y >= b[1] && p.z >= b[2] && p.x <= b[3] && p.y <= b[4] && p.z <= b[5]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Crosses a surface of glass; whether the path has one more event.
+void crossGlass(Scene *s, Path *path, __global const int *material, bool *passedStraight) {
+    Ray *r = &path->ray;
+    const Hit *hit = &path->hit;
+    bool isSolid = primitive(s, hit->id)[IS_SOLID] != 0;
+    int from = mediumOf(s, path);
+    int before[MAX_SOLIDS];
+    int beforeCount = path->solidCount;
+    for (int k = 0; k < beforeCount; k++) {
+        before[k] = path->solids[k];
+    }
+    if (isSolid) {
+        crossBorder(s, path, hit->id, hit->side);
+    }
+    int to = mediumOf(s, path);
+    bool isBorder = from != to;
+    double fromIndex = indexOf(s, from);
+    double toIndex = indexOf(s, to);
+    bool straight = !isBorder || fromIndex == toIndex;
+    bool through = true;
+    if (straight) {
+        setRay(s, r, hit->p.x, hit->p.y, hit->p.z, r->dx, r->dy, r->dz, 0);
+        startOn(r, hit, -hit->side);
+    } else {
+        through = turn(s, path, fromIndex / toIndex, true);
+        if (through) {
+            s->refractedRays++;
+        } else {
+            s->mirrorRays++;
+            path->solidCount = beforeCount;
+            for (int k = 0; k < beforeCount; k++) {
+                path->solids[k] = before[k];
+            }
+        }
+    }
+    *passedStraight = straight;
+    if (isBorder || through && !isSolid) {
+        Vec color = colorAt(s, hit, material);
+        double clear = s->d[material[MATERIAL_NUMBERS] + 8];
+        if (clear < 1) {
+            shadeSurface(s, path, material, color, 1 - clear);
+        }
+        if (through) {
+            filterBy(path, color, clear);
+        } else {
+            path->throughput.x *= clear;
+            path->throughput.y *= clear;
+            path->throughput.z *= clear;
+        }
+    }
+}
+
+// Follows the ray to the next event; whether the path continues.
+bool follow(Scene *s, Path *path) {
+    Closest best;
+    best.t = DBL_MAX;
+    best.id = NOTHING;
+    search(s, &path->ray, false, &best);
+    int light = NOTHING;
+    for (int k = 0; k < s->i[LIGHT_COUNT]; k++) {
+        int surface = lightOf(s, k)[LIGHT_SURFACE];
+        double t = surface < 0 ? MISS : nearestOf(s, surface, &path->ray, best.t);
+        if (t < best.t) {
+            best.t = t;
+            light = k;
+        }
+    }
+    if (light != NOTHING) {
+        __global const double *q = s->d + lightOf(s, light)[LIGHT_NUMBERS];
+        addLight(path, q[0], q[1], q[2]);
+        return false;
+    }
+    if (best.id == NOTHING) {
+        addLight(path, s->d[BACKGROUND], s->d[BACKGROUND + 1], s->d[BACKGROUND + 2]);
+        return false;
+    }
+    completeOf(s, best.id, &path->ray, best.t, &path->hit);
+    if (touchesOther(s, &path->hit)) {
+        s->state = LEFT_TO_HOST;
+        return false;
+    }
+    __global const int *material = materialAt(s, &path->hit);
+    bool passedStraight = false;
+    if (material[MATERIAL_KIND] == GLASS) {
+        crossGlass(s, path, material, &passedStraight);
+    } else {
+        Vec color = colorAt(s, &path->hit, material);
+        if (material[MATERIAL_KIND] == MATTE) {
+            shadeSurface(s, path, material, color, 1);
+            return false;
+        }
+        s->mirrorRays++;
+        turn(s, path, 1, false);
+        filterBy(path, color, 1);
+        if (isInGlassBox(s, path->hit.p)) {
+            s->state = LEFT_TO_HOST;
+        }
+    }
+    if (!(path->throughput.x > 0 || path->throughput.y > 0 || path->throughput.z > 0)) {
+        return false;
+    }
+    path->surfaces++;
+    if (passedStraight) {
+        return ++path->straight <= s->i[MAX_STRAIGHT];
+    }
+    path->straight = 0;
+    return ++path->bounces <= s->i[MAX_BOUNCES];
+}
+
+void startAtCamera(Scene *s, Path *path, int column, int row) {
+    ulong filmSeed = hashOf(path->pixelHash, 0);
+    double x = (column + sobolX(path->sample, filmSeed)) / s->d[WIDTH];
+    double y = (row + sobolY(path->sample, filmSeed)) / s->d[HEIGHT];
+    __global const double *c = s->d + CAMERA;
+    setRay(s, &path->ray, fma(x, c[3], fma(y, c[6], c[0])), fma(x, c[4], fma(y, c[7], c[1])), fma(x, c[5], fma(y, c[8], c[2])),
+            fma(x, c[12], fma(y, c[15], c[9])), fma(x, c[13], fma(y, c[16], c[10])), fma(x, c[14], fma(y, c[17], c[11])), c[18]);
+}
+
+// Shades samples of a tile, pixel by pixel in rows: work item i is the sample begin + i. first[k] is the number of the first sample of the
+// tile's pixel k, start[k] its index among all of the tile.
+__kernel void classic(__global const double *doubles, __global const int *ints, __global const float *floats, ulong seed, int left, int top,
+        int width, int pixels, int begin, int end, __global const int *first, __global const int *start, __global double *rgb,
+        __global int *states, __global int *counts) {
+    int place = (int) get_global_id(0);
+    int item = begin + place;
+    if (item >= end) {
+        return;
+    }
+    int low = 0;
+    int high = pixels;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        if (start[middle] <= item) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    int column = left + low % width;
+    int row = top + low / width;
+    Scene s;
+    s.d = doubles;
+    s.i = ints;
+    s.f = floats;
+    s.state = DONE;
+    s.shadowRays = 0;
+    s.mirrorRays = 0;
+    s.refractedRays = 0;
+    s.lightSamples = 0;
+    s.textureLookups = 0;
+    Path path;
+    path.pixelHash = hashOf(hashOf(seed, (ulong) column), (ulong) row);
+    path.sample = (uint) (first[low] + item - start[low]);
+    path.surfaces = 0;
+    path.bounces = 0;
+    path.straight = 0;
+    path.solidCount = 0;
+    path.throughput = vec(1, 1, 1);
+    path.light = vec(0, 0, 0);
+    startAtCamera(&s, &path, column, row);
+    while (s.state == DONE && follow(&s, &path)) {
+    }
+    rgb[3 * place] = path.light.x;
+    rgb[3 * place + 1] = path.light.y;
+    rgb[3 * place + 2] = path.light.z;
+    states[place] = s.state;
+    if (s.state == DONE) {
+        atomic_add(counts, s.shadowRays);
+        atomic_add(counts + 1, s.mirrorRays);
+        atomic_add(counts + 2, s.refractedRays);
+        atomic_add(counts + 3, s.lightSamples);
+        atomic_add(counts + 4, s.textureLookups);
+    }
+}

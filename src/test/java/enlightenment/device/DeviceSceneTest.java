@@ -1,0 +1,71 @@
+package enlightenment.device;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.primitive.FlatForm;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class DeviceSceneTest {
+    private static CompiledScene compiled(String name) throws IOException {
+        Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
+        return SceneCompiler.compile(scene, RenderSettings.of(scene));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "torus, an object of the kind torus",
+        "cornell-box, physical shading",
+    })
+    void whatNoDeviceCanDoIsNamed(String name, String reason) throws IOException {
+        assertEquals(Optional.of(reason), DeviceScene.refusal(compiled(name)));
+    }
+
+    @Test
+    void thePapersSceneIsTaken() throws IOException {
+        assertEquals(Optional.empty(), DeviceScene.refusal(compiled("fire-and-ice")));
+    }
+
+    /** The kernel looks for them there. */
+    @Test
+    void wholeNumbersStandWhereTheirPlacesSay() throws IOException {
+        CompiledScene scene = compiled("fire-and-ice");
+        Scene described = SceneReader.read(Path.of("scenes", "fire-and-ice.json"));
+        DeviceScene flat = DeviceScene.of(scene, RenderSettings.of(described));
+        assertEquals(scene.classic.ambient(), flat.doubles()[DeviceScene.Number.AMBIENT.place()]);
+        assertEquals(scene.classic.shadow(), flat.doubles()[DeviceScene.Number.SHADOW.place()]);
+        double[] camera = scene.camera.linearForm();
+        for (int k = 0; k < camera.length; k++) {
+            assertEquals(camera[k], flat.doubles()[DeviceScene.Number.CAMERA.place() + k]);
+        }
+        assertEquals(scene.lights.length, flat.ints()[DeviceScene.Int.LIGHT_COUNT.ordinal()]);
+        int record = flat.ints()[DeviceScene.Int.PRIMITIVES.ordinal()];
+        FlatForm first = scene.primitives[0].flatForm();
+        assertEquals(first.kind().ordinal(), flat.ints()[record]);
+        for (int k = 0; k < first.numbers().length; k++) {
+            assertEquals(first.numbers()[k], flat.doubles()[flat.ints()[record + 1] + k]);
+        }
+    }
+
+    @Test
+    void theProgramKnowsEveryPlaceByItsName() {
+        String text = KernelSource.text();
+        for (DeviceScene.Int slot : DeviceScene.Int.values()) {
+            assertTrue(text.contains("#define " + slot.name() + " " + slot.ordinal() + "\n"));
+            assertTrue(text.split("\\b" + slot.name() + "\\b").length > 2, slot + " is used");
+        }
+        for (FlatForm.Kind kind : FlatForm.Kind.values()) {
+            assertTrue(text.split("\\b" + kind.name() + "\\b").length > 2, kind + " is used");
+        }
+    }
+}

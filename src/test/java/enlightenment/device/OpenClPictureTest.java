@@ -1,0 +1,87 @@
+package enlightenment.device;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import enlightenment.device.opencl.OpenClDevices;
+import enlightenment.film.FilmTile;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.SceneCompiler;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Pictures of devices have the bits of the processor's. Skipped where no driver for OpenCL is installed; {@code -Ddevice.scenes=1000} takes
+ * more scenes than usual.
+ */
+class OpenClPictureTest {
+    private static final int SCENES = Integer.getInteger("device.scenes", 40);
+
+    private static List<ComputeDevice> devices = List.of();
+
+    @BeforeAll
+    static void find() {
+        try {
+            devices = OpenClDevices.all().stream()
+                    .filter(d -> d.problem().isEmpty())
+                    .toList();
+        } catch (DeviceFailure e) {
+            // None.
+        }
+        assumeTrue(!devices.isEmpty(), "no driver for OpenCL is installed");
+    }
+
+    /** Renders a scene on every device, and returns the share of samples that devices shaded. */
+    private static double assertSameBits(String name, Scene scene, RenderSettings settings) {
+        CompiledScene compiled = SceneCompiler.compile(scene, settings);
+        assertEquals(Optional.empty(), DeviceScene.refusal(compiled), name);
+        FilmTile expected = TilePair.onProcessor(compiled, settings);
+        double done = 0;
+        for (ComputeDevice device : devices) {
+            try (DeviceKernel kernel = device.prepare(DeviceScene.of(compiled, settings))) {
+                DeviceTileShader shader =
+                        new DeviceTileShader(compiled, settings, TilePair.counters(compiled), kernel, e -> {
+                            throw e;
+                        });
+                FilmTile found = TilePair.by(shader, compiled, settings);
+                assertEquals(0, TilePair.differences(expected, found), name + " on " + device.name());
+                done += shader.done() / (double) (shader.done() + shader.leftToHost());
+            }
+        }
+        return done / devices.size();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice", "bounce", "cone", "cube", "cylinders", "glass", "keyhole"})
+    void aShippedSceneHasTheSameBits(String name) throws IOException {
+        Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
+        RenderSettings settings =
+                RenderSettings.of(scene).toBuilder().size(120, 60).antialias(2).build();
+        assertTrue(assertSameBits(name, scene, settings) > 0.98, "the device does nearly all");
+    }
+
+    @Test
+    void anySceneHasTheSameBits() {
+        double done = 0;
+        for (int seed = 0; seed < SCENES; seed++) {
+            Scene scene = RandomClassicScene.of(seed);
+            RenderSettings settings =
+                    RenderSettings.of(scene).toBuilder().antialias(2).build();
+            CompiledScene compiled = SceneCompiler.compile(scene, settings);
+            if (DeviceScene.refusal(compiled).isEmpty()) {
+                done += assertSameBits("scene " + seed, scene, settings);
+            }
+        }
+        assertTrue(done > 0.5 * SCENES, "devices shade most of it: " + done);
+    }
+}

@@ -2,6 +2,7 @@ package enlightenment.accel;
 
 import enlightenment.frame.BallCone;
 import enlightenment.frame.Bounds;
+import enlightenment.primitive.MeshUnion;
 import enlightenment.primitive.Ray;
 
 /**
@@ -41,6 +42,11 @@ public interface Accelerator extends RaySearch {
 
     /** As {@link #occluded}, for a ray from the apex of the cone that the query was narrowed to by {@link #narrow}, to its ball. */
     boolean occludedWithin(Ray ray, double tMax, BvhQuery query);
+
+    /** The meshes that are searched together; null if each is searched by itself. */
+    default MeshUnion union() {
+        return null;
+    }
 
     /** Adds the ids of primitives to the query's list, among them all whose boxes overlap a box. */
     void overlapping(Bounds box, BvhQuery query);

@@ -78,6 +78,11 @@ public abstract class Bvh implements Accelerator {
                 : new DoubleBvh(builder.child(), leaves, builder.reach());
     }
 
+    @Override
+    public MeshUnion union() {
+        return leaves.union();
+    }
+
     /** The number of nodes, each of two children; at least 1. */
     public final int nodeCount() {
         return child.length / 2;

@@ -2,6 +2,7 @@ package enlightenment.accel;
 
 import enlightenment.frame.BallCone;
 import enlightenment.frame.Bounds;
+import enlightenment.primitive.MeshUnion;
 import enlightenment.primitive.Ray;
 
 /**
@@ -31,6 +32,9 @@ abstract class Leaves {
 
     /** Adds the ids at the places from..to−1. */
     abstract void collect(Bounds box, int from, int to, BvhQuery query);
+
+    /** The meshes that are searched together, or null. */
+    abstract MeshUnion union();
 
     /** The box of what lies at a place. */
     abstract Bounds bounds(int place);

@@ -128,6 +128,11 @@ final class PrimitiveLeaves extends Leaves {
     }
 
     @Override
+    MeshUnion union() {
+        return union;
+    }
+
+    @Override
     Bounds bounds(int place) {
         return primitives[place] == null ? union.bounds() : primitives[place].bounds();
     }

@@ -10,7 +10,7 @@ import java.util.Optional;
  *
  * @param doubles begins with the {@link Number}s
  * @param ints begins with the {@link Int}s
- * @param floats begins with the boxes of the hierarchy
+ * @param floats boxes of hierarchies, vertices and texels
  */
 public record DeviceScene(double[] doubles, int[] ints, float[] floats) {
     /** What stands first among the integers: where records begin, how many there are, and limits. */
@@ -20,8 +20,14 @@ public record DeviceScene(double[] doubles, int[] ints, float[] floats) {
         IMAGES,
         LIGHTS,
         LIGHT_COUNT,
+        BOXES,
+        SINGLE_BOXES,
         CHILDREN,
+        SINGLE_CHILDREN,
         ORDER,
+        SINGLE_ORDER,
+        MESHES,
+        UNION,
         MAX_BOUNCES,
         MAX_STRAIGHT,
         LIGHT_POINTS,
@@ -33,7 +39,7 @@ public record DeviceScene(double[] doubles, int[] ints, float[] floats) {
     enum Number {
         AMBIENT(1),
         SHADOW(1),
-        REACH(1),
+        REACH(2),
         WIDTH(1),
         HEIGHT(1),
         BACKGROUND(3),

@@ -2,7 +2,9 @@ package enlightenment.device;
 
 import enlightenment.bvh.BvhBuilder;
 import enlightenment.bvh.ItemBoxes;
+import enlightenment.frame.Bounds;
 import enlightenment.primitive.FlatForm;
+import enlightenment.primitive.MeshUnion;
 import enlightenment.primitive.Primitive;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
@@ -12,17 +14,25 @@ import enlightenment.world.light.ClassicLight;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.material.TextureLookup;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 
 /** Writes the arrays of a {@link DeviceScene}; the code of the kernel says what a record holds, beside its sizes. */
 final class DeviceSceneWriter {
     /** Boxes of faces that touch others are asked one by one: a primitive with more is left to the host as a whole. */
     private static final int MOST_CONTACTS = 64;
 
-    private static final int LEFT_TO_HOST = -1;
+    private static final int NONE = -1;
     private static final int CONTACT = 7;
+
+    /** Stands for the meshes that are searched together. */
+    private static final int JOINED = -1;
 
     /** What a texture is, in the kernel's order. */
     private enum Lookup {
@@ -41,10 +51,15 @@ final class DeviceSceneWriter {
     private final List<SurfaceMaterial> materials = new ArrayList<>();
     private final Map<ImageTexture, Integer> imageNumbers = new IdentityHashMap<>();
     private final List<ImageTexture> images = new ArrayList<>();
+    private final MeshWriter meshes = new MeshWriter();
+
+    /** The meshes that are searched together, or null. */
+    private final MeshUnion union;
 
     DeviceSceneWriter(CompiledScene scene, RenderSettings settings) {
         this.scene = scene;
         this.settings = settings;
+        union = scene.accelerator.union();
     }
 
     DeviceScene write() {
@@ -52,8 +67,10 @@ final class DeviceSceneWriter {
         for (DeviceScene.Int slot : DeviceScene.Int.values()) {
             ints.add(0);
         }
-        writeTree();
+        writeHierarchies();
         writePrimitives();
+        writeUnion();
+        set(DeviceScene.Int.MESHES, meshes.write(doubles, ints, floats));
         writeMaterials();
         writeImages();
         writeLights();
@@ -74,7 +91,7 @@ final class DeviceSceneWriter {
 
     /** In the order of {@link DeviceScene.Number}. */
     private void writeWhole() {
-        doubles.add(scene.classic.ambient(), scene.classic.shadow(), 0, settings.width(), settings.height());
+        doubles.add(scene.classic.ambient(), scene.classic.shadow(), 0, 0, settings.width(), settings.height());
         doubles.add(
                 scene.classic.background().r(),
                 scene.classic.background().g(),
@@ -82,18 +99,37 @@ final class DeviceSceneWriter {
         doubles.add(scene.camera.linearForm());
     }
 
-    private void writeTree() {
-        Primitive[] all = scene.primitives;
-        BvhBuilder tree = new BvhBuilder(new ItemBoxes(all.length, i -> all[i].bounds()), () -> {});
-        doubles.set(DeviceScene.Number.REACH.place(), tree.reach());
-        floats.add(tree.floats());
-        set(DeviceScene.Int.CHILDREN, ints.add(tree.child()));
-        set(DeviceScene.Int.ORDER, ints.add(tree.order()));
+    /** One hierarchy in which meshes that are searched together are one item, and one in which each is an item. */
+    private void writeHierarchies() {
+        int n = scene.primitives.length;
+        int[] all = IntStream.range(0, n).toArray();
+        if (union == null) {
+            writeHierarchy(0, all);
+        } else {
+            BitSet joined = new BitSet();
+            for (int id : union.ids()) {
+                joined.set(id);
+            }
+            IntStream others = IntStream.range(0, n).filter(id -> !joined.get(id));
+            writeHierarchy(0, IntStream.concat(others, IntStream.of(JOINED)).toArray());
+        }
+        writeHierarchy(1, all);
+    }
+
+    private void writeHierarchy(int number, int[] items) {
+        IntFunction<Bounds> boxes = i -> items[i] == JOINED ? union.bounds() : scene.primitives[items[i]].bounds();
+        BvhBuilder tree = new BvhBuilder(new ItemBoxes(items.length, boxes), () -> {});
+        int[] order = Arrays.stream(tree.order()).map(i -> items[i]).toArray();
+        doubles.set(DeviceScene.Number.REACH.place() + number, tree.reach());
+        ints.set(DeviceScene.Int.BOXES.ordinal() + number, floats.add(tree.floats()));
+        ints.set(DeviceScene.Int.CHILDREN.ordinal() + number, ints.add(tree.child()));
+        ints.set(DeviceScene.Int.ORDER.ordinal() + number, ints.add(order));
     }
 
     /** The primitives of the scene by id, then the surfaces of the lights that can be seen. */
     private void writePrimitives() {
         NumberList.Ints records = new NumberList.Ints();
+        Map<Integer, Integer> members = members();
         for (int id = 0; id < scene.primitives.length; id++) {
             Primitive p = scene.primitives[id];
             int[] faces = new int[p.faceCount()];
@@ -105,19 +141,46 @@ final class DeviceSceneWriter {
             FlatForm form = p.flatForm();
             records.add(
                     form.kind().ordinal(),
-                    doubles.add(form.numbers()),
+                    write(form, members.getOrDefault(id, NONE)),
                     ints.add(faces),
                     p.isSolid() ? 1 : 0,
                     areFew ? doubles.add(contacts) : 0,
-                    areFew ? contacts.length / CONTACT : LEFT_TO_HOST,
+                    areFew ? contacts.length / CONTACT : NONE,
                     scene.glassSolids.length == 0 ? 0 : scene.mediumRank[id],
                     doubles.add(scene.inside(id).indexOfRefraction));
         }
         for (ClassicLight light : scene.visibleLights) {
             FlatForm form = light.surface.flatForm();
-            records.add(form.kind().ordinal(), doubles.add(form.numbers()), 0, 0, 0, 0, 0, 0);
+            records.add(form.kind().ordinal(), write(form, NONE), 0, 0, 0, 0, 0, 0);
         }
         set(DeviceScene.Int.PRIMITIVES, ints.add(records.toArray()));
+    }
+
+    /** By id of those meshes that are searched together: their numbers among these. */
+    private Map<Integer, Integer> members() {
+        Map<Integer, Integer> numbers = new HashMap<>();
+        for (int k = 0; union != null && k < union.size(); k++) {
+            numbers.put(union.id(k), k);
+        }
+        return numbers;
+    }
+
+    private int write(FlatForm form, int member) {
+        int place = doubles.add(form.numbers());
+        if (form.mesh() != null) {
+            doubles.add(meshes.number(form.mesh()), member);
+        }
+        return place;
+    }
+
+    private void writeUnion() {
+        if (union != null) {
+            FlatForm form = union.flatForm();
+            int place = doubles.add(form.numbers());
+            doubles.add(meshes.number(form.mesh()), NONE);
+            doubles.add(ints.add(union.firstTriangles()), ints.add(union.ids()), union.size());
+            set(DeviceScene.Int.UNION, place);
+        }
     }
 
     private int materialNumber(SurfaceMaterial material) {
@@ -164,7 +227,7 @@ final class DeviceSceneWriter {
             records.add(
                     image.width(),
                     image.height(),
-                    isPacked ? ints.add(image.packed()) : LEFT_TO_HOST,
+                    isPacked ? ints.add(image.packed()) : NONE,
                     isPacked ? 0 : floats.add(image.components()),
                     isPacked ? doubles.add(image.values()) : 0);
         }
@@ -178,9 +241,10 @@ final class DeviceSceneWriter {
             int place = doubles.add(light.r, light.g, light.b, light.ballX, light.ballY, light.ballZ, light.ballRadius);
             doubles.add(light.x, light.y, light.z, light.right.x(), light.right.y(), light.right.z());
             doubles.add(light.up.x(), light.up.y(), light.up.z());
-            int surface = light.surface == null ? LEFT_TO_HOST : scene.primitives.length + seen++;
+            int surface = light.surface == null ? NONE : scene.primitives.length + seen++;
             int kind = light.isDelta ? 2 : light.radius > 0 ? 0 : 1;
-            records.add(kind, surface, place);
+            boolean isSearchedSingly = light.occluders != null && light.occluders.union() == null;
+            records.add(kind, surface, place, isSearchedSingly ? 1 : 0);
         }
         set(DeviceScene.Int.LIGHTS, ints.add(records.toArray()));
         set(DeviceScene.Int.LIGHT_COUNT, scene.lights.length);

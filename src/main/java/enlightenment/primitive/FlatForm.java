@@ -1,10 +1,14 @@
 package enlightenment.primitive;
 
+import enlightenment.mesh.TriangleMesh;
+
 /**
  * A primitive as plain numbers, for code on another device that computes what the primitive does, operation by operation. Which number is
  * what stands beside that code.
+ *
+ * @param mesh of which it is an instance, or null
  */
-public record FlatForm(Kind kind, double[] numbers) {
+public record FlatForm(Kind kind, double[] numbers, TriangleMesh mesh) {
     /** What such code knows. */
     public enum Kind {
         SPHERE,
@@ -13,7 +17,8 @@ public record FlatForm(Kind kind, double[] numbers) {
         DISK,
         BOX,
         CUBE,
-        AXIAL
+        AXIAL,
+        MESH
     }
 
     static FlatForm of(Kind kind, double[]... parts) {
@@ -27,6 +32,6 @@ public record FlatForm(Kind kind, double[] numbers) {
             System.arraycopy(part, 0, all, at, part.length);
             at += part.length;
         }
-        return new FlatForm(kind, all);
+        return new FlatForm(kind, all, null);
     }
 }

@@ -295,6 +295,11 @@ public final class MeshPrimitive extends Primitive {
     }
 
     @Override
+    public FlatForm flatForm() {
+        return new FlatForm(FlatForm.Kind.MESH, placing.flatForm(), mesh);
+    }
+
+    @Override
     Primitive scaledBy(int k) {
         return new MeshPrimitive(mesh, placing.scaledBy(k));
     }

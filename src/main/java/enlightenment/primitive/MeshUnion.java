@@ -95,6 +95,21 @@ public final class MeshUnion {
         return members[member];
     }
 
+    /** It as one mesh for code on another device. */
+    public FlatForm flatForm() {
+        return new FlatForm(FlatForm.Kind.MESH, placing.flatForm(), tree.mesh());
+    }
+
+    /** By member: the number of its first triangle among all; then the number of all. */
+    public int[] firstTriangles() {
+        return first.clone();
+    }
+
+    /** The ids of the members. */
+    public int[] ids() {
+        return ids.clone();
+    }
+
     /** A box around all. */
     public Bounds bounds() {
         return bounds;

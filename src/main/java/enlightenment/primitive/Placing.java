@@ -193,6 +193,15 @@ final class Placing implements PlacedVertices {
         return Arrays.hashCode(numbers);
     }
 
+    /** Its numbers for code on another device: offset, matrix and inverse, whether it only moves, and two bounds. */
+    double[] flatForm() {
+        double[] all = Arrays.copyOf(numbers, numbers.length + 3);
+        all[numbers.length] = isMove ? 1 : 0;
+        all[numbers.length + 1] = maxOffset();
+        all[numbers.length + 2] = largestInverse();
+        return all;
+    }
+
     /** Its numbers: where it puts the origin, then the matrix. */
     double[] numbers() {
         return Arrays.copyOf(numbers, INVERSE);

@@ -16,26 +16,37 @@ typedef struct {
     int solidCount;
     Ray ray;
     Hit hit;
+    // The normal that the surface is shaded by, to its outside; another than its own where it is smooth.
+    Vec normal;
+    bool isSmooth;
     Vec throughput;
     Vec light;
 } Path;
 
-bool isBlocked(Scene *s, const Hit *hit, const View *view) {
+bool isBlocked(Scene *s, const Path *path, const View *view, int hierarchy) {
     Ray shadow;
-    setRay(s, &shadow, hit->p.x, hit->p.y, hit->p.z, view->d.x, view->d.y, view->d.z, 0);
+    const Hit *hit = &path->hit;
+    Closest best;
+    best.id = NOTHING;
+    if (path->isSmooth) {
+        Vec o = bulgeOf(s, hit);
+        setRay(s, &shadow, hit->p.x + o.x, hit->p.y + o.y, hit->p.z + o.z, fma(view->d.x, view->length, -o.x),
+                fma(view->d.y, view->length, -o.y), fma(view->d.z, view->length, -o.z), 0);
+        best.t = 1;
+    } else {
+        setRay(s, &shadow, hit->p.x, hit->p.y, hit->p.z, view->d.x, view->d.y, view->d.z, 0);
+        best.t = view->length;
+    }
     startOn(&shadow, hit, hit->side);
     s->shadowRays++;
-    Closest best;
-    best.t = view->length;
-    best.id = NOTHING;
-    return search(s, &shadow, true, &best);
+    return search(s, &shadow, true, hierarchy, &best);
 }
 
 // The mean over light points of (visible ? 1 : keeps) · cosθ at the hit.
 double lightMean(Scene *s, const Path *path, Vec n, int index, double keeps) {
     View view;
-    const Hit *hit = &path->hit;
-    aim(s, &view, index, hit->p);
+    int hierarchy = lightOf(s, index)[LIGHT_HIERARCHY];
+    aim(s, &view, index, path->hit.p);
     int count = view.kind == POINT_LIGHT ? 1 : s->i[LIGHT_POINTS];
     s->lightSamples += count;
     double unshadowed = meanCosine(&view, n);
@@ -55,7 +66,7 @@ double lightMean(Scene *s, const Path *path, Vec n, int index, double keeps) {
             sampleLight(&view, sobolX(first + j, seed), sobolY(first + j, seed));
             double cosine = n.x * view.d.x + n.y * view.d.y + n.z * view.d.z;
             if (cosine > 0) {
-                sum += rays && isBlocked(s, hit, &view) ? keeps * cosine : cosine;
+                sum += rays && isBlocked(s, path, &view, hierarchy) ? keeps * cosine : cosine;
             }
         }
         return sum / count;
@@ -64,7 +75,7 @@ double lightMean(Scene *s, const Path *path, Vec n, int index, double keeps) {
     int blocked = 0;
     for (int j = 0; j < count; j++) {
         sampleByCosine(&view, sobolX(first + j, seed), sobolY(first + j, seed));
-        blocked += isBlocked(s, hit, &view) ? 1 : 0;
+        blocked += isBlocked(s, path, &view, hierarchy) ? 1 : 0;
     }
     if (blocked == count) {
         return keeps * unshadowed;
@@ -93,8 +104,8 @@ void shadeSurface(Scene *s, Path *path, __global const int *material, Vec color,
         addLight(path, color.x * factor, color.y * factor, color.z * factor);
         return;
     }
-    const Hit *hit = &path->hit;
-    Vec n = vec(hit->n.x * hit->side, hit->n.y * hit->side, hit->n.z * hit->side);
+    int side = path->hit.side;
+    Vec n = vec(path->normal.x * side, path->normal.y * side, path->normal.z * side);
     double keeps = material[RECEIVES_SHADOWS] != 0 ? s->d[SHADOW] : 1;
     Vec sum = vec(0, 0, 0);
     for (int k = 0; k < lights && s->state == DONE; k++) {
@@ -248,11 +259,11 @@ bool follow(Scene *s, Path *path) {
     Closest best;
     best.t = DBL_MAX;
     best.id = NOTHING;
-    search(s, &path->ray, false, &best);
+    search(s, &path->ray, false, 0, &best);
     int light = NOTHING;
     for (int k = 0; k < s->i[LIGHT_COUNT]; k++) {
         int surface = lightOf(s, k)[LIGHT_SURFACE];
-        double t = surface < 0 ? MISS : nearestOf(s, surface, &path->ray, best.t);
+        double t = surface < 0 ? MISS : nearestOf(s, surface, &path->ray, best.t, false);
         if (t < best.t) {
             best.t = t;
             light = k;
@@ -267,6 +278,7 @@ bool follow(Scene *s, Path *path) {
         addLight(path, s->d[BACKGROUND], s->d[BACKGROUND + 1], s->d[BACKGROUND + 2]);
         return false;
     }
+    path->ray.element = best.element;
     completeOf(s, best.id, &path->ray, best.t, &path->hit);
     if (touchesOther(s, &path->hit)) {
         s->state = LEFT_TO_HOST;
@@ -274,6 +286,12 @@ bool follow(Scene *s, Path *path) {
     }
     __global const int *material = materialAt(s, &path->hit);
     bool passedStraight = false;
+    path->normal = path->hit.n;
+    path->isSmooth = material[MATERIAL_KIND] != GLASS && shadingNormal(s, &path->hit, &path->normal);
+    if (path->isSmooth && material[MATERIAL_KIND] == MIRROR) {
+        s->state = LEFT_TO_HOST;
+        return false;
+    }
     if (material[MATERIAL_KIND] == GLASS) {
         crossGlass(s, path, material, &passedStraight);
     } else {

@@ -4,10 +4,11 @@
 #define RECTANGLE_LIGHT 1
 #define POINT_LIGHT 2
 
-#define LIGHT_SIZE 3
+#define LIGHT_SIZE 4
 #define LIGHT_KIND 0
 #define LIGHT_SURFACE 1
 #define LIGHT_NUMBERS 2
+#define LIGHT_HIERARCHY 3
 
 typedef struct {
     __global const double *q;

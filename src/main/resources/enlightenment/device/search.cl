@@ -1,5 +1,5 @@
-// What a ray meets: primitive.Primitive, accel.Closest, and a hierarchy searched as accel.FloatBvh is. Boxes only cull.
-double nearestOf(const Scene *s, int id, Ray *r, double tMax) {
+// What a ray meets: primitive.Primitive, accel.Closest, and hierarchies searched as accel.FloatBvh is. Boxes only cull.
+double nearestOf(const Scene *s, int id, Ray *r, double tMax, bool any) {
     __global const double *q = numbersOf(s, id);
     bool own = r->start == id;
     switch (primitive(s, id)[KIND]) {
@@ -19,6 +19,8 @@ double nearestOf(const Scene *s, int id, Ray *r, double tMax) {
             Hit scratch;
             return crossingAxial(q, r, own, tMax, &scratch);
         }
+        case MESH:
+            return nearestMesh(s, q, r, own, tMax, any);
         default:
             return MISS;
     }
@@ -49,6 +51,9 @@ void completeOf(const Scene *s, int id, const Ray *r, double t, Hit *hit) {
             break;
         case AXIAL:
             completeAxial(q, r, own, hit);
+            break;
+        case MESH:
+            completeMesh(s, q, r, own, hit);
             break;
     }
 }
@@ -81,66 +86,17 @@ void placeOnTexture(const Scene *s, const Hit *hit, double *uv) {
                 vec(fractionOf(hit->p.x, q[0], q[3]), fractionOf(hit->p.y, q[1], q[4]), fractionOf(hit->p.z, q[2], q[5])), uv);
     } else if (kind == CUBE) {
         placeOnFace(hit->face, vec(cubeFraction(q, hit, 0), cubeFraction(q, hit, 1), cubeFraction(q, hit, 2)), uv);
-    } else {
+    } else if (kind == AXIAL) {
         placeOnAxial(q, hit, uv);
+    } else {
+        placeOnMesh(s, q, hit, uv);
     }
 }
 
 // Whether u is periodic: 0 and 1 are the same place.
 bool repeats(const Scene *s, int id) {
     int kind = primitive(s, id)[KIND];
-    return kind == SPHERE || kind == TRIANGLE && numbersOf(s, id)[PLANE_SIZE + 9] != 0;
-}
-
-// bvh.FloatSlabs
-typedef struct {
-    float invX;
-    float invY;
-    float invZ;
-    float offsetX;
-    float offsetY;
-    float offsetZ;
-    float tMin;
-} Slabs;
-
-float roundedDown(double v) {
-    return convert_float_rtn(v);
-}
-
-float roundedUp(double v) {
-    return convert_float_rtp(v);
-}
-
-float inverseOf(double d) {
-    return (float) larger(-0x1p60, smaller(0x1p60, 1 / d));
-}
-
-bool setSlabs(Slabs *b, const Ray *r, double reach) {
-    double o = larger(fabs(r->ox), larger(fabs(r->oy), fabs(r->oz)));
-    if (!(r->dd >= 0x1p-40 && r->dd <= 0x1p40 && o <= 2 * reach && r->tMin >= 0)) {
-        return false;
-    }
-    b->invX = inverseOf(r->dx);
-    b->invY = inverseOf(r->dy);
-    b->invZ = inverseOf(r->dz);
-    b->offsetX = (float) (-r->ox * b->invX);
-    b->offsetY = (float) (-r->oy * b->invY);
-    b->offsetZ = (float) (-r->oz * b->invZ);
-    b->tMin = fmax(0.0f, roundedDown(r->tMin));
-    return true;
-}
-
-// Where the ray enters a child's box; infinite if it misses that, or enters it beyond the limit.
-float entryOf(const Slabs *s, __global const float *b, float limit) {
-    float mx = fma(b[0], s->invX, s->offsetX);
-    float my = fma(b[2], s->invY, s->offsetY);
-    float mz = fma(b[4], s->invZ, s->offsetZ);
-    float sx = fabs(s->invX);
-    float sy = fabs(s->invY);
-    float sz = fabs(s->invZ);
-    float near = fmax(fmax(fma(-b[6], sx, mx), fma(-b[8], sy, my)), fmax(fma(-b[10], sz, mz), s->tMin));
-    float far = fmin(fmin(fma(b[6], sx, mx), fma(b[8], sy, my)), fmin(fma(b[10], sz, mz), limit));
-    return near <= far ? near : (float) INFINITY;
+    return kind == SPHERE || kind == MESH || kind == TRIANGLE && numbersOf(s, id)[PLANE_SIZE + 9] != 0;
 }
 
 // accel.Closest
@@ -150,41 +106,62 @@ typedef struct {
     int element;
 } Closest;
 
-bool leavesAt(const Scene *s, const Ray *r, int id, double t) {
+bool leavesAt(const Scene *s, Ray *r, int id, int element, double t) {
     Hit scratch;
+    r->element = element;
     completeOf(s, id, r, t, &scratch);
     return scratch.side == INSIDE;
 }
 
-void offer(const Scene *s, Ray *r, int candidate, Closest *best) {
-    double t = nearestOf(s, candidate, r, best->t);
-    if (t == best->t && best->id != NOTHING) {
-        bool leaves = leavesAt(s, r, candidate, t);
-        bool known = leavesAt(s, r, best->id, t);
-        if (leaves == known ? candidate < best->id : leaves) {
-            best->id = candidate;
+// Keeps a crossing of a primitive, if it is the closest: at equal t one that leaves a solid comes first, then the lower id.
+void take(const Scene *s, Ray *r, int candidate, double t, Closest *best) {
+    int element = r->element;
+    bool isCloser = t < best->t;
+    if (t == best->t) {
+        isCloser = best->id == NOTHING;
+        if (!isCloser) {
+            bool leaves = leavesAt(s, r, candidate, element, t);
+            bool known = leavesAt(s, r, best->id, best->element, t);
+            isCloser = leaves == known ? candidate < best->id : leaves;
         }
-    } else if (t <= best->t) {
+    }
+    if (isCloser) {
         best->t = t;
         best->id = candidate;
+        best->element = element;
     }
 }
 
-#define MAX_DEPTH 64
-#define NODE 12
-#define EMPTY_LEAF (~0)
+// In the order of a hierarchy's leaves, what stands for all meshes that are searched together.
+#define JOINED (-1)
 
-// The closest primitive that a ray meets; or, where any will do, whether it meets one that is no farther than the limit.
-bool search(Scene *s, Ray *r, bool any, Closest *best) {
+void offer(const Scene *s, Ray *r, int item, Closest *best) {
+    int id = item;
+    double t = item == JOINED ? nearestUnion(s, r, best->t, false, &id) : nearestOf(s, item, r, best->t, false);
+    if (t != MISS) {
+        take(s, r, id, t, best);
+    }
+}
+
+bool blocks(const Scene *s, Ray *r, int item, double tMax) {
+    int id;
+    double t = item == JOINED ? nearestUnion(s, r, tMax, true, &id) : nearestOf(s, item, r, tMax, true);
+    return t <= tMax;
+}
+
+// The closest primitive that a ray meets; or, where any will do, whether it meets one that is no farther than the limit. Hierarchy 0 has meshes
+// that are searched together as one item, hierarchy 1 has each of them.
+bool search(Scene *s, Ray *r, bool any, int hierarchy, Closest *best) {
     int stack[MAX_DEPTH];
     float entries[MAX_DEPTH];
     Slabs slabs;
-    if (!setSlabs(&slabs, r, s->d[REACH])) {
+    if (!setSlabs(&slabs, r->ox, r->oy, r->oz, r->dx, r->dy, r->dz, r->dd, r->tMin, s->d[REACH + hierarchy])) {
         s->state = LEFT_TO_HOST;
         return false;
     }
-    __global const int *child = s->i + s->i[CHILDREN];
-    __global const int *order = s->i + s->i[ORDER];
+    __global const float *boxes = s->f + s->i[BOXES + hierarchy];
+    __global const int *child = s->i + s->i[CHILDREN + hierarchy];
+    __global const int *order = s->i + s->i[ORDER + hierarchy];
     float limit = roundedUp(best->t);
     int depth = 1;
     stack[0] = 0;
@@ -193,25 +170,12 @@ bool search(Scene *s, Ray *r, bool any, Closest *best) {
         if (entries[--depth] > limit) {
             continue;
         }
-        int node = stack[depth];
-        while (node >= 0) {
-            float l = entryOf(&slabs, s->f + NODE * node, limit);
-            float right = entryOf(&slabs, s->f + NODE * node + 1, limit);
-            int nearer = l <= right ? 0 : 1;
-            int link = 2 * node;
-            node = child[link + nearer];
-            if (fmax(l, right) < (float) INFINITY) {
-                entries[depth] = fmax(l, right);
-                stack[depth++] = child[link + 1 - nearer];
-            } else if (fmin(l, right) == (float) INFINITY) {
-                node = EMPTY_LEAF;
-            }
-        }
+        int node = nextLeaf(boxes, child, &slabs, stack[depth], limit, stack, entries, &depth);
         int first = (int) ((uint) ~node >> 3);
         int end = first + (~node & 7);
         for (int k = first; k < end; k++) {
             if (any) {
-                if (nearestOf(s, order[k], r, best->t) <= best->t) {
+                if (blocks(s, r, order[k], best->t)) {
                     return true;
                 }
             } else {

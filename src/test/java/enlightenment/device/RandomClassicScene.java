@@ -7,9 +7,11 @@ import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
 import enlightenment.geometry.Cylinder;
 import enlightenment.geometry.Disk;
+import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
+import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
 import enlightenment.material.Glass;
@@ -17,9 +19,11 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
@@ -30,8 +34,15 @@ import java.util.Random;
 final class RandomClassicScene {
     private final Random random;
 
+    /** In two scenes of three, so that there are hierarchies of all kinds. */
+    private final boolean hasMeshes;
+
+    /** Meshes that there may be instances of. */
+    private final List<TriangleMesh> meshes = new ArrayList<>();
+
     private RandomClassicScene(long seed) {
         random = new Random(seed);
+        hasMeshes = random.nextInt(3) > 0;
     }
 
     static Scene of(long seed) {
@@ -112,7 +123,8 @@ final class RandomClassicScene {
     private Shape shape() {
         ExactPoint p = place();
         double r = length();
-        return switch (random.nextInt(8)) {
+        return switch (random.nextInt(hasMeshes ? 10 : 8)) {
+            case 8, 9 -> mesh(p, r);
             case 0 -> new Sphere(p, r, random.nextInt(360));
             case 1 -> {
                 Vec3 up = rounded(direction());
@@ -129,6 +141,83 @@ final class RandomClassicScene {
                 yield new Cone(p, moved(p, rounded(direction())), r, top, random.nextBoolean());
             }
         };
+    }
+
+    /** A new mesh or one more instance; moved, or turned and stretched. */
+    private Shape mesh(ExactPoint at, double size) {
+        if (meshes.isEmpty() || random.nextBoolean()) {
+            meshes.add(random.nextBoolean() ? wave() : ball());
+        }
+        TriangleMesh mesh = meshes.get(random.nextInt(meshes.size()));
+        Transform.Step move = new Transform.Translate(at);
+        if (random.nextBoolean()) {
+            return Mesh.of(mesh, Transform.of(move));
+        }
+        Transform.Step scale = new Transform.Scale(new Vec3(size, length(), random.nextBoolean() ? size : -size));
+        Transform.Step turn = new Transform.Rotate(new Vec3(number(90), number(90), number(90)));
+        return Mesh.of(mesh, Transform.of(scale, turn, move));
+    }
+
+    private TriangleMesh finished(float[] positions, int[] indices, float[] uv) {
+        TriangleMesh mesh = TriangleMesh.of(positions, indices).withUv(uv);
+        return random.nextBoolean() ? mesh : mesh.smooth(random.nextBoolean() ? 180 : 40);
+    }
+
+    /** An open sheet of n × n squares, flat where n is 1. */
+    private TriangleMesh wave() {
+        int n = 1 + random.nextInt(6);
+        float[] p = new float[3 * (n + 1) * (n + 1)];
+        float[] uv = new float[2 * (n + 1) * (n + 1)];
+        int[] corners = new int[6 * n * n];
+        for (int k = 0; k < (n + 1) * (n + 1); k++) {
+            int i = k % (n + 1);
+            int j = k / (n + 1);
+            p[3 * k] = 2f * i / n - 1;
+            p[3 * k + 1] = n == 1 || random.nextInt(4) == 0 ? 0 : random.nextFloat() / 2;
+            p[3 * k + 2] = 2f * j / n - 1;
+            uv[2 * k] = (float) i / n;
+            uv[2 * k + 1] = (float) j / n;
+        }
+        for (int k = 0; k < n * n; k++) {
+            int v = k / n * (n + 1) + k % n;
+            int[] two = {v, v + n + 1, v + 1, v + 1, v + n + 1, v + n + 2};
+            System.arraycopy(two, 0, corners, 6 * k, 6);
+        }
+        return finished(p, corners, uv);
+    }
+
+    /** A closed octahedron, or a ball of rings. */
+    private TriangleMesh ball() {
+        int rings = 2 + random.nextInt(5);
+        int parts = 3 + random.nextInt(5);
+        float[] p = new float[3 * ((rings - 1) * parts + 2)];
+        float[] uv = new float[p.length / 3 * 2];
+        List<Integer> corners = new ArrayList<>();
+        int north = (rings - 1) * parts;
+        p[3 * north + 1] = 1;
+        p[3 * north + 4] = -1;
+        for (int r = 1; r < rings; r++) {
+            for (int k = 0; k < parts; k++) {
+                int v = (r - 1) * parts + k;
+                double polar = Math.PI * r / rings;
+                double turn = 2 * Math.PI * k / parts;
+                p[3 * v] = (float) (Math.sin(polar) * Math.cos(turn));
+                p[3 * v + 1] = (float) Math.cos(polar);
+                p[3 * v + 2] = (float) (Math.sin(polar) * Math.sin(turn));
+                uv[2 * v] = 3f * k / parts;
+                uv[2 * v + 1] = (float) r / rings;
+                int w = (r - 1) * parts + (k + 1) % parts;
+                if (r == 1) {
+                    corners.addAll(List.of(north, w, v));
+                }
+                if (r == rings - 1) {
+                    corners.addAll(List.of(north + 1, v, w));
+                } else {
+                    corners.addAll(List.of(v, w, v + parts, w, w + parts, v + parts));
+                }
+            }
+        }
+        return finished(p, corners.stream().mapToInt(i -> i).toArray(), uv);
     }
 
     private Vec3 across(Vec3 up) {

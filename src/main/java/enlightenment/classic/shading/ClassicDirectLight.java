@@ -33,8 +33,14 @@ final class ClassicDirectLight {
     private final PathReport report;
     private final LightCone cone = new LightCone();
     private final EmitterView view = new EmitterView(cone);
+    /** The cone in which shadow rays lead to the light: from a smooth surface, not from its triangle. */
+    private final LightCone shadowCone = new LightCone();
+
     /** The offset of a smooth surface from its triangle. */
     private final double[] bulge = new double[3];
+
+    /** Whether shadow rays start there. */
+    private boolean isBulging;
 
     private final Ray shadowRay = new Ray();
 
@@ -120,6 +126,7 @@ final class ClassicDirectLight {
         ny = path.at.ny;
         nz = path.at.nz;
         double keeps = receivesShadows ? shadow : 1;
+        isBulging = path.at.isSmooth() && hit.primitive.bulge(hit, bulge);
         double r = 0;
         double g = 0;
         double b = 0;
@@ -284,7 +291,10 @@ final class ClassicDirectLight {
                 starts[count++] = glass.surface(k);
             }
         }
-        return tracer.prepareShadows(cone, starts, count, points);
+        if (isBulging) {
+            shadowCone.aim(cone.light(), hit.px + bulge[0], hit.py + bulge[1], hit.pz + bulge[2]);
+        }
+        return tracer.prepareShadows(isBulging ? shadowCone : cone, starts, count, points);
     }
 
     /** Whether a ray that leaves the surface on the viewer's side cannot meet it again. */
@@ -296,7 +306,7 @@ final class ClassicDirectLight {
     private boolean isBlocked() {
         path.poll.tick();
         double length = view.length;
-        if (path.at.isSmooth() && hit.primitive.bulge(hit, bulge)) {
+        if (isBulging) {
             // To the same point of the light; lengths are in units of the way to it.
             shadowRay.set(
                     hit.px + bulge[0],

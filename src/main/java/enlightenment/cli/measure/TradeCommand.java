@@ -37,6 +37,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
@@ -218,7 +219,9 @@ public final class TradeCommand extends Subcommand {
 
     private void evaluate(Scene scene, TradeSettings settings, TradeOutput output) throws IOException {
         try {
-            output.write(Trade.read(scene, settings, folder));
+            TradeResult result = Trade.read(scene, settings, folder);
+            output.write(result);
+            tellAutomatic(scene, result);
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--evaluate: " + e.problem());
         }
@@ -237,8 +240,17 @@ public final class TradeCommand extends Subcommand {
             throw CliException.failed("stopped before there was anything to compare with; --resume goes on");
         }
         output.write(result.get());
+        tellAutomatic(scene, result.get());
         if (!result.get().conditions().complete()) {
             throw CliException.failed("stopped: " + folder + " holds what was measured; --resume goes on");
+        }
+    }
+
+    private void tellAutomatic(Scene scene, TradeResult result) {
+        try {
+            AutomaticChoice.sentence(scene, result, terminal.stop()).ifPresent(terminal::show);
+        } catch (CancellationException e) {
+            // What was measured is written.
         }
     }
 

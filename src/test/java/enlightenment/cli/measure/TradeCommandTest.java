@@ -154,6 +154,10 @@ class TradeCommandTest {
         assertTrue(usual.outLines().get(0).startsWith("For this scene use "), usual.out());
         assertTrue(usual.outLines().get(1).startsWith("For an error of 0.0"), usual.out());
         assertTrue(usual.out().contains("\nThe reference is the mean of two independent renders: "), usual.out());
+        String last = usual.outLines().get(usual.outLines().size() - 1);
+        assertTrue(
+                last.matches("At an error of 0\\.\\d+ --method auto comes to (raytrace|cluster|metropolis), .*\\."),
+                last);
         String command = commandLine().orElseThrow().strip();
         assertTrue(command.startsWith("enlightenment render " + common.resolve("scene.json")), command);
         // The scene's folder is a temporary one, so the words hold no spaces; the picture goes there as well.

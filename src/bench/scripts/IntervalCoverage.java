@@ -5,7 +5,6 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -42,7 +41,8 @@ public final class IntervalCoverage {
     private static void measure(Scene scene, float[] reference, RenderSettings settings, String budget, int seeds) {
         boolean isError = budget.startsWith("e");
         double number = Double.parseDouble(isError ? budget.substring(1) : budget);
-        Budget limit = isError ? Budget.NONE.withError(number) : Budget.NONE.withSamples(number);
+        RenderSettings.Budget limit =
+                isError ? RenderSettings.Budget.NONE.withError(number) : RenderSettings.Budget.NONE.withSamples(number);
         int above = 0;
         int heavy = 0;
         int unwarned = 0;

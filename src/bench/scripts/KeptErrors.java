@@ -4,7 +4,6 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -123,8 +122,10 @@ public final class KeptErrors {
                         .withSize(Integer.parseInt(size[0]), Integer.parseInt(size[1]))
                         .withMethod(row.method);
                 long before = MACHINE.getProcessCpuTime();
-                row.results.add(
-                        render(scenes.get(row.name), settings.withBudget(Budget.NONE.withError(row.asked)), seed));
+                row.results.add(render(
+                        scenes.get(row.name),
+                        settings.withBudget(RenderSettings.Budget.NONE.withError(row.asked)),
+                        seed));
                 row.seconds += (MACHINE.getProcessCpuTime() - before) / 1e9;
                 Reference reference = references.get(row.name);
                 if (row.method == rows.get(0).method && reference.seconds < referenceCap) {
@@ -137,7 +138,7 @@ public final class KeptErrors {
                     reference.add(render(
                                     scenes.get(row.name),
                                     settings.withMethod(BuiltInMethod.RAYTRACE)
-                                            .withBudget(Budget.NONE.withSamples(reference.samples)),
+                                            .withBudget(RenderSettings.Budget.NONE.withSamples(reference.samples)),
                                     1_000_000L + 1000 * reference.pictures)
                             .image());
                     reference.seconds += (MACHINE.getProcessCpuTime() - before) / 1e9;

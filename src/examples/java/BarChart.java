@@ -13,7 +13,6 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshBuilder;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
@@ -46,7 +45,7 @@ public final class BarChart {
         double[] numbers =
                 Arrays.stream(args).skip(2).mapToDouble(Double::parseDouble).toArray();
         Scene scene = chart(numbers, Integer.parseInt(size[0]), Integer.parseInt(size[1]));
-        RenderSettings settings = RenderSettings.of(scene).withBudget(Budget.NONE.withSamples(64));
+        RenderSettings settings = RenderSettings.of(scene).withSamples(64);
         ImageFiles.writePng(Renderer.render(scene, settings), picture);
     }
 

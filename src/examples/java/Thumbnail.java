@@ -1,11 +1,9 @@
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
@@ -38,13 +36,13 @@ public final class Thumbnail {
     }
 
     static Image thumbnail(Path model, int side) throws IOException {
-        SceneImporter.Result imported = SceneImporter.read(model, ImportOptions.DEFAULT);
+        SceneImporter.Result imported = SceneImporter.read(model, SceneImporter.Options.DEFAULT);
         // What of the file has no counterpart here is said, and no reason to fail.
         imported.notes().forEach(System.err::println);
 
         RenderSettings settings = RenderSettings.of(imported.scene())
                 .withSize(side, side)
-                .withBudget(Budget.NONE.withSamples(16))
+                .withSamples(16)
                 // A server makes many thumbnails at once, each on one thread.
                 .withThreads(1);
         // 16 samples per pixel leave grain, which a filter removes that knows surfaces from noise.

@@ -1,10 +1,8 @@
 import enlightenment.image.ImageFiles;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.render.Film;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
@@ -39,7 +37,7 @@ public final class Turntable {
         Film film = Film.of(frames, FRAMES_PER_SECOND, n -> seenFrom(model, 360.0 * n / frames));
         for (int n = 0; n < film.frames(); n++) {
             RenderRequest asked = film.request(n);
-            RenderSettings settings = asked.settings().withSize(side, side).withBudget(Budget.NONE.withSamples(16));
+            RenderSettings settings = asked.settings().withSize(side, side).withSamples(16);
             RenderResult result = film.render(asked.withSettings(settings).withDenoised(true));
             Path file = folder.resolve(String.format("%03d.png", n));
             ImageFiles.writePng(result.denoised().orElse(result.image()), file);
@@ -49,7 +47,8 @@ public final class Turntable {
 
     /** The model from a point on a circle around it; its studio stays where it is. */
     private static Scene seenFrom(Path model, double azimuth) {
-        ImportOptions options = ImportOptions.DEFAULT.withOrbit(new ImportOptions.Orbit(azimuth, ELEVATION));
+        SceneImporter.Options options =
+                SceneImporter.Options.DEFAULT.withOrbit(new SceneImporter.Options.Orbit(azimuth, ELEVATION));
         try {
             return SceneImporter.read(model, options).scene();
         } catch (IOException e) {

@@ -370,14 +370,11 @@ public sealed interface Camera
         public static final int MOST_DISTANCES = 1000;
 
         private static final int LEAST_BLADES = 3;
+
         /** The largest number of corners of an aperture. */
         public static final int MOST_BLADES = 100;
 
-        /**
-         * Validates the components.
-         *
-         * @throws InvalidValueException with the key of the scene format
-         */
+        /** @throws InvalidValueException with the key of the scene format, for a component out of its range */
         public Lens {
             Check.notNegative("radius", radius);
             Check.positive("focusDistance", focusDistance);

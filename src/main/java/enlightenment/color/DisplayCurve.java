@@ -5,9 +5,9 @@ import enlightenment.colorimetry.TransferCurve;
 import java.util.Objects;
 
 /**
- * How the numbers of a picture become what a screen takes. Display-referred ones are that already ({@link #NONE}). Linear light is
- * multiplied by 2<sup>exposure</sup>, goes through the tone curve, is limited to 0..1 and encoded by the sRGB curve ({@link
- * TransferCurve}), each band by itself. By {@link StrictMath} and exact roundings: the same bits on every machine. Immutable.
+ * How the numbers of a picture become what a screen takes: exposure, tone and the sRGB curve. Display-referred ones are that already ({@link
+ * #NONE}). Linear light is multiplied by 2<sup>exposure</sup>, goes through the tone curve, is limited to 0..1 and encoded by the sRGB curve
+ * ({@link TransferCurve}), each band by itself. By {@link StrictMath} and exact roundings: the same bits on every machine. Immutable.
  */
 public final class DisplayCurve {
     /** The greatest exposure either way, in stops: far beyond anything that has something to show. */

@@ -4,9 +4,9 @@ import enlightenment.check.Check;
 import enlightenment.colorimetry.TransferCurve;
 
 /**
- * Linear light: three independent bands with the primaries and the white of Rec. 709 (ITU-R BT.709, those of sRGB), not encoded
- * and without an upper limit. As a reflectance each component is the share that is reflected; as a radiance it is in the unit
- * of lights, which is relative: only ratios are visible.
+ * Linear light in the bands red, green and blue: proportional to energy, not encoded and without an upper limit. Primaries and white are those of
+ * Rec. 709 (ITU-R BT.709) and of sRGB. As a reflectance each component is the share that is reflected; as a radiance it is in the unit of lights,
+ * which is relative: only ratios are visible.
  *
  * @param r red, finite and at least 0
  * @param g green, finite and at least 0

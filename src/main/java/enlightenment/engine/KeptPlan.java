@@ -1,7 +1,6 @@
 package enlightenment.engine;
 
 import enlightenment.plan.RenderPlan;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -17,7 +16,7 @@ import java.util.Optional;
  * together.
  *
  * @param round which render of the picture it is the plan of: 1, or more where those before were not as exact as asked
- * @param depth of the file that the budget's error was for ({@link Budget#depth}); outlines that were kept do not tell
+ * @param depth of the file that the budget's error was for ({@link RenderSettings.Budget#depth}); outlines that were kept do not tell
  * @param outline what is rendered
  */
 public record KeptPlan(int round, int depth, RenderOutline outline) {
@@ -73,8 +72,8 @@ public record KeptPlan(int round, int depth, RenderOutline outline) {
                         || depth == settings.budget().depth());
     }
 
-    private static Budget withoutDepth(Budget budget) {
-        return new Budget(budget.samples(), budget.error(), budget.seconds(), 0);
+    private static RenderSettings.Budget withoutDepth(RenderSettings.Budget budget) {
+        return new RenderSettings.Budget(budget.samples(), budget.error(), budget.seconds(), 0);
     }
 
     /** Whether units of the same number give the same results, for renders that differ in their budgets at most. */

@@ -4,7 +4,6 @@ import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
 import enlightenment.film.SplatScale;
 import enlightenment.plan.RenderPlan;
-import enlightenment.scene.Budget;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -120,7 +119,8 @@ public final class OutlineBytes {
         int antialias = in.readInt();
         long seed = in.readLong();
         // For which file the error was planned matters to nobody who has the plan.
-        Budget budget = new Budget(readOptional(in), readOptional(in), readOptional(in), 0);
+        RenderSettings.Budget budget =
+                new RenderSettings.Budget(readOptional(in), readOptional(in), readOptional(in), 0);
         RenderSettings settings = new RenderSettings(
                 method,
                 width,

@@ -12,12 +12,13 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Triangles, placed. Many objects may place the same {@link TriangleMesh}: it is kept once. If the mesh is closed it is a solid: glass and
- * media may fill it.
+ * A triangle mesh as a shape: its triangles, and where they are placed in the scene. Many objects may place the same {@link TriangleMesh}: it is
+ * kept once. If the mesh is closed it is a solid: glass and media may fill it.
  *
  * @param triangles the mesh, in its own coordinates
  * @param origin where it was read from, which a scene file names; empty for one that was made otherwise
  * @param transform from the mesh's coordinates to those of the scene
+ *
  */
 public record Mesh(TriangleMesh triangles, Optional<MeshFiles.Origin> origin, Transform transform) implements Shape {
     /** All must be there. */

@@ -4,10 +4,11 @@ import enlightenment.math.ExactPoint;
 import java.util.List;
 
 /**
- * The geometry of an object: an immutable description in scene coordinates and scene units, exact, validated when it is made.
+ * The geometry of an object, such as a sphere, a box or a mesh: an immutable description in scene coordinates, validated when it is made.
  *
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
  * of range or a degenerate shape, and {@link NullPointerException} for a missing value. Angles are degrees.
+ *
  */
 public sealed interface Shape permits Sphere, Rectangle, Disk, Cylinder, Cone, Cube, Box, Torus, Triangle, Mesh {
 

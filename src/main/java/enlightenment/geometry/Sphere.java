@@ -6,11 +6,12 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A ball.
+ * A ball: all points within a radius of its centre.
  *
  * @param center the centre
  * @param radius greater than 0
  * @param rotation turns the texture about +y by this angle in degrees, finite; at 0 the texture's left edge faces -z
+ *
  */
 public record Sphere(ExactPoint center, double radius, double rotation) implements Shape {
     /** Validates the components, as {@link Shape} states. */

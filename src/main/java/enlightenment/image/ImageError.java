@@ -4,9 +4,9 @@ import enlightenment.color.Color;
 import enlightenment.numeric.CompensatedSum;
 
 /**
- * By how much one image differs from another, in figures. The components are taken as they are stored: display-referred pictures
- * are compared in display units (0 is black, 1 is white), those of linear light in linear units, and one is not compared with
- * the other. Components outside 0..1 count as they are. Means run over all components of all pixels, row by row, with compensated sums: the
+ * By how much one picture differs from another: root mean square error and other figures. The components are taken as they are stored:
+ * display-referred pictures are compared in display units (0 is black, 1 is white), those of linear light in linear units, and one is not compared
+ * with the other. Components outside 0..1 count as they are. Means run over all components of all pixels, row by row, with compensated sums: the
  * same images give the same bits on every machine.
  *
  * @param meanSquaredError mean of (a − b)²
@@ -15,6 +15,7 @@ import enlightenment.numeric.CompensatedSum;
  *     reconstruction using greedy error minimization", 2011)
  * @param meanAbsoluteError mean of |a − b|
  * @param largest the component that differs most
+ *
  */
 public record ImageError(
         double meanSquaredError, double relativeMeanSquaredError, double meanAbsoluteError, Largest largest) {

@@ -11,11 +11,12 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * The kinds of picture files: the only list of them. {@link ImageFiles} reads all, and writes those that {@linkplain
- * #isWritten are written}.
+ * The formats of picture files: which can be read, which can be written, and what they hold. {@link ImageFiles} reads all, and writes those that
+ * {@linkplain #isWritten are written}.
  *
  * <p>Whole numbers are fractions of their maximum, and display-referred. Floats are the components themselves, without limits;
  * whether they are display-referred or linear light ({@link Color.Encoding}) no such file says.
+ *
  */
 public enum ImageFormat {
     /** Portable Network Graphics (W3C): lossless, the format of finished pictures. */

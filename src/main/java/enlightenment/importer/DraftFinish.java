@@ -4,8 +4,6 @@ import enlightenment.camera.Camera;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.math.InvalidValueException;
 import enlightenment.scene.Animation;
-import enlightenment.scene.Background;
-import enlightenment.scene.Display;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import java.util.Optional;
@@ -13,13 +11,13 @@ import java.util.Optional;
 /** Makes a scene of a draft: adds the view and the light that the file lacks, or that the options replace. */
 final class DraftFinish {
     private final ImportDraft draft;
-    private final ImportOptions options;
-    private final ImportOptions.Up up;
+    private final SceneImporter.Options options;
+    private final SceneImporter.Options.Up up;
 
-    DraftFinish(ImportDraft draft, ImportOptions options) {
+    DraftFinish(ImportDraft draft, SceneImporter.Options options) {
         this.draft = draft;
         this.options = options;
-        up = options.up().orElse(draft.isUpZ() ? ImportOptions.Up.Z : ImportOptions.Up.Y);
+        up = options.up().orElse(draft.isUpZ() ? SceneImporter.Options.Up.Z : SceneImporter.Options.Up.Y);
     }
 
     /**
@@ -33,7 +31,7 @@ final class DraftFinish {
         }
         int width = draft.width() == 0 ? Studio.WIDTH : draft.width();
         int height = draft.height() == 0 ? Studio.HEIGHT : draft.height();
-        ImportOptions.Orbit orbit = options.orbit().orElse(ImportOptions.Orbit.USUAL);
+        SceneImporter.Options.Orbit orbit = options.orbit().orElse(SceneImporter.Options.Orbit.USUAL);
         Studio studio = new Studio(draft.objects(), up, orbit, (double) width / height);
         Optional<Camera> own = options.orbit().isPresent() ? Optional.empty() : draft.camera();
         Camera camera = own.orElseGet(studio::camera);
@@ -47,7 +45,7 @@ final class DraftFinish {
                 .size(width, height)
                 .camera(camera)
                 .shading(new Shading.Physical(draft.maxBounces(), draft.background(), Optional.empty()))
-                .display(new Display(draft.exposure(), Display.DEFAULT.tone()));
+                .display(new Scene.Display(draft.exposure(), Scene.Display.DEFAULT.tone()));
         draft.materials().forEach(scene::material);
         draft.lights().forEach(scene::light);
         draft.objects().forEach(scene::object);
@@ -73,14 +71,15 @@ final class DraftFinish {
     private void addLight(Studio studio, boolean isModel) {
         boolean wasLit = draft.isLit();
         if (options.backdrop().isPresent() || !wasLit) {
-            draft.background(background(options.backdrop().orElse(new ImportOptions.Backdrop.Studio()), studio));
+            draft.background(
+                    background(options.backdrop().orElse(new SceneImporter.Options.Backdrop.Studio()), studio));
         }
-        boolean isSky = draft.background() instanceof Background.Sky;
+        boolean isSky = draft.background() instanceof Shading.Background.Sky;
         if (!draft.hasLights() && !isSky && (options.backdrop().isPresent() || !wasLit)) {
             studio.addLamp(draft);
         }
-        boolean isPlain =
-                options.backdrop().isPresent() && options.backdrop().get() instanceof ImportOptions.Backdrop.Constant;
+        boolean isPlain = options.backdrop().isPresent()
+                && options.backdrop().get() instanceof SceneImporter.Options.Backdrop.Constant;
         if (isModel && !isPlain && studio.isSeenFromAbove()) {
             studio.addGround(draft);
         }
@@ -89,11 +88,11 @@ final class DraftFinish {
         }
     }
 
-    private Background background(ImportOptions.Backdrop backdrop, Studio studio) {
-        if (backdrop instanceof ImportOptions.Backdrop.Constant constant) {
-            return new Background.Constant(constant.radiance());
-        } else if (backdrop instanceof ImportOptions.Backdrop.Sky) {
-            if (up != ImportOptions.Up.Y) {
+    private Shading.Background background(SceneImporter.Options.Backdrop backdrop, Studio studio) {
+        if (backdrop instanceof SceneImporter.Options.Backdrop.Constant constant) {
+            return new Shading.Background.Constant(constant.radiance());
+        } else if (backdrop instanceof SceneImporter.Options.Backdrop.Sky) {
+            if (up != SceneImporter.Options.Up.Y) {
                 throw new InvalidValueException("background", "a sky stands above models whose y axis points upwards");
             }
             return studio.clearSky();

@@ -1,5 +1,8 @@
 package enlightenment.importer;
 
+import enlightenment.check.Check;
+import enlightenment.check.Radiance;
+import enlightenment.color.Rgb;
 import enlightenment.file.FileFailure;
 import enlightenment.file.InputFile;
 import enlightenment.importer.gltf.GltfReader;
@@ -11,6 +14,7 @@ import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
 import enlightenment.importer.support.NamedChoice;
 import enlightenment.math.InvalidValueException;
+import enlightenment.math.Vec3;
 import enlightenment.nff.NffReader;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -25,8 +29,9 @@ import java.util.Optional;
 import java.util.TreeSet;
 
 /**
- * Reads scenes and models of other programs: by the end of the name models ({@code .ply}, {@code .obj}, {@code .stl}, {@code .serialized}), scenes
- * of Mitsuba ({@code .xml}), of pbrt-v4 ({@code .pbrt}) and in glTF 2.0 ({@code .gltf}, {@code .glb}), and Eric Haines' NFF ({@code .nff}).
+ * Reads scenes and models of other programs: glTF, pbrt, Mitsuba, OBJ, PLY, STL and NFF. The end of a name says what a file is: models ({@code
+ * .ply}, {@code .obj}, {@code .stl}, {@code .serialized}), scenes of Mitsuba ({@code .xml}), of pbrt-v4 ({@code .pbrt}) and in glTF 2.0 ({@code
+ * .gltf}, {@code .glb}), and Eric Haines' NFF ({@code .nff}).
  *
  * <p>A file without a camera is seen from three quarters, a file without light stands in a studio: on a ground that catches its shadow, under a
  * soft light. That lights a file, too, whose lights are all left out; a note says so.
@@ -87,7 +92,7 @@ public final class SceneImporter {
      * @throws SceneException if it cannot be used: lists the problems with file and place
      * @throws IOException if it cannot be read
      */
-    public static Result read(Path file, ImportOptions options) throws IOException {
+    public static Result read(Path file, Options options) throws IOException {
         InputFile.requireEnd(file);
         // Folders and what is not there are refused.
         InputFile.start(file, 1);
@@ -112,7 +117,7 @@ public final class SceneImporter {
         }
     }
 
-    private static ImportDraft draft(Path file, Format format, ImportOptions options) throws IOException {
+    private static ImportDraft draft(Path file, Format format, Options options) throws IOException {
         return switch (format) {
             case GLTF ->
                 GltfReader.read(
@@ -133,18 +138,18 @@ public final class SceneImporter {
     }
 
     /** Refuses the choice of another camera than the only one that the format can have. */
-    private static ImportDraft withOneCamera(Path file, ImportDraft draft, ImportOptions options) {
+    private static ImportDraft withOneCamera(Path file, ImportDraft draft, Options options) {
         requireCamera(file, draft.camera(), options);
         return withoutAnimation(file, draft, options);
     }
 
     /** Refuses the choice of an animation in a format that has none. */
-    private static ImportDraft withoutAnimation(Path file, ImportDraft draft, ImportOptions options) {
+    private static ImportDraft withoutAnimation(Path file, ImportDraft draft, Options options) {
         requireOnly(file, NamedChoice.animation(options.animation()), Optional.empty());
         return draft;
     }
 
-    private static void requireCamera(Path file, Optional<?> camera, ImportOptions options) {
+    private static void requireCamera(Path file, Optional<?> camera, Options options) {
         requireOnly(file, NamedChoice.camera(options.camera()), camera);
     }
 
@@ -157,7 +162,7 @@ public final class SceneImporter {
     }
 
     /** NFF has a camera, lights and classic shading, none of which can be chosen otherwise. */
-    private static Result nff(Path file, ImportOptions options) throws IOException {
+    private static Result nff(Path file, Options options) throws IOException {
         if (options.up().isPresent()
                 || options.orbit().isPresent()
                 || options.backdrop().isPresent()) {
@@ -194,6 +199,155 @@ public final class SceneImporter {
         public Result {
             Objects.requireNonNull(scene, "scene");
             notes = List.copyOf(notes);
+        }
+    }
+
+    /**
+     * Choices for reading files of other programs.
+     *
+     * @param extracted the folder that pictures are written to which the file holds inside, such as those of a GLB; made when it is needed. Scenes name
+     *     them there, so they must stay as long as the scene is used. Empty for a temporary one that goes when the process ends
+     * @param up the axis that points upwards for views and light that the file lacks; empty for z in STL files and y in others
+     * @param camera the camera of the file: its number in the file's order, from 0, or its name, of which the first counts; empty for the first camera
+     * @param orbit the view of the whole model from outside, in place of the file's camera; empty for the camera, and the usual view where there is none
+     * @param backdrop the surroundings; empty for those of the file, and the studio's where nothing shines
+     * @param framesPerSecond how many frames a second of a file's animation has, greater than 0 and finite; 24 as a film
+     * @param animation the animation of the file: its number in the file's order, from 0, or its name, of which the first counts; empty for the first
+     *     animation
+     */
+    public record Options(
+            Optional<Path> extracted,
+            Optional<Up> up,
+            Optional<String> camera,
+            Optional<Orbit> orbit,
+            Optional<Backdrop> backdrop,
+            double framesPerSecond,
+            Optional<String> animation) {
+        /** The usual choices. */
+        public static final Options DEFAULT = new Options(
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                24,
+                Optional.empty());
+
+        /** An axis that points upwards, with the front of a model that stands on it. */
+        public enum Up {
+            X(Vec3.X, Vec3.Z),
+            Y(Vec3.Y, Vec3.Z),
+            Z(Vec3.Z, new Vec3(0, -1, 0)),
+            MINUS_X(new Vec3(-1, 0, 0), Vec3.Z),
+            MINUS_Y(new Vec3(0, -1, 0), new Vec3(0, 0, -1)),
+            MINUS_Z(new Vec3(0, 0, -1), Vec3.Y);
+
+            private final Vec3 axis;
+            private final Vec3 front;
+
+            Up(Vec3 axis, Vec3 front) {
+                this.axis = axis;
+                this.front = front;
+            }
+
+            /** The unit vector upwards. */
+            public Vec3 axis() {
+                return axis;
+            }
+
+            /** The unit vector to which models face: +z where y points upwards (glTF 2.0, section 3.4), −y where z does. */
+            public Vec3 front() {
+                return front;
+            }
+
+            /** The unit vector to the right of the picture seen from the front: axis × front. */
+            public Vec3 right() {
+                return axis.cross(front);
+            }
+        }
+
+        /**
+         * A view towards the middle of the model.
+         *
+         * @param azimuth of the eye, degrees from the front of the model to the right, −360..360
+         * @param elevation of the eye above the horizon, degrees, −90..90
+         */
+        public record Orbit(double azimuth, double elevation) {
+            /** The usual view: three quarters, and somewhat from above. */
+            public static final Orbit USUAL = new Orbit(35, 22);
+
+            /** @throws enlightenment.math.InvalidValueException for an angle out of range */
+            public Orbit {
+                Check.range("azimuth", azimuth, -360, 360);
+                Check.range("elevation", elevation, -90, 90);
+            }
+        }
+
+        /** @throws enlightenment.math.InvalidValueException (key {@code framesPerSecond}) if it is not greater than 0 and finite */
+        public Options {
+            Check.positive("framesPerSecond", framesPerSecond);
+            Objects.requireNonNull(extracted, "extracted");
+            Objects.requireNonNull(up, "up");
+            Objects.requireNonNull(camera, "camera");
+            Objects.requireNonNull(orbit, "orbit");
+            Objects.requireNonNull(backdrop, "backdrop");
+            Objects.requireNonNull(animation, "animation");
+        }
+
+        /** These choices with a folder for pictures. */
+        public Options withExtracted(Path folder) {
+            return new Options(Optional.of(folder), up, camera, orbit, backdrop, framesPerSecond, animation);
+        }
+
+        /** These choices with an axis upwards. */
+        public Options withUp(Up value) {
+            return new Options(extracted, Optional.of(value), camera, orbit, backdrop, framesPerSecond, animation);
+        }
+
+        /** These choices with a camera of the file, by its number or name. */
+        public Options withCamera(String value) {
+            return new Options(extracted, up, Optional.of(value), orbit, backdrop, framesPerSecond, animation);
+        }
+
+        /** These choices with a view from outside. */
+        public Options withOrbit(Orbit value) {
+            return new Options(extracted, up, camera, Optional.of(value), backdrop, framesPerSecond, animation);
+        }
+
+        /** These choices with other surroundings. */
+        public Options withBackdrop(Backdrop value) {
+            return new Options(extracted, up, camera, orbit, Optional.of(value), framesPerSecond, animation);
+        }
+
+        /** These choices with another number of frames in a second. */
+        public Options withFramesPerSecond(double value) {
+            return new Options(extracted, up, camera, orbit, backdrop, value, animation);
+        }
+
+        /** These choices with an animation of the file, by its number or name. */
+        public Options withAnimation(String value) {
+            return new Options(extracted, up, camera, orbit, backdrop, framesPerSecond, Optional.of(value));
+        }
+
+        /** The surroundings that replace those of a file, or stand in for them where it has none. */
+        public sealed interface Backdrop permits Backdrop.Studio, Backdrop.Sky, Backdrop.Constant {
+            /** Soft grey light from everywhere, as around models without a camera and light. */
+            record Studio() implements Backdrop {}
+
+            /** A clear sky with its sun; up must be y. Its radiance is that of {@link enlightenment.scene.Shading.Background.Sky}. */
+            record Sky() implements Backdrop {}
+
+            /**
+             * One radiance from everywhere.
+             *
+             * @param radiance linear, in the unit of lights; 1 is shown as white without an exposure
+             */
+            record Constant(Rgb radiance) implements Backdrop {
+                /** @throws enlightenment.math.InvalidValueException (key {@code radiance}) if it is beyond the range of lights */
+                public Constant {
+                    Radiance.check("radiance", radiance.max());
+                }
+            }
         }
     }
 }

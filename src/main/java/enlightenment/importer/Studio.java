@@ -15,8 +15,8 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.util.List;
 
 /**
@@ -49,8 +49,8 @@ final class Studio {
     private static final Rgb FLOOR = new Rgb(0.55, 0.55, 0.55);
 
     private final double aspect;
-    private final ImportOptions.Up up;
-    private final ImportOptions.Orbit orbit;
+    private final SceneImporter.Options.Up up;
+    private final SceneImporter.Options.Orbit orbit;
     private Vec3 min = new Vec3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
     private Vec3 max = min.times(-1);
 
@@ -61,7 +61,7 @@ final class Studio {
      * @param orbit where the eye is; the lamp stands to its left
      * @param aspect width of the picture divided by its height
      */
-    Studio(List<SceneObject> objects, ImportOptions.Up up, ImportOptions.Orbit orbit, double aspect) {
+    Studio(List<SceneObject> objects, SceneImporter.Options.Up up, SceneImporter.Options.Orbit orbit, double aspect) {
         this.up = up;
         this.orbit = orbit;
         this.aspect = aspect;
@@ -136,13 +136,13 @@ final class Studio {
     }
 
     /** The soft light from everywhere. */
-    static Background sky() {
-        return new Background.Constant(SKY);
+    static Shading.Background sky() {
+        return new Shading.Background.Constant(SKY);
     }
 
     /** A clear sky, whose sun stands where the lamp would. Up must be y. */
-    Background clearSky() {
-        return Background.Sky.of(LAMP_ELEVATION, orbit.azimuth() - LAMP_LEFT);
+    Shading.Background clearSky() {
+        return Shading.Background.Sky.of(LAMP_ELEVATION, orbit.azimuth() - LAMP_LEFT);
     }
 
     /** Whether the eye is above the horizon, so that a ground would not hide the model. */

@@ -13,12 +13,13 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A light: an immutable description in scene coordinates and scene units, exact, validated when it is made. In
- * classic shading a light never occludes another light, and its colour is all that counts; in physical shading its surface is
- * black and opaque, and how much it emits counts.
+ * A light of a scene, such as a sphere that glows or a spotlight: an immutable description in scene coordinates, validated when it is made. In
+ * classic shading a light never occludes another light, and its colour is all that counts; in physical shading its surface is black and opaque, and
+ * how much it emits counts.
  *
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
  * of range or a degenerate light, and {@link NullPointerException} for a missing value.
+ *
  */
 public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromPoint, Light.Distant {
 

@@ -20,12 +20,12 @@ import java.util.Objects;
  */
 public record Coated(
         Texture color,
-        Amount roughness,
+        Texture.Amount roughness,
         double indexOfRefraction,
         boolean nonlinear,
         Rgb radiance,
         double ultraviolet,
-        EmissionPattern pattern)
+        Material.EmissionPattern pattern)
         implements Material {
     /** The index of refraction unless another one is given: that of most plastics and varnishes. */
     public static final double USUAL_INDEX = 1.5;
@@ -46,12 +46,12 @@ public record Coated(
     /** A surface whose points glow alike, if at all. */
     public Coated(
             Texture color,
-            Amount roughness,
+            Texture.Amount roughness,
             double indexOfRefraction,
             boolean nonlinear,
             Rgb radiance,
             double ultraviolet) {
-        this(color, roughness, indexOfRefraction, nonlinear, radiance, ultraviolet, EmissionPattern.EVEN);
+        this(color, roughness, indexOfRefraction, nonlinear, radiance, ultraviolet, Material.EmissionPattern.EVEN);
     }
 
     /** A surface whose coat has the same roughness everywhere. */
@@ -66,7 +66,7 @@ public record Coated(
     }
 
     /** This surface, whose coat has another roughness. */
-    public Coated withRoughness(Amount value) {
+    public Coated withRoughness(Texture.Amount value) {
         return new Coated(color, value, indexOfRefraction, nonlinear, radiance, ultraviolet, pattern);
     }
 

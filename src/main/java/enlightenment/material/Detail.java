@@ -31,15 +31,15 @@ final class Detail {
     }
 
     /** The amount of a number at a key, which messages name. */
-    static Amount amount(String key, double value) {
+    static Texture.Amount amount(String key, double value) {
         Check.range(key, value, 0, 1);
-        return Amount.of(value);
+        return Texture.Amount.of(value);
     }
 
     /** The amount of a texture at a key, which messages name. */
-    static Amount amount(String key, Texture texture) {
+    static Texture.Amount amount(String key, Texture texture) {
         checkShare(key, Objects.requireNonNull(texture, key));
-        return Amount.of(texture);
+        return Texture.Amount.of(texture);
     }
 
     /** A number in 0..1, or numbers of a texture. */
@@ -52,10 +52,10 @@ final class Detail {
     }
 
     /** A texture, or one side alone, only of what glows; what its colours make of the radiance is no more than may be emitted. */
-    static void checkRadiance(Rgb radiance, double ultraviolet, EmissionPattern pattern) {
+    static void checkRadiance(Rgb radiance, double ultraviolet, Material.EmissionPattern pattern) {
         boolean glows = !radiance.equals(Rgb.BLACK) || ultraviolet > 0;
         Check.that(
-                glows || pattern.side() == EmissionPattern.Side.BOTH,
+                glows || pattern.side() == Material.EmissionPattern.Side.BOTH,
                 "radianceSide",
                 "must stand with \"radiance\" or \"ultraviolet\", which are emitted to that side");
         pattern.map().ifPresent(texture -> {

@@ -37,7 +37,7 @@ public record Glass(
         double transparency,
         int priority,
         boolean receivesShadows,
-        Amount roughness,
+        Texture.Amount roughness,
         Rgb absorption,
         boolean multipleScattering,
         OptionalDouble dispersion,
@@ -91,7 +91,7 @@ public record Glass(
                 transparency,
                 priority,
                 receivesShadows,
-                Amount.of(0),
+                Texture.Amount.of(0),
                 Rgb.BLACK,
                 true,
                 OptionalDouble.empty(),
@@ -110,7 +110,7 @@ public record Glass(
     }
 
     /** This glass with another roughness, which may depend on the place. */
-    public Glass withRoughness(Amount value) {
+    public Glass withRoughness(Texture.Amount value) {
         return with(value, absorption, multipleScattering, dispersion, smoothRefraction, opaque);
     }
 
@@ -140,7 +140,7 @@ public record Glass(
     }
 
     private Glass with(
-            Amount rough,
+            Texture.Amount rough,
             Rgb absorbed,
             boolean several,
             OptionalDouble abbe,

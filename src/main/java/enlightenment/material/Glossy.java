@@ -25,12 +25,12 @@ import java.util.stream.Stream;
  */
 public record Glossy(
         Texture color,
-        Amount roughness,
+        Texture.Amount roughness,
         Optional<Conductor> conductor,
         boolean multipleScattering,
         Rgb radiance,
         double ultraviolet,
-        EmissionPattern pattern)
+        Material.EmissionPattern pattern)
         implements Material {
     /** Validates the components, as {@link Material} states. */
     public Glossy {
@@ -45,12 +45,12 @@ public record Glossy(
     /** A surface whose points glow alike, if at all. */
     public Glossy(
             Texture color,
-            Amount roughness,
+            Texture.Amount roughness,
             Optional<Conductor> conductor,
             boolean multipleScattering,
             Rgb radiance,
             double ultraviolet) {
-        this(color, roughness, conductor, multipleScattering, radiance, ultraviolet, EmissionPattern.EVEN);
+        this(color, roughness, conductor, multipleScattering, radiance, ultraviolet, Material.EmissionPattern.EVEN);
     }
 
     /** A surface of the same roughness everywhere. */
@@ -71,7 +71,7 @@ public record Glossy(
     }
 
     /** This surface with another roughness. */
-    public Glossy withRoughness(Amount value) {
+    public Glossy withRoughness(Texture.Amount value) {
         return new Glossy(color, value, conductor, multipleScattering, radiance, ultraviolet, pattern);
     }
 

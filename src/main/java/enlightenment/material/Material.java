@@ -8,12 +8,13 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a surface does with light: an immutable description. Classic shading ignores what only physical shading knows of a
- * material: roughness, absorption, dispersion, radiance.
+ * What a surface does with light, such as matte paint, glass or a metal: an immutable description. Classic shading ignores what only physical
+ * shading knows of a material: roughness, absorption, dispersion, radiance.
  *
  * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
  * of range, and {@link NullPointerException} for a missing one. A colour may not reflect more than it receives: no linear component
  * is above 1.
+ *
  */
 public sealed interface Material
         permits Material.Matte,
@@ -24,11 +25,7 @@ public sealed interface Material
                 Material.Scattering,
                 Material.Fluorescent,
                 Principled,
-                Mix,
-                Mask,
-                NormalMap,
-                Bump {
-
+                Composite {
     /** The surface's colour; for a mirror or glass, the filter that is multiplied onto what is seen in or through it. */
     Texture color();
 
@@ -343,16 +340,61 @@ public sealed interface Material
         /** The longest wavelength that is modelled: that of the deepest red which is seen, in nanometres. */
         public static final double LONGEST = 780;
 
-        /**
-         * Checks the range.
-         *
-         * @throws enlightenment.math.InvalidValueException if the band is empty or not within the modelled wavelengths
-         */
+        /** @throws enlightenment.math.InvalidValueException if the band is empty or not within the modelled wavelengths */
         public WavelengthBand {
             Check.that(
                     low >= SHORTEST && low < high && high <= LONGEST,
                     "band",
                     "must be two growing wavelengths [from, to] in 300..780 nm, not [" + low + ", " + high + "]");
+        }
+    }
+
+    /**
+     * How what a surface emits depends on the point and on the side of the surface. Immutable.
+     *
+     * @param map the factor, by band and in linear light, that {@link Material#radiance} is multiplied by at each point of the surface; that
+     *     of {@link Material#ultraviolet} is the blue one. Empty if all points emit alike
+     * @param side the sides that emit
+     */
+    record EmissionPattern(Optional<Texture> map, Side side) {
+        /** All points emit alike, to both sides. */
+        public static final EmissionPattern EVEN = new EmissionPattern(Optional.empty(), Side.BOTH);
+
+        /** The sides of a surface that emit. */
+        public enum Side {
+            /** Both sides. */
+            BOTH,
+
+            /**
+             * The front alone: the side that the geometric normal points to. That is the outside of balls, boxes, cylinders, cones and tori; the side
+             * that (upperLeft − lowerLeft) × (lowerRight − lowerLeft) of a rectangle points to, that a disk's normal points to, and, of a triangle with the
+             * corners a, b, c, also in a mesh, the side that (b − a) × (c − a) points to once it is placed.
+             */
+            FRONT,
+
+            /** The other side alone: the inside of balls, boxes, cylinders, cones and tori. */
+            BACK
+        }
+
+        /** Both must be there. */
+        public EmissionPattern {
+            Objects.requireNonNull(map, "radianceMap");
+            Objects.requireNonNull(side, "radianceSide");
+        }
+
+        /** Emission to both sides. */
+        public static EmissionPattern of(Optional<Texture> map) {
+            return new EmissionPattern(map, Side.BOTH);
+        }
+
+        /** This pattern with another factor. */
+        public EmissionPattern withMap(Texture value) {
+            return new EmissionPattern(Optional.of(value), side);
+        }
+
+        /** This pattern on other sides. */
+        public EmissionPattern withSide(Side value) {
+            return new EmissionPattern(map, value);
         }
     }
 }

@@ -27,15 +27,15 @@ import java.util.Objects;
  */
 public record Principled(
         Texture color,
-        Amount metallic,
-        Amount roughness,
+        Texture.Amount metallic,
+        Texture.Amount roughness,
         double indexOfRefraction,
         double specular,
         Clearcoat clearcoat,
         Sheen sheen,
         Rgb radiance,
         double ultraviolet,
-        EmissionPattern pattern)
+        Material.EmissionPattern pattern)
         implements Material {
     /** The roughness unless another one is given. */
     public static final double USUAL_ROUGHNESS = 0.5;
@@ -46,9 +46,9 @@ public record Principled(
      * @param share the share of the surface that is under it, 0 (no coat) to 1
      * @param roughness of the coat, as {@link Principled#roughness}
      */
-    public record Clearcoat(double share, Amount roughness) {
+    public record Clearcoat(double share, Texture.Amount roughness) {
         /** No clear coat. */
-        public static final Clearcoat NONE = new Clearcoat(0, Amount.of(0));
+        public static final Clearcoat NONE = new Clearcoat(0, Texture.Amount.of(0));
 
         /** Validates the components, as {@link Material} states. */
         public Clearcoat {
@@ -57,7 +57,7 @@ public record Principled(
         }
 
         /** This coat with another roughness. */
-        public Clearcoat withRoughness(Amount value) {
+        public Clearcoat withRoughness(Texture.Amount value) {
             return new Clearcoat(share, value);
         }
     }
@@ -96,8 +96,8 @@ public record Principled(
     /** A surface whose points glow alike, if at all. */
     public Principled(
             Texture color,
-            Amount metallic,
-            Amount roughness,
+            Texture.Amount metallic,
+            Texture.Amount roughness,
             double indexOfRefraction,
             double specular,
             Clearcoat clearcoat,
@@ -114,7 +114,7 @@ public record Principled(
                 sheen,
                 radiance,
                 ultraviolet,
-                EmissionPattern.EVEN);
+                Material.EmissionPattern.EVEN);
     }
 
     /** A surface of index 1.5 without a clear coat that does not glow. */
@@ -132,12 +132,12 @@ public record Principled(
     }
 
     /** This surface with another share of metal. */
-    public Principled withMetallic(Amount value) {
+    public Principled withMetallic(Texture.Amount value) {
         return with(value, roughness, clearcoat, sheen, pattern);
     }
 
     /** This surface with another roughness. */
-    public Principled withRoughness(Amount value) {
+    public Principled withRoughness(Texture.Amount value) {
         return with(metallic, value, clearcoat, sheen, pattern);
     }
 
@@ -161,7 +161,12 @@ public record Principled(
         return with(metallic, roughness, clearcoat, new Sheen(share, tint), pattern);
     }
 
-    private Principled with(Amount metal, Amount rough, Clearcoat clear, Sheen fibres, EmissionPattern emission) {
+    private Principled with(
+            Texture.Amount metal,
+            Texture.Amount rough,
+            Clearcoat clear,
+            Sheen fibres,
+            Material.EmissionPattern emission) {
         return new Principled(
                 color, metal, rough, indexOfRefraction, specular, clear, fibres, radiance, ultraviolet, emission);
     }

@@ -5,7 +5,7 @@ import java.math.BigDecimal;
 import java.util.Arrays;
 
 /**
- * An exact position in a scene description.
+ * A position in a scene: three coordinates, exactly the decimals that were written.
  *
  * <p>Coordinates are kept as the decimals that were written, because the picture must not depend on where the scene's
  * origin lies: the compiler subtracts the eye exactly and rounds once (docs/notes/numerics.md, "exact frame").
@@ -16,6 +16,7 @@ import java.util.Arrays;
  * equally.
  *
  * <p>Immutable.
+ *
  */
 public final class ExactPoint {
     /** Beyond this binary exponent, components of a difference may have lost digits to the limits of doubles. */

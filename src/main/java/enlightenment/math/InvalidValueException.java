@@ -1,8 +1,8 @@
 package enlightenment.math;
 
 /**
- * A value that cannot be used, in a scene description or in settings: the constructors of descriptions throw it. The message
- * is {@code KEY: PROBLEM}, such as {@code radius: must be a number greater than 0, not -1.0}.
+ * Thrown for a value that a scene or a setting cannot have, by the constructors of descriptions. The message is {@code KEY: PROBLEM}, such as
+ * {@code radius: must be a number greater than 0, not -1.0}.
  */
 public final class InvalidValueException extends IllegalArgumentException {
     private static final long serialVersionUID = 1L;

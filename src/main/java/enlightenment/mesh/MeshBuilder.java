@@ -4,9 +4,10 @@ import enlightenment.mesh.data.VertexArrays;
 import java.util.Arrays;
 
 /**
- * Collects vertices and triangles of a mesh that is generated or read piece by piece. Not safe for several threads.
+ * Builds a mesh of vertices and triangles that are added one by one. Not safe for several threads.
  *
  * <p>Either all vertices have a normal, or none; the same holds for texture coordinates.
+ *
  */
 public final class MeshBuilder {
     private Floats floats = new Floats(0);

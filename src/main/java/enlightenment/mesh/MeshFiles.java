@@ -14,8 +14,8 @@ import java.util.Locale;
 import java.util.Objects;
 
 /**
- * Reads files of meshes: PLY, OBJ, STL and Mitsuba's {@code .serialized}. The content says which it is, and the end of the name where the content
- * does not.
+ * Reads files of triangle meshes (PLY, OBJ, STL, Mitsuba's {@code .serialized}), and writes PLY. The content of a file says which it is, and the
+ * end of its name where the content does not.
  *
  * <p>Files are not trusted. What is broken, or larger than the rest of the file can be, is refused by an {@link IOException} whose message has the
  * name of the file and the place: the line of a text, else the element, counted from 0. Memory stays in proportion to the file, and for compressed

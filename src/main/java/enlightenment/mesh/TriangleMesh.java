@@ -7,12 +7,13 @@ import enlightenment.mesh.data.MeshData;
 import enlightenment.mesh.data.VertexArrays;
 
 /**
- * Triangles that share vertices, in coordinates of their own (object space). A triangle's geometric normal, (b − a) × (c − a), points to its
- * outside; a mesh is seen from both sides. Vertices may have a normal, by which surfaces are shaded as if they were smooth, and texture
- * coordinates, u to the right and v upwards. Immutable; equal meshes have equal numbers.
+ * A triangle mesh: triangles that share vertices, in coordinates of their own (object space). A triangle's geometric normal, (b − a) × (c − a),
+ * points to its outside; a mesh is seen from both sides. Vertices may have a normal, by which surfaces are shaded as if they were smooth, and
+ * texture coordinates, u to the right and v upwards. Immutable; equal meshes have equal numbers.
  *
  * <p>Coordinates are kept as floats where each is one, else as doubles. Triangles without an area are left out, and counted: files are full of
  * them.
+ *
  */
 public final class TriangleMesh extends MeshStore {
     /** Coordinates beyond this have squares that doubles cannot multiply; a transform makes meshes larger. */

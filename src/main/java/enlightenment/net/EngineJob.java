@@ -7,6 +7,7 @@ import enlightenment.file.ContentHash;
 import enlightenment.job.Build;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
+import enlightenment.net.job.Results;
 import enlightenment.net.job.TileData;
 import enlightenment.net.schedule.Action;
 import enlightenment.net.server.ServerJob;
@@ -32,8 +33,8 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
 /**
- * A render whose tiles some other engine has made on its machines: what to send there, what is missing, the checkpoint and
- * the picture. The engine decides who makes which tile, and when again. For use by several threads at once.
+ * A render whose tiles are made by another engine for distributed computing, such as Apache Spark. It has what to send there, what is missing, the
+ * checkpoint and the picture. The engine decides who makes which tile, and when again. For use by several threads at once.
  */
 public final class EngineJob implements Closeable {
     private final ServerJob job;

@@ -29,7 +29,7 @@ final class FilmQueue {
     /** The threads of a film's units are those of whoever makes them. */
     private static final int THREADS = 1;
 
-    private final IntFunction<FilmServer.Frame> frames;
+    private final IntFunction<RenderServer.OfFilm.Frame> frames;
     private final String build;
     private final Consumer<String> log;
     private final BooleanSupplier cancelled;
@@ -41,7 +41,11 @@ final class FilmQueue {
 
     private Round latest;
 
-    FilmQueue(IntFunction<FilmServer.Frame> frames, String build, Consumer<String> log, BooleanSupplier cancelled) {
+    FilmQueue(
+            IntFunction<RenderServer.OfFilm.Frame> frames,
+            String build,
+            Consumer<String> log,
+            BooleanSupplier cancelled) {
         this.frames = frames;
         this.build = build;
         this.log = log;
@@ -120,7 +124,7 @@ final class FilmQueue {
     /** Plans a frame. */
     @FunctionalInterface
     private interface Plan {
-        DividedRender render(int number, FilmServer.Frame frame);
+        DividedRender render(int number, RenderServer.OfFilm.Frame frame);
     }
 
     private Round round(int count, List<Integer> numbers, Plan plan) {
@@ -130,7 +134,7 @@ final class FilmQueue {
             if (cancelled.getAsBoolean()) {
                 throw new CancellationException("stopped before all frames were planned");
             }
-            FilmServer.Frame frame = frames.apply(number);
+            RenderServer.OfFilm.Frame frame = frames.apply(number);
             DividedRender render = plan.render(number, frame);
             tell(number, render.notes());
             PlannedFrame kept = PlannedFrame.of(render, numbers.size());

@@ -31,9 +31,11 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Renders tiles for a {@link RenderServer}. It needs no files, and neither writes nor executes anything that it is sent.
+ * Renders tiles for a {@link RenderServer}, usually on another machine. It needs no files, and neither writes nor executes anything that it is
+ * sent.
  *
  * <p>All methods may be called by several threads at once. A call makes threads of its own, which end with it; listeners are called by them.
+ *
  */
 public final class RenderWorker {
     private static final int LONGEST_REASON = 2_000;

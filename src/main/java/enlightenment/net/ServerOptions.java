@@ -20,8 +20,8 @@ import java.util.concurrent.ThreadFactory;
 import java.util.function.Consumer;
 
 /**
- * How a {@link RenderServer} serves. Immutable, and valid in itself: {@link Builder#build} refuses what no server can do.
- * Whether files and ports can be used is found when a server starts.
+ * The options of a {@link RenderServer}: its address, its token, where it keeps results. Immutable, and valid in itself: {@link Builder#build}
+ * refuses what no server can do. Whether files and ports can be used is found when a server starts.
  */
 public final class ServerOptions {
     /** The largest number of workers that are connected at once; those beyond it are told to come again. */

@@ -2,7 +2,7 @@
  * Many machines, one picture: a server that hands out tile columns and workers that render them.
  *
  * <p>{@link enlightenment.net.RenderServer} and {@link enlightenment.net.RenderWorker} are the two sides; {@link
- * enlightenment.net.RenderParts} does the same by files, for job arrays; {@link enlightenment.net.EngineJob} is for engines
+ * enlightenment.net.parts.RenderParts} does the same by files, for job arrays; {@link enlightenment.net.EngineJob} is for engines
  * that move data and tiles themselves, such as Spark.
  *
  * <p>The packages below are internal: {@code schedule} decides who renders what, {@code protocol} and {@code secure} what is

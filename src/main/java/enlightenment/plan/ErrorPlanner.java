@@ -1,7 +1,6 @@
 package enlightenment.plan;
 
 import enlightenment.check.Check;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
@@ -75,7 +74,7 @@ final class ErrorPlanner {
 
     /** Refuses an error that no number of samples can keep in this file. */
     private void checkRounding(ErrorTrials trials) {
-        Budget budget = settings.budget();
+        RenderSettings.Budget budget = settings.budget();
         double asked = budget.error().orElseThrow();
         double part = trials.rounding() / asked;
         if (part * part <= MUCH_ROUNDING) {

@@ -2,7 +2,6 @@ package enlightenment.plan;
 
 import enlightenment.method.SplatIntegrator;
 import enlightenment.sampling.Hash;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -94,7 +93,10 @@ public final class MethodPilot {
         double pixels = Math.min(Math.max(wanted, FEWEST_SAMPLES), MOST_SAMPLES) / (PICTURES * SAMPLES);
         double unit = Math.sqrt(pixels / ((double) settings.width() * settings.height()));
         isWorthIt = isWorthPilot(settings.budget(), expected * settings.width() * settings.height());
-        this.settings = settings.toBuilder().wholePicture().budget(Budget.NONE).build();
+        this.settings = settings.toBuilder()
+                .wholePicture()
+                .budget(RenderSettings.Budget.NONE)
+                .build();
         small = this.settings.withSize(side(settings.width() * unit), side(settings.height() * unit));
     }
 
@@ -103,7 +105,7 @@ public final class MethodPilot {
     }
 
     private static double samples(RenderSettings settings) {
-        Budget budget = settings.budget();
+        RenderSettings.Budget budget = settings.budget();
         if (budget.samples().isPresent()) {
             return budget.samples().getAsDouble();
         }
@@ -146,7 +148,7 @@ public final class MethodPilot {
         return pilot.isWorthIt ? pilot.decide() : usual(pilot.methods);
     }
 
-    private static boolean isWorthPilot(Budget budget, double samples) {
+    private static boolean isWorthPilot(RenderSettings.Budget budget, double samples) {
         return samples >= FEWEST_WORTH_A_PILOT
                 && budget.seconds().orElse(FEWEST_SECONDS_WORTH_A_PILOT) >= FEWEST_SECONDS_WORTH_A_PILOT;
     }

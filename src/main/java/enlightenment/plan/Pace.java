@@ -1,6 +1,6 @@
 package enlightenment.plan;
 
-import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
 
 /**
  * Turns a time into a number of samples, from trials whose times it is told: it knows no clock. Trials go on until they get no
@@ -116,7 +116,7 @@ final class Pace {
         double ofOneTrial = ONE_TRIAL_TIME * seconds * speed / trialPixels;
         double n = Math.min(planned(elapsed), ofOneTrial);
         // In this order what is no number becomes 1.
-        return n > 1 ? Math.min(n, Math.min(wanted, Budget.MAX_SAMPLES)) : 1;
+        return n > 1 ? Math.min(n, Math.min(wanted, RenderSettings.Budget.MAX_SAMPLES)) : 1;
     }
 
     /**

@@ -2,7 +2,6 @@ package enlightenment.plan;
 
 import enlightenment.check.Check;
 import enlightenment.film.FilmTile;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.Stopwatch;
 import enlightenment.world.CompiledScene;
@@ -69,12 +68,12 @@ public final class Planner {
     }
 
     private RenderPlan plan(Stopwatch time, double previewed, boolean isLast) {
-        Budget budget = settings.budget();
+        RenderSettings.Budget budget = settings.budget();
         noteScene();
         if (budget.isNone()) {
             return plans.ofAntialias();
         }
-        double samples = budget.samples().orElse(Budget.MAX_SAMPLES);
+        double samples = budget.samples().orElse(RenderSettings.Budget.MAX_SAMPLES);
         String by = "samples";
         if (budget.error().isPresent()) {
             double n = samplesForError(samples, time, isLast);
@@ -112,7 +111,7 @@ public final class Planner {
         }
         if (isLast) {
             Check.that(
-                    most < Budget.MAX_SAMPLES,
+                    most < RenderSettings.Budget.MAX_SAMPLES,
                     "samples",
                     "must be given beside the error: " + settings.method()
                             + " has no trials for an error, and this picture is rendered once");

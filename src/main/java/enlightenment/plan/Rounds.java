@@ -1,7 +1,7 @@
 package enlightenment.plan;
 
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
 import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.Optional;
@@ -44,7 +44,7 @@ public final class Rounds {
     /** The same of what independent samples would need, whose error falls as n^−½. */
     private static final double MANY = 1 << 19;
 
-    private final Budget budget;
+    private final RenderSettings.Budget budget;
 
     /** Of the first round that tells something; 0 before that. */
     private double firstSamples;
@@ -61,7 +61,7 @@ public final class Rounds {
     private boolean isLimited;
 
     /** The rounds of one render with this budget. */
-    public Rounds(Budget budget) {
+    public Rounds(RenderSettings.Budget budget) {
         this.budget = budget;
     }
 
@@ -75,7 +75,7 @@ public final class Rounds {
     public OptionalDouble next(RenderReport report, double took, double now) {
         RenderReport.Sampling outcome = report.sampling();
         double n = outcome.plannedSamples();
-        double most = budget.samples().orElse(Budget.MAX_SAMPLES);
+        double most = budget.samples().orElse(RenderSettings.Budget.MAX_SAMPLES);
         double aim = aim(outcome.rounding());
         // What cannot be reached is come as near to as other limits allow.
         boolean isEndless =
@@ -124,10 +124,12 @@ public final class Rounds {
         if (asked.isEmpty() || report.isErrorMet()) {
             return OptionalDouble.empty();
         }
-        double aim = new Rounds(Budget.NONE.withError(asked.getAsDouble())).aim(outcome.rounding());
+        double aim = new Rounds(RenderSettings.Budget.NONE.withError(asked.getAsDouble())).aim(outcome.rounding());
         double least = LEAST_FACTOR * outcome.plannedSamples();
         double n = Math.max(asIndependent(outcome.plannedSamples(), outcome.errorHigh(), aim), least);
-        return aim > 0 && n <= Budget.MAX_SAMPLES ? OptionalDouble.of(Tidy.of(n)) : OptionalDouble.empty();
+        return aim > 0 && n <= RenderSettings.Budget.MAX_SAMPLES
+                ? OptionalDouble.of(Tidy.of(n))
+                : OptionalDouble.empty();
     }
 
     /** How many samples would make the error as small as this if they were independent. */
@@ -164,7 +166,7 @@ public final class Rounds {
         if (outOfReach == 0) {
             return Optional.empty();
         }
-        String rate = outOfReach <= Budget.MAX_SAMPLES
+        String rate = outOfReach <= RenderSettings.Budget.MAX_SAMPLES
                 ? "at this rate about " + number(Tidy.of(outOfReach)) + " samples per pixel would be needed"
                 : "it has hardly fallen over the last rounds";
         return Optional.of("the error falls too slowly with this method: " + rate
@@ -173,7 +175,9 @@ public final class Rounds {
 
     /** What decided about the last number: error, samples or time. */
     public String decidedBy(double next) {
-        return isLimited ? "time" : next < budget.samples().orElse(Budget.MAX_SAMPLES) ? "error" : "samples";
+        return isLimited
+                ? "time"
+                : next < budget.samples().orElse(RenderSettings.Budget.MAX_SAMPLES) ? "error" : "samples";
     }
 
     /** What is said of a picture that another one follows. */

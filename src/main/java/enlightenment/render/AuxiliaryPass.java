@@ -26,21 +26,21 @@ final class AuxiliaryPass {
     /** The frame's origin in the scene. */
     private final Vec3 origin;
 
-    private final Map<RenderRequest.Auxiliary, float[]> numbers = new EnumMap<>(RenderRequest.Auxiliary.class);
+    private final Map<RenderResult.Auxiliary, float[]> numbers = new EnumMap<>(RenderResult.Auxiliary.class);
 
-    AuxiliaryPass(CompiledScene scene, RenderSettings settings, Set<RenderRequest.Auxiliary> kinds) {
+    AuxiliaryPass(CompiledScene scene, RenderSettings settings, Set<RenderResult.Auxiliary> kinds) {
         this.scene = scene;
         this.settings = settings;
         region = settings.region();
         origin = scene.frame.origin().toVec3();
-        for (RenderRequest.Auxiliary a : kinds) {
+        for (RenderResult.Auxiliary a : kinds) {
             if (a.needsRays()) {
                 float[] all = new float[3 * region.width() * region.height()];
                 Arrays.fill(
                         all,
-                        a == RenderRequest.Auxiliary.DEPTH
+                        a == RenderResult.Auxiliary.DEPTH
                                 ? Float.POSITIVE_INFINITY
-                                : a == RenderRequest.Auxiliary.OBJECT ? -1 : 0);
+                                : a == RenderResult.Auxiliary.OBJECT ? -1 : 0);
                 numbers.put(a, all);
             }
         }
@@ -54,8 +54,8 @@ final class AuxiliaryPass {
     }
 
     /** The images, by what they tell. */
-    Map<RenderRequest.Auxiliary, Image> images() {
-        Map<RenderRequest.Auxiliary, Image> images = new EnumMap<>(RenderRequest.Auxiliary.class);
+    Map<RenderResult.Auxiliary, Image> images() {
+        Map<RenderResult.Auxiliary, Image> images = new EnumMap<>(RenderResult.Auxiliary.class);
         numbers.forEach((a, all) -> images.put(a, new Image(region.width(), region.height(), all)));
         return images;
     }
@@ -84,23 +84,23 @@ final class AuxiliaryPass {
         }
 
         private void put(int k, int object) {
-            float[] depth = numbers.get(RenderRequest.Auxiliary.DEPTH);
+            float[] depth = numbers.get(RenderResult.Auxiliary.DEPTH);
             if (depth != null) {
                 Arrays.fill(depth, k, k + 3, depth());
             }
-            float[] normal = numbers.get(RenderRequest.Auxiliary.NORMAL);
+            float[] normal = numbers.get(RenderResult.Auxiliary.NORMAL);
             if (normal != null) {
                 normal[k] = (float) (hit.side * hit.nx);
                 normal[k + 1] = (float) (hit.side * hit.ny);
                 normal[k + 2] = (float) (hit.side * hit.nz);
             }
-            float[] position = numbers.get(RenderRequest.Auxiliary.POSITION);
+            float[] position = numbers.get(RenderResult.Auxiliary.POSITION);
             if (position != null) {
                 position[k] = coordinate(origin.x(), hit.px);
                 position[k + 1] = coordinate(origin.y(), hit.py);
                 position[k + 2] = coordinate(origin.z(), hit.pz);
             }
-            float[] objects = numbers.get(RenderRequest.Auxiliary.OBJECT);
+            float[] objects = numbers.get(RenderResult.Auxiliary.OBJECT);
             if (objects != null) {
                 Arrays.fill(objects, k, k + 3, object);
             }

@@ -14,8 +14,8 @@ import java.util.concurrent.CancellationException;
 /** The second picture of a render: the same without grain. */
 final class Denoising {
     /** What it takes to know of each pixel. */
-    static final Set<RenderRequest.Auxiliary> GUIDES =
-            Set.of(RenderRequest.Auxiliary.ALBEDO, RenderRequest.Auxiliary.NORMAL, RenderRequest.Auxiliary.POSITION);
+    static final Set<RenderResult.Auxiliary> GUIDES =
+            Set.of(RenderResult.Auxiliary.ALBEDO, RenderResult.Auxiliary.NORMAL, RenderResult.Auxiliary.POSITION);
 
     /** Pictures of floats that it takes in memory. */
     static final int IMAGES = 20;
@@ -33,15 +33,15 @@ final class Denoising {
 
     /** The picture without grain; empty if it was cancelled. */
     static Optional<Image> of(
-            Image picture, PictureFilm film, Map<RenderRequest.Auxiliary, Image> guides, RenderRequest request) {
+            Image picture, PictureFilm film, Map<RenderResult.Auxiliary, Image> guides, RenderRequest request) {
         NoisyPicture noisy = new NoisyPicture(
                 picture.width(),
                 picture.height(),
                 picture.toArray(),
                 film.quarterMeans(),
-                guides.get(RenderRequest.Auxiliary.ALBEDO).toArray(),
-                guides.get(RenderRequest.Auxiliary.NORMAL).toArray(),
-                guides.get(RenderRequest.Auxiliary.POSITION).toArray());
+                guides.get(RenderResult.Auxiliary.ALBEDO).toArray(),
+                guides.get(RenderResult.Auxiliary.NORMAL).toArray(),
+                guides.get(RenderResult.Auxiliary.POSITION).toArray());
         try {
             float[] rgb = Denoiser.denoise(noisy, request.settings().threads(), request.cancelled());
             return Optional.of(new Image(picture.width(), picture.height(), rgb, picture.curve()));

@@ -11,10 +11,10 @@ import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 
 /**
- * The frames of a moving scene, each of them a request like any other. Frames do not depend on each other: any of them may be
- * rendered, in any order, on any machine, to the same bytes as by {@link Renderer#render(RenderRequest)}. What a film adds is that the
- * image files of its scenes are read once and kept in memory, for as long as the film is referred to, and that tables of materials which two
- * frames have in common are made once.
+ * The frames of an animated scene, each of them a request to the renderer like any other. Frames do not depend on each other: any of them may be
+ * rendered, in any order, on any machine, to the same bytes as by {@link Renderer#render(RenderRequest)}. What a film adds is that the image files
+ * of its scenes are read once and kept in memory, for as long as the film is referred to, and that tables of materials which two frames have in
+ * common are made once.
  *
  * <pre>{@code
  * SceneFrames file = SceneFrames.of(Path.of("scenes/fire-and-ice-tween.json"));
@@ -25,6 +25,7 @@ import java.util.function.IntFunction;
  * }</pre>
  *
  * <p>The scenes may be made in code as well. A film may be used by several threads.
+ *
  */
 public final class Film {
     private final int frames;
@@ -56,7 +57,7 @@ public final class Film {
      * A film as an animation describes it.
      *
      * @param scenes makes the scene of a frame, each time that it is asked for: for a file
-     *     {@link enlightenment.scene.json.SceneFrames#read(int)}
+     *     {@link enlightenment.scene.json.SceneReader.Frames#read(int)}
      */
     public static Film of(Animation animation, IntFunction<Scene> scenes) {
         return new Film(animation.frames(), animation.framesPerSecond(), scenes);
@@ -102,7 +103,7 @@ public final class Film {
 
     /**
      * Chooses the method of renders of a scene at one size, as {@link Renderer#choose} does, and prepares the scene for all of them: those that
-     * are requested with {@link MethodChoice#with} do not prepare it again. Takes as much memory as a render, for as long as it is kept.
+     * are requested with {@link RenderRequest.MethodChoice#with} do not prepare it again. Takes as much memory as a render, for as long as it is kept.
      *
      * @param scene of this film, seen by any camera
      * @param cancelled asked from several threads at once
@@ -110,7 +111,7 @@ public final class Film {
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      * @throws java.util.concurrent.CancellationException if it was cancelled, or the calling thread interrupted, before that was done
      */
-    public MethodChoice prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
+    public RenderRequest.MethodChoice prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
         return Renderer.prepare(scene, settings, files, cancelled);
     }
 

@@ -25,17 +25,17 @@ final class PathPartPass {
     private final RenderSettings settings;
     private final RenderSettings.Crop region;
     private final TileGrid grid;
-    private final Set<RenderRequest.Auxiliary> kinds;
-    private final Map<RenderRequest.Auxiliary, float[]> numbers = new EnumMap<>(RenderRequest.Auxiliary.class);
+    private final Set<RenderResult.Auxiliary> kinds;
+    private final Map<RenderResult.Auxiliary, float[]> numbers = new EnumMap<>(RenderResult.Auxiliary.class);
 
     /** @throws InvalidValueException (key {@code auxiliary}) if something is asked for that the scene's shading does not have */
-    PathPartPass(CompiledScene scene, RenderSettings settings, Set<RenderRequest.Auxiliary> kinds) {
+    PathPartPass(CompiledScene scene, RenderSettings settings, Set<RenderResult.Auxiliary> kinds) {
         this.scene = scene;
         this.settings = settings;
         this.kinds = kinds;
         region = settings.region();
         grid = new TileGrid(settings);
-        for (RenderRequest.Auxiliary kind : kinds) {
+        for (RenderResult.Auxiliary kind : kinds) {
             if (kind.needsPaths()) {
                 if (scene.physical == null) {
                     throw new InvalidValueException(
@@ -48,8 +48,8 @@ final class PathPartPass {
     }
 
     /** What is rendered for something: what is indirect is what is left by what is direct. */
-    private static RenderRequest.Auxiliary part(RenderRequest.Auxiliary kind) {
-        return kind == RenderRequest.Auxiliary.INDIRECT ? RenderRequest.Auxiliary.DIRECT : kind;
+    private static RenderResult.Auxiliary part(RenderResult.Auxiliary kind) {
+        return kind == RenderResult.Auxiliary.INDIRECT ? RenderResult.Auxiliary.DIRECT : kind;
     }
 
     boolean isNeeded() {
@@ -78,7 +78,7 @@ final class PathPartPass {
         numbers.forEach((part, rgb) -> Workers.run(settings.threads(), grid.tiles(), cancelled, () -> {
             // These rays are no part of the picture, nor of what its report counts.
             RayCounters unread = new RayCounters(scene.kindNames.size());
-            RayTraceMethod method = part == RenderRequest.Auxiliary.ALBEDO
+            RayTraceMethod method = part == RenderResult.Auxiliary.ALBEDO
                     ? RayTraceMethod.ofAlbedo(scene, settings, unread, samples)
                     : RayTraceMethod.ofDirectLight(scene, settings, unread, samples);
             method.stopWhen(cancelled);
@@ -108,11 +108,11 @@ final class PathPartPass {
      * @param picture the picture of those paths, of which what is not direct is the rest
      * @param images receives it
      */
-    void addTo(Image picture, Map<RenderRequest.Auxiliary, Image> images) {
-        for (RenderRequest.Auxiliary kind : kinds) {
+    void addTo(Image picture, Map<RenderResult.Auxiliary, Image> images) {
+        for (RenderResult.Auxiliary kind : kinds) {
             if (kind.needsPaths()) {
                 float[] rgb = numbers.get(part(kind)).clone();
-                if (kind == RenderRequest.Auxiliary.INDIRECT) {
+                if (kind == RenderResult.Auxiliary.INDIRECT) {
                     float[] all = picture.toArray();
                     for (int i = 0; i < rgb.length; i++) {
                         rgb[i] = all[i] - rgb[i];

@@ -16,8 +16,8 @@ final class PixelStatistics {
         this.region = region;
     }
 
-    Image of(RenderRequest.Auxiliary kind) {
-        return kind == RenderRequest.Auxiliary.ERROR ? deviations() : counts();
+    Image of(RenderResult.Auxiliary kind) {
+        return kind == RenderResult.Auxiliary.ERROR ? deviations() : counts();
     }
 
     private Image counts() {

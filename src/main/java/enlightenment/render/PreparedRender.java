@@ -54,7 +54,7 @@ final class PreparedRender {
             }
         }
         AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.neededAuxiliary());
-        if (request.neededAuxiliary().stream().anyMatch(RenderRequest.Auxiliary::needsRays)) {
+        if (request.neededAuxiliary().stream().anyMatch(RenderResult.Auxiliary::needsRays)) {
             phases.run("auxiliary", () -> pass.run(cancelled));
         }
         PathPartPass parts = new PathPartPass(scene, settings, request.neededAuxiliary());

@@ -4,7 +4,7 @@ import enlightenment.image.Image;
 import java.util.function.Supplier;
 
 /**
- * Hears how a render gets on. Called from the thread that asked for the render or from one of its helpers, one call at a time;
+ * A listener that is called while a render runs, from the thread that asked for the render or from one of its helpers, one call at a time;
  * threads that finish a unit of work meanwhile wait, so a call should be short. What it throws ends the render.
  */
 @FunctionalInterface

@@ -2,12 +2,14 @@ package enlightenment.render;
 
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.work.Phases;
+import enlightenment.work.Stopwatch;
+import enlightenment.world.CompiledScene;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
@@ -15,8 +17,8 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * What is asked of a render. Begin with {@link #of(Scene)} and change what should differ. Only scene and settings have an
- * influence on the picture.
+ * What to render and how: a scene, its settings, a listener, and what is wanted beside the picture. Begin with {@link #of(Scene)} and change what
+ * should differ. Only scene and settings have an influence on the picture.
  *
  * @param scene what to render
  * @param settings how
@@ -45,7 +47,7 @@ public record RenderRequest(
         RenderSettings settings,
         RenderProgress progress,
         BooleanSupplier cancelled,
-        Set<Auxiliary> auxiliary,
+        Set<RenderResult.Auxiliary> auxiliary,
         boolean progressive,
         boolean watched,
         boolean clusters,
@@ -66,7 +68,7 @@ public record RenderRequest(
         Objects.requireNonNull(settings, "settings");
         Objects.requireNonNull(progress, "progress");
         Objects.requireNonNull(cancelled, "cancelled");
-        EnumSet<Auxiliary> copy = EnumSet.noneOf(Auxiliary.class);
+        EnumSet<RenderResult.Auxiliary> copy = EnumSet.noneOf(RenderResult.Auxiliary.class);
         copy.addAll(auxiliary);
         auxiliary = Collections.unmodifiableSet(copy);
         archives = List.copyOf(archives);
@@ -129,13 +131,13 @@ public record RenderRequest(
     }
 
     /** The same request for other things beside the colours. */
-    public RenderRequest withAuxiliary(Set<Auxiliary> value) {
+    public RenderRequest withAuxiliary(Set<RenderResult.Auxiliary> value) {
         return with(c -> c.auxiliary = value);
     }
 
     /** The same request for other things beside the colours. */
-    public RenderRequest withAuxiliary(Auxiliary... values) {
-        EnumSet<Auxiliary> set = EnumSet.noneOf(Auxiliary.class);
+    public RenderRequest withAuxiliary(RenderResult.Auxiliary... values) {
+        EnumSet<RenderResult.Auxiliary> set = EnumSet.noneOf(RenderResult.Auxiliary.class);
         set.addAll(Arrays.asList(values));
         return withAuxiliary(set);
     }
@@ -181,8 +183,8 @@ public record RenderRequest(
     }
 
     /** What has to be found of each pixel beside its colour: what is asked for, and what grain is removed by. */
-    Set<Auxiliary> neededAuxiliary() {
-        EnumSet<Auxiliary> all = EnumSet.noneOf(Auxiliary.class);
+    Set<RenderResult.Auxiliary> neededAuxiliary() {
+        EnumSet<RenderResult.Auxiliary> all = EnumSet.noneOf(RenderResult.Auxiliary.class);
         all.addAll(auxiliary);
         if (denoised) {
             all.addAll(Denoising.GUIDES);
@@ -202,7 +204,7 @@ public record RenderRequest(
         RenderSettings settings;
         RenderProgress progress;
         BooleanSupplier cancelled;
-        Set<Auxiliary> auxiliary;
+        Set<RenderResult.Auxiliary> auxiliary;
         boolean progressive;
         boolean watched;
         boolean clusters;
@@ -272,98 +274,70 @@ public record RenderRequest(
     }
 
     /**
-     * What a render can tell of each pixel beside its colour. All of it comes as an {@link enlightenment.image.Image} of raw numbers,
-     * as large as the picture; where there is one number per pixel, all three components are equal.
+     * The method of a render, chosen by the program where the settings leave that to it ({@link enlightenment.scene.Method#AUTO}): what
+     * {@link Renderer#choose} gives. A render that is requested with it ({@link RenderRequest#withChoice}) neither chooses nor prepares the
+     * scene again. Immutable; keeps the scene in memory.
      */
-    public enum Auxiliary {
-        /**
-         * The estimated standard deviation of the pixel's colour, in display units 0..1. The estimate of a single pixel is a rough
-         * guess, so this is the root of the mean variance over the 3×3 finished pixels around it; +∞ where nothing is finished.
-         */
-        ERROR,
-
-        /** The number of samples in the pixel; 0 where it is not finished. */
-        SAMPLES,
+    public static final class MethodChoice {
+        private final RenderSettings settings;
+        private final Optional<String> reason;
+        private final CompiledScene compiled;
+        private final Phases phases;
+        private final Stopwatch time;
 
         /**
-         * How far from the eye the first thing is that the ray through the pixel's middle meets, in the scene's units and measured
-         * along the ray; +∞ where there is nothing. The orthographic camera's rays start on the plane through its eye; in the
-         * isometric view, which has no eye, it is the plane through the point that the camera looks at, and what lies before that
-         * has a negative depth.
+         * @param compiled the scene, or null if it was not needed
+         * @param phases what was done so far
+         * @param time since the choice began
          */
-        DEPTH,
-
-        /**
-         * The unit normal there, in the scene's axes, on the side that faces the viewer: x, y, z in −1..1 as the three components;
-         * 0, 0, 0 where there is nothing.
-         */
-        NORMAL,
-
-        /** Where that is: x, y, z in the scene's units and axes, as the nearest floats; 0, 0, 0 where there is nothing. */
-        POSITION,
-
-        /**
-         * Which object it is: its place in the scene's list of objects, counted from 0. Lights count on after the last object; −1
-         * where there is nothing.
-         */
-        OBJECT,
-
-        /**
-         * What share of light the first surface reflects that is neither a mirror nor glass: linear, 0..1, its colour, or of a metal its
-         * reflectance at normal incidence; the mean over the samples of the pixel. Where mirrors and glass show it, with their colours.
-         * Black where there is nothing. Physical shading only, as are those that follow.
-         */
-        ALBEDO,
-
-        /**
-         * The part of the picture that comes from lights, glowing things and the background straight: as they are seen, and from them to the
-         * first surface that is neither a mirror nor glass; also where mirrors and glass show it. Linear light.
-         */
-        DIRECT,
-
-        /**
-         * The rest of the picture: light that has been scattered at least twice, and caustics, which are light that came by way of mirrors
-         * or glass to the surface that is seen. The picture less {@link #DIRECT}, so that both add up to it; noise can make it negative
-         * where the picture is not made of the same paths, as by method {@code cluster}.
-         */
-        INDIRECT;
-
-        /** The names that the command line knows, in order. */
-        public static List<String> words() {
-            return Arrays.stream(values()).map(Auxiliary::word).toList();
+        MethodChoice(
+                RenderSettings settings,
+                Optional<String> reason,
+                CompiledScene compiled,
+                Phases phases,
+                Stopwatch time) {
+            this.settings = settings;
+            this.reason = reason;
+            this.compiled = compiled;
+            this.phases = phases;
+            this.time = time;
         }
 
-        /** The one with this name, if there is any. */
-        public static Optional<Auxiliary> of(String word) {
-            return Arrays.stream(values()).filter(a -> a.word().equals(word)).findFirst();
+        /** The settings with a method that renders. */
+        public RenderSettings settings() {
+            return settings;
         }
 
-        /** Its name in small letters, as on the command line and in names of files. */
-        public String word() {
-            return name().toLowerCase(Locale.ROOT);
-        }
-
-        /** Whether it is told by one ray to each pixel rather than by the samples of the picture. */
-        boolean needsRays() {
-            return this == DEPTH || this == NORMAL || this == POSITION || this == OBJECT;
+        /** Why that method, as a sentence without a full stop; empty if the settings named it. */
+        public Optional<String> reason() {
+            return reason;
         }
 
         /**
-         * What its numbers are called as channels of a layer of this {@linkplain #word name}, as in OpenEXR files: R, G, B of what is light or
-         * reflectance, X, Y, Z of points and directions, Z of the depth and Y of other single numbers.
+         * This choice for another render of its scene, which is not prepared again. Its time is counted from now.
+         *
+         * @param other settings that differ in samples, seed, threads and crop alone; their method is not looked at
+         * @throws IllegalArgumentException if their size is another one
          */
-        public List<String> channels() {
-            return switch (this) {
-                case ERROR, SAMPLES, OBJECT -> List.of("Y");
-                case DEPTH -> List.of("Z");
-                case NORMAL, POSITION -> List.of("X", "Y", "Z");
-                case ALBEDO, DIRECT, INDIRECT -> List.of("R", "G", "B");
-            };
+        public MethodChoice with(RenderSettings other) {
+            if (other.width() != settings.width() || other.height() != settings.height()) {
+                throw new IllegalArgumentException("prepared for " + settings.width() + "x" + settings.height()
+                        + " pixels, not for " + other.width() + "x" + other.height());
+            }
+            RenderSettings chosen = other.method() == settings.method() ? other : other.withMethod(settings.method());
+            return new MethodChoice(chosen, Optional.empty(), compiled, new Phases(), Stopwatch.started());
         }
 
-        /** Whether it is light or reflectance, of physical shading. */
-        public boolean needsPaths() {
-            return this == ALBEDO || this == DIRECT || this == INDIRECT;
+        Optional<CompiledScene> compiled() {
+            return Optional.ofNullable(compiled);
+        }
+
+        Phases phases() {
+            return phases.copy();
+        }
+
+        Stopwatch time() {
+            return time;
         }
     }
 }

@@ -43,7 +43,7 @@ final class RenderRounds {
      *
      * @param guides what is known of each pixel beside its colour, whether or not it was asked for
      */
-    private record Round(PictureRender render, RenderResult result, Map<RenderRequest.Auxiliary, Image> guides) {}
+    private record Round(PictureRender render, RenderResult result, Map<RenderResult.Auxiliary, Image> guides) {}
 
     /**
      * @param preview what is shown where nothing is finished yet, or null
@@ -160,14 +160,14 @@ final class RenderRounds {
         }
         phases.run("render", render::run);
         Image image = phases.run("finish", render::image);
-        Map<RenderRequest.Auxiliary, Image> auxiliary = pass.images();
-        for (RenderRequest.Auxiliary kind : request.auxiliary()) {
+        Map<RenderResult.Auxiliary, Image> auxiliary = pass.images();
+        for (RenderResult.Auxiliary kind : request.auxiliary()) {
             if (!kind.needsRays() && !kind.needsPaths()) {
                 auxiliary.put(kind, new PixelStatistics(render.film(), settings.region()).of(kind));
             }
         }
         parts.addTo(image, auxiliary);
-        Map<RenderRequest.Auxiliary, Image> guides = Map.copyOf(auxiliary);
+        Map<RenderResult.Auxiliary, Image> guides = Map.copyOf(auxiliary);
         auxiliary.keySet().retainAll(request.auxiliary());
         double rounding = Rounding.of(image, settings.budget().depth());
         RenderReport report = render.report(phases, rounding, round);

@@ -33,7 +33,7 @@ import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
 
 /**
- * Makes pictures of scenes.
+ * Renders scenes: the way from a {@link Scene} to an {@link Image}.
  *
  * <p>The picture is a pure function of the scene and of those settings that say they influence it: the same bytes on any
  * number of threads, on any machine.
@@ -52,6 +52,7 @@ import java.util.function.BooleanSupplier;
  * interrupt stays set: whoever goes on with
  * what there is, and writes it to a file, has to take it back first ({@link Thread#interrupted}), since channels to files do
  * not work on an interrupted thread. An interrupt of a helper has no effect.
+ *
  */
 public final class Renderer {
     /** Measured for spheres with a hierarchy (docs/notes/benchmarks.md), rounded up. */
@@ -134,7 +135,7 @@ public final class Renderer {
     /** The same with image files that renders before may have needed too. */
     static RenderResult render(RenderRequest request, SceneImages files) {
         BooleanSupplier cancelled = Cancellation.of(request.cancelled());
-        MethodChoice choice =
+        RenderRequest.MethodChoice choice =
                 request.choice().orElseGet(() -> choose(request.scene(), request.settings(), files, cancelled));
         choice.reason().ifPresent(request.progress()::note);
         return render(request.withChoice(choice), choice, files, cancelled);
@@ -148,20 +149,20 @@ public final class Renderer {
      * @return an image for each kind
      * @throws SceneException if the scene cannot be used
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used; key {@code auxiliary} if a kind takes the picture, as
-     *     {@link RenderRequest.Auxiliary#ERROR}, {@link RenderRequest.Auxiliary#SAMPLES} and {@link RenderRequest.Auxiliary#INDIRECT} do, or is for other shading
+     *     {@link RenderResult.Auxiliary#ERROR}, {@link RenderResult.Auxiliary#SAMPLES} and {@link RenderResult.Auxiliary#INDIRECT} do, or is for other shading
      * @throws CancellationException if it was cancelled
      */
-    public static Map<RenderRequest.Auxiliary, Image> auxiliary(RenderRequest request) {
+    public static Map<RenderResult.Auxiliary, Image> auxiliary(RenderRequest request) {
         RenderSettings settings = request.settings();
-        for (RenderRequest.Auxiliary kind : request.auxiliary()) {
-            if (kind == RenderRequest.Auxiliary.INDIRECT || !kind.needsRays() && !kind.needsPaths()) {
+        for (RenderResult.Auxiliary kind : request.auxiliary()) {
+            if (kind == RenderResult.Auxiliary.INDIRECT || !kind.needsRays() && !kind.needsPaths()) {
                 throw new InvalidValueException("auxiliary", kind.word() + " is known of rendered pictures only");
             }
         }
         BooleanSupplier cancelled = Cancellation.of(request.cancelled());
         new FilmChoice(request, request.auxiliary().size()).check();
         CompiledScene scene = request.choice()
-                .flatMap(MethodChoice::compiled)
+                .flatMap(RenderRequest.MethodChoice::compiled)
                 .orElseGet(() -> SceneCompiler.compile(request.scene(), settings, new SceneImages(), cancelled));
         AuxiliaryPass rays = new AuxiliaryPass(scene, settings, request.auxiliary());
         PathPartPass paths = new PathPartPass(scene, settings, request.auxiliary());
@@ -172,13 +173,13 @@ public final class Renderer {
         if (cancelled.getAsBoolean()) {
             throw new CancellationException("what pixels show was cancelled");
         }
-        Map<RenderRequest.Auxiliary, Image> images = rays.images();
+        Map<RenderResult.Auxiliary, Image> images = rays.images();
         paths.addTo(null, images);
         return images;
     }
 
     private static RenderResult render(
-            RenderRequest request, MethodChoice choice, SceneImages files, BooleanSupplier cancelled) {
+            RenderRequest request, RenderRequest.MethodChoice choice, SceneImages files, BooleanSupplier cancelled) {
         Stopwatch time = choice.time();
         RenderSettings settings = request.settings();
         int images = (request.progressive() ? 1 : 0)
@@ -213,39 +214,40 @@ public final class Renderer {
      * @throws enlightenment.math.InvalidValueException if a setting cannot be used
      * @throws CancellationException if it was cancelled, or the calling thread interrupted, before the method was chosen
      */
-    public static MethodChoice choose(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
+    public static RenderRequest.MethodChoice choose(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
         return choose(scene, settings, new SceneImages(), Cancellation.of(cancelled));
     }
 
     /** What {@link #choose} gives, with the scene prepared in any case. */
-    static MethodChoice prepare(Scene scene, RenderSettings settings, SceneImages files, BooleanSupplier stop) {
+    static RenderRequest.MethodChoice prepare(
+            Scene scene, RenderSettings settings, SceneImages files, BooleanSupplier stop) {
         BooleanSupplier cancelled = Cancellation.of(stop);
-        MethodChoice choice = choose(scene, settings, files, cancelled);
+        RenderRequest.MethodChoice choice = choose(scene, settings, files, cancelled);
         if (choice.compiled().isPresent()) {
             return choice;
         }
         Phases phases = choice.phases();
         CompiledScene compiled =
                 phases.run("compile", () -> SceneCompiler.compile(scene, choice.settings(), files, cancelled));
-        return new MethodChoice(choice.settings(), choice.reason(), compiled, phases, choice.time());
+        return new RenderRequest.MethodChoice(choice.settings(), choice.reason(), compiled, phases, choice.time());
     }
 
-    private static MethodChoice choose(
+    private static RenderRequest.MethodChoice choose(
             Scene scene, RenderSettings settings, SceneImages files, BooleanSupplier cancelled) {
         Stopwatch time = Stopwatch.started();
         Phases phases = new Phases();
         if (settings.method() != Method.AUTO) {
-            return new MethodChoice(settings, Optional.empty(), null, phases, time);
+            return new RenderRequest.MethodChoice(settings, Optional.empty(), null, phases, time);
         }
         CompiledScene compiled = phases.run("compile", () -> SceneCompiler.compile(scene, settings, files, cancelled));
         MethodDecision decision = phases.run("pilot", () -> MethodPilot.decide(scene, compiled, settings, cancelled));
-        return new MethodChoice(
+        return new RenderRequest.MethodChoice(
                 settings.withMethod(decision.method()), Optional.of(decision.reason()), compiled, phases, time);
     }
 
     /** What a render of this scene would model and need, in plain words, without rendering it. */
     public static Inspection inspect(Scene scene, RenderSettings asked) {
-        MethodChoice choice = choose(scene, asked, () -> false);
+        RenderRequest.MethodChoice choice = choose(scene, asked, () -> false);
         RenderSettings settings = choice.settings();
         CompiledScene compiled = choice.compiled().orElseGet(() -> SceneCompiler.compile(scene, settings));
         int primitives = compiled.primitives.length;

@@ -12,7 +12,7 @@
  *         .withSettings(settings)
  *         .withProgress(listener)
  *         .withCancelled(stop::get)
- *         .withAuxiliary(RenderRequest.Auxiliary.DEPTH, RenderRequest.Auxiliary.NORMAL));
+ *         .withAuxiliary(RenderResult.Auxiliary.DEPTH, RenderResult.Auxiliary.NORMAL));
  * }</pre>
  */
 package enlightenment.render;

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What a render did (the paper's Timekeeper): counts that depend on scene and settings only, and times that do not.
+ * What a render did: counts that depend on scene and settings only, and times that do not.
  *
  * @param sceneName the scene's name
  * @param settings the settings in force
@@ -23,6 +23,7 @@ import java.util.Optional;
  * @param phases wall-clock and processor time per phase, in order
  * @param pixels pixels finished; where paths may end anywhere, the share of the pixels that is the share of the paths
  * @param peakMemoryBytes most heap memory in use, as far as it was observed
+ *
  */
 public record RenderReport(
         String sceneName,

@@ -9,7 +9,7 @@ import java.util.Objects;
 import java.util.TreeMap;
 
 /**
- * How a scene changes over its frames.
+ * How a scene changes from frame to frame: tracks, each of which moves one number of it.
  *
  * @param frames the number of frames, at least 1; they are numbered from 0
  * @param framesPerSecond greater than 0
@@ -18,6 +18,7 @@ import java.util.TreeMap;
  *     pictures of a moment, or {@link #LEAST_SHUTTER}..1
  * @param instants how many moments a picture is made of while the shutter is open, evenly spaced, 1..{@link #MOST_INSTANTS}; without
  *     meaning if it is not open
+ *
  */
 public record Animation(int frames, double framesPerSecond, List<Track> tracks, double shutter, int instants) {
     /** As many as make smooth streaks of motions of some ten pixels. */

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** The methods of this program. This is the one place that has their names. */
+/** The rendering methods of this program, and the settings of their own. This is the one place that has their names. */
 public enum BuiltInMethod implements Method {
     /** {@link Method#RAYTRACE}. */
     RAYTRACE(

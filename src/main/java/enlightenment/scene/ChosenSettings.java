@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What was chosen of the settings of all methods, whichever is in use, and of the {@link Common}: a scene may choose for
- * one method and the command line take another, or compare several. What is not chosen has its default, and to choose the default is to
- * choose nothing: so two of these are equal if every method renders the same with both. Immutable.
+ * Values that were chosen for settings of rendering methods, and for those that all methods have in common. A scene may choose for one method and
+ * the command line take another, or compare several. What is not chosen has its default, and to choose the default is to choose nothing: so two of
+ * these are equal if every method renders the same with both. Immutable.
  */
 public final class ChosenSettings {
     /** Every setting has its default. */

@@ -6,9 +6,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * A method from outside this program: a service of this class ({@link java.util.ServiceLoader}), so that scene files, command
- * line and network know it without any change here. Its word must differ from those of all others. A key of its settings may
- * be that of another method's, if the setting is equal in everything: a scene then says it once for both.
+ * A rendering method that is no part of this program, found as a service ({@link java.util.ServiceLoader}). Scene files, command line and network
+ * know it without any change here. Its word must differ from those of all others. A key of its settings may be that of another method's, if the
+ * setting is equal in everything: a scene then says it once for both.
  *
  * <p>Stateless: its methods are called by several threads at once.
  */

@@ -2,6 +2,7 @@ package enlightenment.scene;
 
 import enlightenment.camera.Camera;
 import enlightenment.check.Check;
+import enlightenment.color.DisplayCurve;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
@@ -22,7 +23,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * A whole scene: plain, immutable data, independent of how it is stored or rendered.
+ * A whole scene: camera, lights, and objects with their materials, as plain, immutable data. It does not depend on how it is stored or rendered.
  *
  * <p>Lengths and positions are in scene units, angles in degrees. Lists and maps are copied and cannot be changed.
  *
@@ -322,6 +323,32 @@ public record Scene(
                     objects,
                     render,
                     Optional.ofNullable(animation));
+        }
+    }
+
+    /**
+     * How the linear light of physical shading becomes a picture for a screen: light times 2^exposure goes through the tone curve, then
+     * through sRGB's transfer curve. Files of linear light do not ask for it, and classic shading, whose colours are those of a
+     * screen, has no use for it.
+     *
+     * @param exposure in stops, -{@link #MAX_EXPOSURE}..{@link #MAX_EXPOSURE}: one more doubles the light
+     * @param tone how light becomes 0..1
+     */
+    public record Display(double exposure, DisplayCurve.Tone tone) {
+        /** The largest exposure, and with a minus the smallest one. */
+        public static final double MAX_EXPOSURE = 1000;
+
+        /** No change of exposure, light cut at 1. */
+        public static final Display DEFAULT = new Display(0, DisplayCurve.Tone.CLIP);
+
+        /**
+         * Checks the range.
+         *
+         * @throws enlightenment.math.InvalidValueException (key {@code exposure}) if the exposure is out of it
+         */
+        public Display {
+            Check.range("exposure", exposure, -MAX_EXPOSURE, MAX_EXPOSURE);
+            Objects.requireNonNull(tone, "tone");
         }
     }
 }

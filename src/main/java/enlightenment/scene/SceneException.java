@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 
-/** A scene that cannot be used. Every problem that was found is listed, not just the first. */
+/** Thrown for a scene that cannot be used, with the place of each problem. Every problem that was found is listed, not just the first. */
 public final class SceneException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -9,12 +9,13 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A thing in the scene: a shape and what it is made of.
+ * An object of a scene: a shape and what it is made of.
  *
  * @param name its name, unique in the scene, or "" if it has none
  * @param shape its surface
  * @param material what it is made of
  * @param faces empty, or for a cube the materials of its six faces: -x, +x, -y, +y, -z, +z before rotation
+ *
  */
 public record SceneObject(String name, Shape shape, Material material, List<Material> faces) {
     /** @throws enlightenment.math.InvalidValueException if there are faces, but not six or not on a cube */

@@ -7,10 +7,9 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
-import enlightenment.material.Bump;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
-import enlightenment.material.NormalMap;
 import enlightenment.math.InvalidValueException;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -120,7 +119,7 @@ final class ShadingFit {
     }
 
     private void lookAtRelief(Material material, Shape shape, String place) {
-        if (material instanceof NormalMap || material instanceof Bump) {
+        if (material instanceof Composite.NormalMap || material instanceof Composite.Bump) {
             found.putIfAbsent(
                     place,
                     "normal maps and bumps need a mesh, a rectangle, a triangle or a sphere: the directions of textures are"

@@ -3,7 +3,6 @@ package enlightenment.view;
 import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
 import enlightenment.image.Image;
-import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import java.util.List;
 import java.util.Optional;
@@ -34,7 +33,7 @@ final class FrameBuilder {
             shrink = pass.shrink();
             samples = null;
         }
-        Image counts = count(result.auxiliary().get(RenderRequest.Auxiliary.SAMPLES));
+        Image counts = count(result.auxiliary().get(RenderResult.Auxiliary.SAMPLES));
         Image image = shrink > 1 ? result.image() : sum.add(result.image(), pass.samples());
         Optional<PictureNoise> noise = shrink > 1 ? Optional.empty() : sum.noise();
         int all = pass.before() + pass.samples();

@@ -7,7 +7,7 @@ import java.util.Optional;
 /**
  * What is known of a picture beside its colours.
  *
- * @param samples of each pixel so far, as {@link enlightenment.render.RenderRequest.Auxiliary#SAMPLES} has them
+ * @param samples of each pixel so far, as {@link enlightenment.render.RenderResult.Auxiliary#SAMPLES} has them
  * @param noise how exact it is; empty before the second pass
  * @param errors how exact it was after each pass, by time
  * @param seconds since the change that it shows

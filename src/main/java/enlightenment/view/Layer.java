@@ -1,6 +1,6 @@
 package enlightenment.view;
 
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import java.util.Arrays;
@@ -14,19 +14,19 @@ enum Layer {
     PICTURE(null),
 
     /** Reflectance of the first surface that is neither mirror nor glass; physical shading only. */
-    ALBEDO(RenderRequest.Auxiliary.ALBEDO),
+    ALBEDO(RenderResult.Auxiliary.ALBEDO),
 
     /** Unit normal of the first surface, on the viewer's side. */
-    NORMAL(RenderRequest.Auxiliary.NORMAL),
+    NORMAL(RenderResult.Auxiliary.NORMAL),
 
     /** Distance from the eye along the ray, in scene units. */
-    DEPTH(RenderRequest.Auxiliary.DEPTH),
+    DEPTH(RenderResult.Auxiliary.DEPTH),
 
     /** Objects and lights in false colours. */
-    OBJECT(RenderRequest.Auxiliary.OBJECT),
+    OBJECT(RenderResult.Auxiliary.OBJECT),
 
     /** Materials in false colours. */
-    MATERIAL(RenderRequest.Auxiliary.OBJECT),
+    MATERIAL(RenderResult.Auxiliary.OBJECT),
 
     /** Standard error of the displayed colour, as the passes' spread shows it. */
     ERROR(null),
@@ -37,14 +37,14 @@ enum Layer {
     /** Root mean square of the components' displayed difference from the picture that was kept. */
     DIFFERENCE(null);
 
-    private final RenderRequest.Auxiliary source;
+    private final RenderResult.Auxiliary source;
 
-    Layer(RenderRequest.Auxiliary source) {
+    Layer(RenderResult.Auxiliary source) {
         this.source = source;
     }
 
     /** What renders make for it beside the picture; empty where the picture and its passes suffice. */
-    Optional<RenderRequest.Auxiliary> source() {
+    Optional<RenderResult.Auxiliary> source() {
         return Optional.ofNullable(source);
     }
 

@@ -1,7 +1,7 @@
 package enlightenment.view;
 
 import enlightenment.image.Image;
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import enlightenment.render.aov.AuxiliaryPicture;
 import enlightenment.scene.Scene;
 import java.util.List;
@@ -68,7 +68,7 @@ record LayerPicture(
             case ALBEDO, NORMAL, DEPTH -> plain(layer.source().orElseThrow(), numbers(layer, view));
             case OBJECT -> {
                 Scene scene = view.layers()
-                        .of(RenderRequest.Auxiliary.OBJECT)
+                        .of(RenderResult.Auxiliary.OBJECT)
                         .orElseThrow()
                         .scene();
                 yield named(layer, numbers(layer, view), n -> PixelProbe.object(scene, n)
@@ -76,7 +76,7 @@ record LayerPicture(
             }
             case MATERIAL -> named(layer, materials(numbers(layer, view), materials), materials::name);
             case SAMPLES ->
-                plain(RenderRequest.Auxiliary.SAMPLES, view.frame().detail().samples());
+                plain(RenderResult.Auxiliary.SAMPLES, view.frame().detail().samples());
             case ERROR -> error(view.frame(), view.exposure());
             case DIFFERENCE -> difference(view);
         };
@@ -86,7 +86,7 @@ record LayerPicture(
         return view.layers().of(layer.source().orElseThrow()).orElseThrow().image();
     }
 
-    private static LayerPicture plain(RenderRequest.Auxiliary kind, Image numbers) {
+    private static LayerPicture plain(RenderResult.Auxiliary kind, Image numbers) {
         AuxiliaryPicture shown = AuxiliaryPicture.withoutScale(kind, numbers);
         return new LayerPicture(
                 numbers,
@@ -100,7 +100,7 @@ record LayerPicture(
     }
 
     private static LayerPicture named(Layer layer, Image numbers, IntFunction<String> names) {
-        Image image = AuxiliaryPicture.withoutScale(RenderRequest.Auxiliary.OBJECT, numbers)
+        Image image = AuxiliaryPicture.withoutScale(RenderResult.Auxiliary.OBJECT, numbers)
                 .image();
         return new LayerPicture(
                 numbers,
@@ -125,7 +125,7 @@ record LayerPicture(
         PictureNoise noise = frame.detail().noise().orElseThrow();
         Image numbers = noise.map(FrameBuilder.curve(frame.image(), exposure));
         double rmse = noise.rmse(FrameBuilder.curve(frame.image(), exposure));
-        AuxiliaryPicture shown = AuxiliaryPicture.withoutScale(RenderRequest.Auxiliary.ERROR, numbers);
+        AuxiliaryPicture shown = AuxiliaryPicture.withoutScale(RenderResult.Auxiliary.ERROR, numbers);
         return new LayerPicture(
                 numbers,
                 shown.image(),
@@ -141,7 +141,7 @@ record LayerPicture(
         Kept kept = view.kept();
         Image now = view.shown();
         Image numbers = kept.difference(now);
-        AuxiliaryPicture shown = AuxiliaryPicture.withoutScale(RenderRequest.Auxiliary.ERROR, numbers);
+        AuxiliaryPicture shown = AuxiliaryPicture.withoutScale(RenderResult.Auxiliary.ERROR, numbers);
         OptionalDouble noise = view.frame()
                 .detail()
                 .noise()

@@ -1,6 +1,7 @@
 package enlightenment.view;
 
 import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
 import java.util.EnumMap;
@@ -37,7 +38,7 @@ final class LayerRefinement implements Runnable {
     }
 
     /** Layers of a view that are to be rendered. */
-    record Wish(Shot shot, Set<RenderRequest.Auxiliary> kinds) {}
+    record Wish(Shot shot, Set<RenderResult.Auxiliary> kinds) {}
 
     @Override
     public void run() {
@@ -66,7 +67,7 @@ final class LayerRefinement implements Runnable {
             RenderRequest request = preparation
                     .request(shot, settings, () -> !session.isCurrent(shot.generation()))
                     .withAuxiliary(wish.kinds());
-            Map<RenderRequest.Auxiliary, Layers.Numbers> found = new EnumMap<>(RenderRequest.Auxiliary.class);
+            Map<RenderResult.Auxiliary, Layers.Numbers> found = new EnumMap<>(RenderResult.Auxiliary.class);
             Renderer.auxiliary(request)
                     .forEach((kind, image) ->
                             found.put(kind, new Layers.Numbers(shot.generation(), shot.scene(), shrink, image)));

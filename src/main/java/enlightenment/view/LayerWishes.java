@@ -1,6 +1,6 @@
 package enlightenment.view;
 
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.Map;
@@ -13,7 +13,7 @@ final class LayerWishes {
     static final long WISH_NANOS = 12_000_000_000L;
 
     private final LongSupplier clock;
-    private final Map<RenderRequest.Auxiliary, Long> since = new EnumMap<>(RenderRequest.Auxiliary.class);
+    private final Map<RenderResult.Auxiliary, Long> since = new EnumMap<>(RenderResult.Auxiliary.class);
 
     /** @param clock nanoseconds of any origin */
     LayerWishes(LongSupplier clock) {
@@ -26,7 +26,7 @@ final class LayerWishes {
     }
 
     /** What renders should make beside the picture. */
-    synchronized Set<RenderRequest.Auxiliary> current() {
+    synchronized Set<RenderResult.Auxiliary> current() {
         long now = clock.getAsLong();
         since.values().removeIf(then -> now - then > WISH_NANOS);
         return since.isEmpty() ? Set.of() : EnumSet.copyOf(since.keySet());

@@ -1,7 +1,7 @@
 package enlightenment.view;
 
 import enlightenment.image.Image;
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.Scene;
 import java.util.EnumMap;
 import java.util.EnumSet;
@@ -14,7 +14,7 @@ import java.util.Set;
  *
  * @param all by what they are
  */
-record Layers(Map<RenderRequest.Auxiliary, Numbers> all) {
+record Layers(Map<RenderResult.Auxiliary, Numbers> all) {
     static final Layers NONE = new Layers(Map.of());
 
     Layers {
@@ -32,9 +32,9 @@ record Layers(Map<RenderRequest.Auxiliary, Numbers> all) {
     record Numbers(long generation, Scene scene, int shrink, Image image) {}
 
     /** Which of some wishes are not there at full resolution, of a view as it is now. */
-    Set<RenderRequest.Auxiliary> missing(long generation, Set<RenderRequest.Auxiliary> wishes) {
-        EnumSet<RenderRequest.Auxiliary> missing = EnumSet.noneOf(RenderRequest.Auxiliary.class);
-        for (RenderRequest.Auxiliary wish : wishes) {
+    Set<RenderResult.Auxiliary> missing(long generation, Set<RenderResult.Auxiliary> wishes) {
+        EnumSet<RenderResult.Auxiliary> missing = EnumSet.noneOf(RenderResult.Auxiliary.class);
+        for (RenderResult.Auxiliary wish : wishes) {
             Numbers there = all.get(wish);
             if (there == null || there.generation != generation || there.shrink != 1) {
                 missing.add(wish);
@@ -44,14 +44,14 @@ record Layers(Map<RenderRequest.Auxiliary, Numbers> all) {
     }
 
     /** These layers, but for those that were rendered anew. */
-    Layers with(Map<RenderRequest.Auxiliary, Numbers> next) {
-        Map<RenderRequest.Auxiliary, Numbers> merged = new EnumMap<>(RenderRequest.Auxiliary.class);
+    Layers with(Map<RenderResult.Auxiliary, Numbers> next) {
+        Map<RenderResult.Auxiliary, Numbers> merged = new EnumMap<>(RenderResult.Auxiliary.class);
         merged.putAll(all);
         merged.putAll(next);
         return new Layers(merged);
     }
 
-    Optional<Numbers> of(RenderRequest.Auxiliary kind) {
+    Optional<Numbers> of(RenderResult.Auxiliary kind) {
         return Optional.ofNullable(all.get(kind));
     }
 }

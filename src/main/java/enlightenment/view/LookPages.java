@@ -2,7 +2,7 @@ package enlightenment.view;
 
 import enlightenment.image.Image;
 import enlightenment.listen.SmallHttp;
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.Scene;
 import enlightenment.status.QuickPng;
 import java.io.IOException;
@@ -91,7 +91,7 @@ final class LookPages {
             comparedWith = now.kept();
         }
         if (layer == Layer.MATERIAL) {
-            now.layers().of(RenderRequest.Auxiliary.OBJECT).ifPresent(objects -> index(objects.scene()));
+            now.layers().of(RenderResult.Auxiliary.OBJECT).ifPresent(objects -> index(objects.scene()));
         }
         LayerPicture picture = made.get(layer);
         if (picture == null) {

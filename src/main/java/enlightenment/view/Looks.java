@@ -1,7 +1,7 @@
 package enlightenment.view;
 
 import enlightenment.image.Image;
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import java.util.Map;
 import java.util.Set;
 
@@ -33,12 +33,12 @@ final class Looks {
     }
 
     /** Which layers pages look at that are not there at full resolution, of a view as it is now. */
-    Set<RenderRequest.Auxiliary> missing(long generation) {
+    Set<RenderResult.Auxiliary> missing(long generation) {
         return layers.missing(generation, wishes.current());
     }
 
     /** Layers that were rendered. */
-    void add(Map<RenderRequest.Auxiliary, Layers.Numbers> next) {
+    void add(Map<RenderResult.Auxiliary, Layers.Numbers> next) {
         layers = layers.with(next);
     }
 

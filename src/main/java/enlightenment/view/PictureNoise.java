@@ -67,7 +67,7 @@ final class PictureNoise {
     }
 
     /**
-     * The standard error of each pixel in displayed units, as {@link enlightenment.render.RenderRequest.Auxiliary#ERROR} has it: the root of the mean
+     * The standard error of each pixel in displayed units, as {@link enlightenment.render.RenderResult.Auxiliary#ERROR} has it: the root of the mean
      * variance over the components of the 3×3 pixels around it.
      */
     Image map(DisplayCurve curve) {

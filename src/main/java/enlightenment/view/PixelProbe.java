@@ -3,7 +3,6 @@ package enlightenment.view;
 import enlightenment.image.Image;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -23,11 +22,11 @@ import java.util.Set;
  * @param normal of length 1, on the side that faces the viewer
  */
 record PixelProbe(Optional<String> object, Optional<String> material, double depth, Vec3 point, Vec3 normal) {
-    private static final Set<RenderRequest.Auxiliary> WANTED = EnumSet.of(
-            RenderRequest.Auxiliary.DEPTH,
-            RenderRequest.Auxiliary.POSITION,
-            RenderRequest.Auxiliary.NORMAL,
-            RenderRequest.Auxiliary.OBJECT);
+    private static final Set<RenderResult.Auxiliary> WANTED = EnumSet.of(
+            RenderResult.Auxiliary.DEPTH,
+            RenderResult.Auxiliary.POSITION,
+            RenderResult.Auxiliary.NORMAL,
+            RenderResult.Auxiliary.OBJECT);
 
     /**
      * Follows one ray.
@@ -44,21 +43,21 @@ record PixelProbe(Optional<String> object, Optional<String> material, double dep
                 .build();
         RenderResult result = shot.film()
                 .render(preparation.request(shot, settings, () -> false).withAuxiliary(WANTED));
-        Map<RenderRequest.Auxiliary, Image> found = result.auxiliary();
-        int index = (int) found.get(RenderRequest.Auxiliary.OBJECT).component(0, 0, 0);
+        Map<RenderResult.Auxiliary, Image> found = result.auxiliary();
+        int index = (int) found.get(RenderResult.Auxiliary.OBJECT).component(0, 0, 0);
         return new PixelProbe(
                 object(shot.scene(), index),
                 material(shot.scene(), index),
-                found.get(RenderRequest.Auxiliary.DEPTH).component(0, 0, 0),
-                vector(found.get(RenderRequest.Auxiliary.POSITION)),
-                vector(found.get(RenderRequest.Auxiliary.NORMAL)));
+                found.get(RenderResult.Auxiliary.DEPTH).component(0, 0, 0),
+                vector(found.get(RenderResult.Auxiliary.POSITION)),
+                vector(found.get(RenderResult.Auxiliary.NORMAL)));
     }
 
     private static Vec3 vector(Image image) {
         return new Vec3(image.component(0, 0, 0), image.component(0, 0, 1), image.component(0, 0, 2));
     }
 
-    /** An object or light by the number that {@link RenderRequest.Auxiliary#OBJECT} gives it, in words; empty where there is nothing. */
+    /** An object or light by the number that {@link RenderResult.Auxiliary#OBJECT} gives it, in words; empty where there is nothing. */
     static Optional<String> object(Scene scene, int index) {
         int objects = scene.objects().size();
         if (index < 0 || index >= objects + scene.lights().size()) {

@@ -72,7 +72,7 @@ final class Refinement implements Runnable {
             session.awaitProcessors(shot.generation());
             RenderRequest request = preparation
                     .request(shot, shot.settings(pass, threads), () -> !session.isCurrent(shot.generation()))
-                    .withAuxiliary(RenderRequest.Auxiliary.SAMPLES);
+                    .withAuxiliary(RenderResult.Auxiliary.SAMPLES);
             long start = clock.getAsLong();
             RenderResult result = shot.film().render(request);
             if (!result.complete()) {

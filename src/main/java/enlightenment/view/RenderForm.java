@@ -2,7 +2,6 @@ package enlightenment.view;
 
 import enlightenment.listen.SmallHttp;
 import enlightenment.math.InvalidValueException;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -44,10 +43,10 @@ final class RenderForm {
         return request.value(name).isEmpty() ? usual : (int) ViewActions.number(request, name, 1, Scene.MAX_SIDE);
     }
 
-    private static Budget budget(SmallHttp.Request request) {
-        Budget budget = Budget.NONE;
+    private static RenderSettings.Budget budget(SmallHttp.Request request) {
+        RenderSettings.Budget budget = RenderSettings.Budget.NONE;
         if (request.value("samples").isPresent()) {
-            budget = budget.withSamples(ViewActions.number(request, "samples", 1, Budget.MAX_SAMPLES));
+            budget = budget.withSamples(ViewActions.number(request, "samples", 1, RenderSettings.Budget.MAX_SAMPLES));
         }
         if (request.value("error").isPresent()) {
             budget = budget.withError(ViewActions.number(request, "error", LEAST_ERROR, 1))

@@ -1,6 +1,5 @@
 package enlightenment.view;
 
-import enlightenment.render.MethodChoice;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.scene.RenderSettings;
@@ -16,7 +15,7 @@ final class ScenePreparation {
     private static final int MOST = 2;
 
     /** Those of one shot, the one that was asked for last at the end. */
-    private final Map<Key, MethodChoice> prepared = new LinkedHashMap<>(MOST, 1, true);
+    private final Map<Key, RenderRequest.MethodChoice> prepared = new LinkedHashMap<>(MOST, 1, true);
 
     /** What is prepared: a shot's scene at a size. */
     private record Key(long generation, int width, int height) {}
@@ -30,7 +29,7 @@ final class ScenePreparation {
      */
     RenderRequest request(Shot shot, RenderSettings settings, BooleanSupplier cancelled) {
         Key wanted = new Key(shot.generation(), settings.width(), settings.height());
-        MethodChoice known = known(wanted);
+        RenderRequest.MethodChoice known = known(wanted);
         if (known == null) {
             known = shot.film().prepare(shot.scene(), settings, cancelled);
             keep(wanted, known);
@@ -42,8 +41,8 @@ final class ScenePreparation {
     }
 
     /** What is prepared so; null if nothing is: then what is of no use any more is let go, and room is made, before it is. */
-    private synchronized MethodChoice known(Key wanted) {
-        MethodChoice known = prepared.get(wanted);
+    private synchronized RenderRequest.MethodChoice known(Key wanted) {
+        RenderRequest.MethodChoice known = prepared.get(wanted);
         if (known == null) {
             prepared.keySet().removeIf(key -> key.generation() < wanted.generation());
             makeRoom();
@@ -51,7 +50,7 @@ final class ScenePreparation {
         return known;
     }
 
-    private synchronized void keep(Key made, MethodChoice choice) {
+    private synchronized void keep(Key made, RenderRequest.MethodChoice choice) {
         if (prepared.keySet().stream().anyMatch(key -> key.generation() > made.generation())) {
             return;
         }

@@ -1,7 +1,6 @@
 package enlightenment.view;
 
 import enlightenment.camera.Camera;
-import enlightenment.scene.Display;
 import enlightenment.scene.Scene;
 import java.util.List;
 
@@ -13,7 +12,7 @@ final class Scenes {
      * A scene seen by another camera and with another display, at all moments of its picture. Where the camera is the scene's own, it may move
      * while the shutter is open.
      */
-    static Scene seenAs(Scene s, Camera camera, Display display) {
+    static Scene seenAs(Scene s, Camera camera, Scene.Display display) {
         if (camera.equals(s.camera())) {
             return with(s, camera, display).withInstants(s.instants());
         }
@@ -28,7 +27,7 @@ final class Scenes {
         return with(s, camera, s.display());
     }
 
-    private static Scene with(Scene s, Camera camera, Display display) {
+    private static Scene with(Scene s, Camera camera, Scene.Display display) {
         return new Scene(
                 s.name(),
                 s.width(),

@@ -2,7 +2,6 @@ package enlightenment.view;
 
 import enlightenment.camera.Camera;
 import enlightenment.listen.SmallHttp;
-import enlightenment.scene.Display;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneWriter;
 
@@ -64,7 +63,8 @@ final class ViewActions {
                 double degrees = number(request, "x", 0, TURN);
                 session.move(v -> v.withFieldOfView(degrees));
             }
-            case "exposure" -> session.expose(number(request, "x", -Display.MAX_EXPOSURE, Display.MAX_EXPOSURE));
+            case "exposure" ->
+                session.expose(number(request, "x", -Scene.Display.MAX_EXPOSURE, Scene.Display.MAX_EXPOSURE));
             case "size" ->
                 session.resize((int) number(request, "x", 1, MOST_SIDE), (int) number(request, "y", 1, MOST_SIDE));
             case "aim", "focus" -> pick(action, request);

@@ -2,8 +2,7 @@ package enlightenment.view;
 
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Film;
-import enlightenment.render.RenderRequest;
-import enlightenment.scene.Display;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.Shading;
@@ -157,7 +156,7 @@ final class ViewSession {
             throw new InvalidValueException(
                     "exposure", "is for physical shading: this scene's colours are those of a screen");
         }
-        new Display(stops, scene.display().tone());
+        new Scene.Display(stops, scene.display().tone());
         exposure = stops;
         picture++;
         note = "";
@@ -229,7 +228,7 @@ final class ViewSession {
     /** What a final render is to show; there is a scene. */
     synchronized Seen seen() {
         requireScene();
-        Display display = new Display(exposure, whole.display().tone());
+        Scene.Display display = new Scene.Display(exposure, whole.display().tone());
         return new Seen(Scenes.seenAs(whole, viewpoint.camera(), display), film, moment);
     }
 
@@ -319,7 +318,7 @@ final class ViewSession {
     }
 
     /** Shows layers, unless they are out of date. */
-    synchronized void publish(long which, Map<RenderRequest.Auxiliary, Layers.Numbers> next) {
+    synchronized void publish(long which, Map<RenderResult.Auxiliary, Layers.Numbers> next) {
         if (isCurrent(which)) {
             looks.add(next);
             picture++;

@@ -1,15 +1,11 @@
 package enlightenment.world;
 
 import enlightenment.frame.SceneFrame;
-import enlightenment.material.Amount;
-import enlightenment.material.Bump;
 import enlightenment.material.Coated;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.scene.Scene;
@@ -105,19 +101,20 @@ final class CompiledMaterials {
         return new TextureLookup(texture, image(texture), true);
     }
 
-    private AmountLookup lookup(Amount amount) {
-        return amount instanceof Amount.Textured t
+    private AmountLookup lookup(Texture.Amount amount) {
+        return amount instanceof Texture.Amount.Textured t
                 ? new AmountLookup(lookup(t.texture()), t.channel(), t.factor())
-                : AmountLookup.of((Amount.Constant) amount);
+                : AmountLookup.of((Texture.Amount.Constant) amount);
     }
 
     /** A material whose roughness differs from place to place, as one for each of some roughnesses; null if it does not. */
-    private SurfaceDetail ofRoughness(Amount roughness, Function<Amount, Material> with) {
+    private SurfaceDetail ofRoughness(Texture.Amount roughness, Function<Texture.Amount, Material> with) {
         return ofLevels(roughness, with, SurfaceDetail::ofRoughness);
     }
 
-    private SurfaceDetail ofLevels(Amount roughness, Function<Amount, Material> with, LevelsDetail detail) {
-        if (roughness instanceof Amount.Constant) {
+    private SurfaceDetail ofLevels(
+            Texture.Amount roughness, Function<Texture.Amount, Material> with, LevelsDetail detail) {
+        if (roughness instanceof Texture.Amount.Constant) {
             return null;
         }
         AmountLookup amount = lookup(roughness);
@@ -125,18 +122,20 @@ final class CompiledMaterials {
         List<SurfaceMaterial> parts = new ArrayList<>();
         for (double level : levels.all()) {
             poll.run();
-            parts.add(add(with.apply(Amount.of(level))));
+            parts.add(add(with.apply(Texture.Amount.of(level))));
         }
         return detail.of(levels, parts, amount);
     }
 
     /** A share of metal that differs from place to place: each point is of metal or of none, by that chance. */
     private SurfaceDetail ofPrincipled(Principled m) {
-        if (m.metallic() instanceof Amount.Textured) {
+        if (m.metallic() instanceof Texture.Amount.Textured) {
             return SurfaceDetail.mix(
-                    add(m.withMetallic(Amount.of(0))), add(m.withMetallic(Amount.of(1))), lookup(m.metallic()));
+                    add(m.withMetallic(Texture.Amount.of(0))),
+                    add(m.withMetallic(Texture.Amount.of(1))),
+                    lookup(m.metallic()));
         }
-        if (m.roughness() instanceof Amount.Textured) {
+        if (m.roughness() instanceof Texture.Amount.Textured) {
             return ofRoughness(m.roughness(), m::withRoughness);
         }
         return ofLevels(
@@ -147,13 +146,13 @@ final class CompiledMaterials {
 
     /** What is to be known of a place before what a material is there; null for most. */
     private SurfaceDetail detail(Material m) {
-        if (m instanceof Mix mix) {
+        if (m instanceof Composite.Mix mix) {
             return SurfaceDetail.mix(add(mix.first()), add(mix.second()), lookup(mix.weight()));
-        } else if (m instanceof Mask mask) {
+        } else if (m instanceof Composite.Mask mask) {
             return SurfaceDetail.mask(add(mask.of()), lookup(mask.map()));
-        } else if (m instanceof NormalMap normals) {
+        } else if (m instanceof Composite.NormalMap normals) {
             return SurfaceDetail.normalMap(add(normals.of()), lookup(normals.map()));
-        } else if (m instanceof Bump bump) {
+        } else if (m instanceof Composite.Bump bump) {
             return SurfaceDetail.bump(add(bump.of()), lookup(bump.map()), physical.toFrame(bump.height()));
         } else if (physical == null) {
             return null;

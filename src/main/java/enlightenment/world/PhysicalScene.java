@@ -11,7 +11,6 @@ import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
-import enlightenment.scene.Background;
 import enlightenment.scene.Shading;
 import enlightenment.surroundings.Sun;
 import enlightenment.surroundings.Surroundings;
@@ -130,7 +129,8 @@ public final class PhysicalScene {
         this.surroundings = surroundings == null || clear.equals(Rgb.WHITE)
                 ? surroundings
                 : clear.max() > 0 ? surroundings.filtered(clear) : null;
-        Rgb background = seen(shading.background() instanceof Background.Constant c ? c.radiance() : Rgb.BLACK, around);
+        Rgb background =
+                seen(shading.background() instanceof Shading.Background.Constant c ? c.radiance() : Rgb.BLACK, around);
         boolean isConstant = this.surroundings == null;
         backgroundR = isConstant ? background.r() : 0;
         backgroundG = isConstant ? background.g() : 0;

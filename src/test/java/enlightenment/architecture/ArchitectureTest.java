@@ -426,8 +426,12 @@ class ArchitectureTest {
             .definedBy("enlightenment.net.worker")
             .layer("server")
             .definedBy("enlightenment.net.server")
+            .layer("parts")
+            .definedBy("enlightenment.net.parts")
             .layer("net")
             .definedBy("enlightenment.net")
+            .whereLayer("parts")
+            .mayNotBeAccessedByAnyLayer()
             .whereLayer("net")
             .mayNotBeAccessedByAnyLayer()
             .whereLayer("server")
@@ -437,9 +441,9 @@ class ArchitectureTest {
             .whereLayer("schedule")
             .mayOnlyBeAccessedByLayers("worker", "server", "net")
             .whereLayer("job")
-            .mayOnlyBeAccessedByLayers("schedule", "worker", "server", "net")
+            .mayOnlyBeAccessedByLayers("schedule", "worker", "server", "parts", "net")
             .whereLayer("protocol")
-            .mayOnlyBeAccessedByLayers("job", "schedule", "worker", "server", "net");
+            .mayOnlyBeAccessedByLayers("job", "schedule", "worker", "server", "parts", "net");
 
     /** The command line, from the terminal up to all commands: films know the options of servers, else no command knows another. */
     @ArchTest

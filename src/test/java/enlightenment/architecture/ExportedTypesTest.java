@@ -24,7 +24,7 @@ class ExportedTypesTest {
     private static final Path PROJECT = Path.of(System.getProperty("project.directory", "."));
 
     /** Types outside of others. A new one needs a reason; fewer are welcome. */
-    private static final int MOST = 73;
+    private static final int MOST = 60;
 
     private static final Pattern PUBLIC_CLASS =
             Pattern.compile("^public (?:abstract |final |non-sealed )*(?:class|interface) ", Pattern.MULTILINE);

@@ -21,7 +21,6 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -108,7 +107,8 @@ class JavaPageTest {
         Scene scene = ball();
         RenderSettings settings = RenderSettings.of(scene)
                 .withMethod(Method.CLUSTER)
-                .withBudget(Budget.NONE.withError(0.02).withSeconds(20));
+                .withError(0.02)
+                .withSeconds(20);
         RenderResult result = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
         double error = result.report().sampling().errorHigh();
         assertTrue(error > 0 && error <= 0.02, "error " + error);

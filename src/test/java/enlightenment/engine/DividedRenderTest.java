@@ -12,7 +12,6 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
@@ -73,7 +72,8 @@ class DividedRenderTest {
     @Test
     void aWorkersOutlineIsThatOfTheRenderThatWasPlanned() {
         Scene scene = SceneReader.read(Path.of("scenes/caustics.json"));
-        RenderSettings settings = RenderSettings.of(scene).withSize(12, 8).withBudget(Budget.NONE.withSamples(2));
+        RenderSettings settings =
+                RenderSettings.of(scene).withSize(12, 8).withBudget(RenderSettings.Budget.NONE.withSamples(2));
         DividedRender planned = DividedRender.prepare(scene, settings, () -> false);
         DividedRender worker = DividedRender.planned(scene, settings, planned.plan(), file -> null);
         assertEquals(1, planned.outline().undersampled().size());

@@ -11,7 +11,6 @@ import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -46,7 +45,7 @@ class LinearUnitsTest {
         return RenderSettings.of(scene)
                 .withSize(side, side)
                 .withThreads(2)
-                .withBudget(Budget.NONE.withSamples(samples));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
     }
 
     @ParameterizedTest

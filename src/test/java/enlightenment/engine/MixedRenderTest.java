@@ -12,7 +12,6 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -238,8 +237,8 @@ class MixedRenderTest {
 
     @Test
     void anErrorAskedForIsKept() {
-        RenderResult result =
-                Renderer.render(RenderRequest.of(SCENE, SETTINGS.withBudget(Budget.NONE.withError(0.02))));
+        RenderResult result = Renderer.render(
+                RenderRequest.of(SCENE, SETTINGS.withBudget(RenderSettings.Budget.NONE.withError(0.02))));
         assertTrue(result.report().isErrorMet(), result.report().sampling().toString());
     }
 

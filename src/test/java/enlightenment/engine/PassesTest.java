@@ -13,7 +13,6 @@ import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -39,11 +38,11 @@ class PassesTest {
             .withSize(64, 48)
             .withCrop(new RenderSettings.Crop(31, 20, 3, 2))
             .with(new BuiltInMethod.RayTraceSettings(1))
-            .withBudget(Budget.NONE.withSamples(90_000))
+            .withBudget(RenderSettings.Budget.NONE.withSamples(90_000))
             .withThreads(2);
 
     private static final RenderResult ALONE = Renderer.render(RenderRequest.of(SCENE, SETTINGS)
-            .withAuxiliary(RenderRequest.Auxiliary.SAMPLES, RenderRequest.Auxiliary.ERROR));
+            .withAuxiliary(RenderResult.Auxiliary.SAMPLES, RenderResult.Auxiliary.ERROR));
 
     private static final DividedRender RENDER = DividedRender.prepare(SCENE, SETTINGS, () -> false);
 
@@ -123,7 +122,7 @@ class PassesTest {
             assertEquals(ALONE.report().sampling(), rendered.report().sampling());
         }
         assertEquals(90_000, ALONE.report().sampling().plannedSamples());
-        float[] samples = ALONE.auxiliary().get(RenderRequest.Auxiliary.SAMPLES).toArray();
+        float[] samples = ALONE.auxiliary().get(RenderResult.Auxiliary.SAMPLES).toArray();
         for (float count : samples) {
             assertTrue(count == 65_536 || count == 131_072, count + " samples");
         }
@@ -141,7 +140,7 @@ class PassesTest {
                 RENDER.plan().level());
         FilmTile tile = new FilmTile(31, 20, 3, 2);
         method.render(tile);
-        float[] spread = ALONE.auxiliary().get(RenderRequest.Auxiliary.ERROR).toArray();
+        float[] spread = ALONE.auxiliary().get(RenderResult.Auxiliary.ERROR).toArray();
         for (int y = 0; y < 2; y++) {
             for (int x = 0; x < 3; x++) {
                 for (int c = 0; c < 3; c++) {

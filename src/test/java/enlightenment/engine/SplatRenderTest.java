@@ -15,7 +15,6 @@ import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -265,9 +264,9 @@ class SplatRenderTest {
     @Test
     void samplesAndErrorAreToldOfEachPixel() {
         RenderResult result = Renderer.render(RenderRequest.of(SCENE, SETTINGS)
-                .withAuxiliary(RenderRequest.Auxiliary.SAMPLES, RenderRequest.Auxiliary.ERROR));
-        Image samples = result.auxiliary().get(RenderRequest.Auxiliary.SAMPLES);
-        Image errors = result.auxiliary().get(RenderRequest.Auxiliary.ERROR);
+                .withAuxiliary(RenderResult.Auxiliary.SAMPLES, RenderResult.Auxiliary.ERROR));
+        Image samples = result.auxiliary().get(RenderResult.Auxiliary.SAMPLES);
+        Image errors = result.auxiliary().get(RenderResult.Auxiliary.ERROR);
         assertEquals(64, samples.component(3, 3, 0));
         double mean = mean(errors);
         assertTrue(mean > 0.01 && mean < 0.3, "mean error " + mean);
@@ -277,13 +276,13 @@ class SplatRenderTest {
 
     @Test
     void anErrorIsReachedInRoundsAfterAFirstPictureOfFewPaths() {
-        RenderSettings settings = SETTINGS.withBudget(Budget.NONE.withError(0.2));
+        RenderSettings settings = SETTINGS.withBudget(RenderSettings.Budget.NONE.withError(0.2));
         RenderResult result = Renderer.render(RenderRequest.of(SCENE, settings));
         assertTrue(result.report().isErrorMet(), result.report().sampling().toString());
         assertTrue(result.report().sampling().rounds() > 1);
         assertEquals("error", result.report().sampling().decidedBy());
-        RenderSettings same = SETTINGS.withBudget(
-                Budget.NONE.withSamples(result.report().sampling().plannedSamples()));
+        RenderSettings same = SETTINGS.withBudget(RenderSettings.Budget.NONE.withSamples(
+                result.report().sampling().plannedSamples()));
         assertArrayEquals(Renderer.render(SCENE, same).toArray(), result.image().toArray());
         DividedRender render = divided(settings);
         assertEquals(4, render.plan().samples());
@@ -294,7 +293,7 @@ class SplatRenderTest {
 
     @Test
     void aTimeIsMadeANumberOfPathsByTrials() {
-        RenderSettings settings = SETTINGS.withThreads(1).withBudget(Budget.NONE.withSeconds(1));
+        RenderSettings settings = SETTINGS.withThreads(1).withBudget(RenderSettings.Budget.NONE.withSeconds(1));
         double slow = planned(settings, 1_000);
         assertEquals(slow, planned(settings, 1_000));
         assertTrue(slow > 1, slow + " paths per pixel");

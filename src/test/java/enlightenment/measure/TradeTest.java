@@ -18,7 +18,6 @@ import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -179,7 +178,7 @@ class TradeTest {
                 room,
                 base.withMethod(Method.RAYTRACE)
                         .withSeed(run.seed())
-                        .withBudget(Budget.NONE.withSamples(run.samples())));
+                        .withBudget(RenderSettings.Budget.NONE.withSamples(run.samples())));
         assertEquals(
                 ImageError.between(again.toDisplay(), reference.toDisplay()).meanSquaredError(),
                 run.meanSquaredDifference());

@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.net.parts.RenderParts;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
@@ -34,7 +34,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(600)
 class CancelledPlanNetTest {
     private static final RenderSettings SURVEYED =
-            Farm.SETTINGS.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(8));
+            Farm.SETTINGS.withMethod(Method.CLUSTER).withBudget(RenderSettings.Budget.NONE.withSamples(8));
 
     @TempDir
     Path folder;
@@ -87,16 +87,16 @@ class CancelledPlanNetTest {
     void aFilmIsNotStarted() {
         assertThrows(
                 CancellationException.class,
-                () -> FilmServer.start(
+                () -> RenderServer.OfFilm.start(
                         List.of(0),
-                        number -> new FilmServer.Frame(Farm.SCENE, SURVEYED),
+                        number -> new RenderServer.OfFilm.Frame(Farm.SCENE, SURVEYED),
                         Farm.options().build(),
                         soon()));
     }
 
     @Test
     void aServersFurtherRoundIsNotBegun() throws IOException {
-        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.01));
+        RenderSettings settings = Farm.SETTINGS.withBudget(RenderSettings.Budget.NONE.withError(0.01));
         AtomicBoolean stop = new AtomicBoolean();
         List<String> said = Collections.synchronizedList(new ArrayList<>());
         ServerOptions options = Farm.options()
@@ -112,7 +112,7 @@ class CancelledPlanNetTest {
             assertTrue(result.complete());
             assertEquals(1, result.report().sampling().rounds());
             double samples = result.report().sampling().plannedSamples();
-            RenderSettings first = settings.withBudget(Budget.NONE.withSamples(samples));
+            RenderSettings first = settings.withBudget(RenderSettings.Budget.NONE.withSamples(samples));
             assertArrayEquals(
                     Renderer.render(Farm.SCENE, first).toArray(), result.image().toArray());
             assertTrue(said.contains(stopped(samples)), said.toString());
@@ -127,7 +127,7 @@ class CancelledPlanNetTest {
 
     @Test
     void aServerThatIsStoppedInAFurtherRoundSaysThatItWas() throws Exception {
-        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.01));
+        RenderSettings settings = Farm.SETTINGS.withBudget(RenderSettings.Budget.NONE.withError(0.01));
         try (Farm farm = new Farm(Farm.SCENE, settings, Farm.options()).begin()) {
             CountDownLatch isOver = new CountDownLatch(1);
             CountDownLatch isFurther = new CountDownLatch(1);
@@ -151,7 +151,7 @@ class CancelledPlanNetTest {
 
     /** What a server makes that is stopped as soon as a round has all of its pixels. */
     private static RenderResult stoppedAfterARound(double error, List<String> said) throws Exception {
-        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(error));
+        RenderSettings settings = Farm.SETTINGS.withBudget(RenderSettings.Budget.NONE.withError(error));
         ServerOptions options = Farm.options().localThreads(1).log(said::add).build();
         AtomicBoolean stop = new AtomicBoolean();
         RenderProgress whole = (done, total, soFar) -> stop.set(done == total);
@@ -177,14 +177,14 @@ class CancelledPlanNetTest {
 
     @Test
     void aFilmWhoseFurtherRoundIsNotPlannedLacksFrames() throws IOException {
-        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.01));
+        RenderSettings settings = Farm.SETTINGS.withBudget(RenderSettings.Budget.NONE.withError(0.01));
         AtomicBoolean stop = new AtomicBoolean();
         ServerOptions options = Farm.options()
                 .localThreads(1)
                 .log(line -> stop.set(stop.get() || line.contains("once more with")))
                 .build();
-        try (FilmServer server = FilmServer.start(
-                List.of(0), number -> new FilmServer.Frame(Farm.SCENE, settings), options, stop::get)) {
+        try (RenderServer.OfFilm server = RenderServer.OfFilm.start(
+                List.of(0), number -> new RenderServer.OfFilm.Frame(Farm.SCENE, settings), options, stop::get)) {
             AtomicInteger given = new AtomicInteger();
             assertFalse(server.await((number, result) -> given.incrementAndGet(), RenderProgress.NONE, () -> false));
             assertTrue(stop.get());

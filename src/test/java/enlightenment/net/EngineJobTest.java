@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -137,7 +136,7 @@ class EngineJobTest {
 
     @Test
     void aCheckpointOfWhatIsPlannedByTheClockIsRefused() {
-        RenderSettings byTime = SETTINGS.withBudget(Budget.NONE.withSeconds(1));
+        RenderSettings byTime = SETTINGS.withBudget(RenderSettings.Budget.NONE.withSeconds(1));
         assertThrows(
                 IllegalArgumentException.class,
                 () -> EngineJob.start(FIRE_AND_ICE, byTime, folder.resolve("t.ck"), s -> {}, () -> false));

@@ -13,7 +13,6 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -46,16 +45,16 @@ class FilmServerTest {
     private final Map<Integer, Integer> times = new ConcurrentHashMap<>();
     private final AtomicBoolean stop = new AtomicBoolean();
     private final AtomicBoolean stopWorkers = new AtomicBoolean();
-    private FilmServer server;
+    private RenderServer.OfFilm server;
 
     /** Frames of different sizes; every third is of linear light, with batches of light paths beside tiles. */
-    private static FilmServer.Frame frame(int number) {
+    private static RenderServer.OfFilm.Frame frame(int number) {
         boolean isPhysical = number % 3 == 2;
         RenderSettings settings = RenderSettings.of(isPhysical ? PHYSICAL_ROOM : ROOM)
                 .withThreads(1)
                 .withSize(40 + number, 21)
                 .with(new BuiltInMethod.RayTraceSettings(1));
-        return new FilmServer.Frame(isPhysical ? PHYSICAL_ROOM : ROOM, settings.withSeed(number));
+        return new RenderServer.OfFilm.Frame(isPhysical ? PHYSICAL_ROOM : ROOM, settings.withSeed(number));
     }
 
     /** Number of units of the first so many frames. */
@@ -76,9 +75,11 @@ class FilmServerTest {
     }
 
     private CompletableFuture<Boolean> serve(
-            List<Integer> numbers, java.util.function.IntFunction<FilmServer.Frame> film, ServerOptions.Builder options)
+            List<Integer> numbers,
+            java.util.function.IntFunction<RenderServer.OfFilm.Frame> film,
+            ServerOptions.Builder options)
             throws IOException {
-        server = FilmServer.start(
+        server = RenderServer.OfFilm.start(
                 numbers, film, options.address("127.0.0.1", 0).log(log::add).build(), () -> false);
         return daemon(() -> server.await(this::take, RenderProgress.NONE, stop::get));
     }
@@ -117,7 +118,7 @@ class FilmServerTest {
     private static void check(Map<Integer, Image> frames, int count) {
         assertEquals(count, frames.size());
         for (int n = 0; n < count; n++) {
-            FilmServer.Frame frame = frame(n);
+            RenderServer.OfFilm.Frame frame = frame(n);
             assertArrayEquals(
                     Renderer.render(frame.scene(), frame.settings()).toArray(),
                     frames.get(n).toArray(),
@@ -234,13 +235,13 @@ class FilmServerTest {
 
     @Test
     void framesThatAreNotAsExactAsAskedAreRenderedAgainWithMoreSamples() throws Exception {
-        java.util.function.IntFunction<FilmServer.Frame> film = n -> new FilmServer.Frame(
+        java.util.function.IntFunction<RenderServer.OfFilm.Frame> film = n -> new RenderServer.OfFilm.Frame(
                 ROOM,
                 RenderSettings.of(ROOM)
                         .withThreads(1)
                         .withSize(48, 24)
                         .withSeed(n)
-                        .withBudget(Budget.NONE.withError(0.03)));
+                        .withBudget(RenderSettings.Budget.NONE.withError(0.03)));
         CompletableFuture<Boolean> done = serve(
                 numbers(3),
                 film,
@@ -248,7 +249,7 @@ class FilmServerTest {
         worker(Farm.worker(1), server.port());
         assertTrue(done.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
         for (int n = 0; n < 3; n++) {
-            FilmServer.Frame frame = film.apply(n);
+            RenderServer.OfFilm.Frame frame = film.apply(n);
             assertArrayEquals(
                     Renderer.render(frame.scene(), frame.settings()).toArray(),
                     frames.get(n).toArray());
@@ -270,7 +271,7 @@ class FilmServerTest {
         stop.set(true);
         assertFalse(film.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
         for (Map.Entry<Integer, Image> e : frames.entrySet()) {
-            FilmServer.Frame frame = frame(e.getKey());
+            RenderServer.OfFilm.Frame frame = frame(e.getKey());
             assertArrayEquals(
                     Renderer.render(frame.scene(), frame.settings()).toArray(),
                     e.getValue().toArray());
@@ -286,7 +287,8 @@ class FilmServerTest {
                 IllegalArgumentException.class,
                 () -> serve(
                         numbers(1),
-                        n -> new FilmServer.Frame(ROOM, RenderSettings.of(ROOM).withBudget(Budget.NONE.withSeconds(1))),
+                        n -> new RenderServer.OfFilm.Frame(
+                                ROOM, RenderSettings.of(ROOM).withBudget(RenderSettings.Budget.NONE.withSeconds(1))),
                         Farm.options()));
         assertTrue(time.getMessage().contains("must not depend on the time"), time.getMessage());
     }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
+import enlightenment.net.parts.RenderParts;
 import enlightenment.physical.MatterScenes;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
@@ -128,14 +129,14 @@ class MatterUnitsTest {
     void directAndIndirectLightAreThePictureAndAlbedoIsAShare(String name) {
         Scene scene = scenes.get(name);
         RenderSettings settings = settings(scene, BuiltInMethod.RAYTRACE);
-        EnumSet<RenderRequest.Auxiliary> kinds = EnumSet.of(
-                RenderRequest.Auxiliary.DIRECT, RenderRequest.Auxiliary.INDIRECT, RenderRequest.Auxiliary.ALBEDO);
+        EnumSet<RenderResult.Auxiliary> kinds = EnumSet.of(
+                RenderResult.Auxiliary.DIRECT, RenderResult.Auxiliary.INDIRECT, RenderResult.Auxiliary.ALBEDO);
         RenderResult result = Renderer.render(RenderRequest.of(scene, settings).withAuxiliary(kinds));
         float[] whole = result.image().toArray();
-        float[] direct = result.auxiliary().get(RenderRequest.Auxiliary.DIRECT).toArray();
+        float[] direct = result.auxiliary().get(RenderResult.Auxiliary.DIRECT).toArray();
         float[] indirect =
-                result.auxiliary().get(RenderRequest.Auxiliary.INDIRECT).toArray();
-        float[] albedo = result.auxiliary().get(RenderRequest.Auxiliary.ALBEDO).toArray();
+                result.auxiliary().get(RenderResult.Auxiliary.INDIRECT).toArray();
+        float[] albedo = result.auxiliary().get(RenderResult.Auxiliary.ALBEDO).toArray();
         double most = 0;
         for (int i = 0; i < whole.length; i++) {
             double sum = (double) direct[i] + indirect[i];

@@ -18,7 +18,6 @@ import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -95,7 +94,7 @@ class RenderServerTest {
     /** One file, whoever writes it: what one process has done a server does not do again, and the other way round. */
     @Test
     void aServerGoesOnFromTheCheckpointOfOneProcessAndThatFromTheServers() throws Exception {
-        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withSamples(4));
+        RenderSettings settings = Farm.SETTINGS.withBudget(RenderSettings.Budget.NONE.withSamples(4));
         RenderResult alone = Renderer.render(RenderRequest.of(Farm.SCENE, settings));
         Path file = folder.resolve("checkpoint");
         RenderIdentity render = RenderIdentity.of(SceneDocument.of(Farm.SCENE).hash(), settings, Build.number());
@@ -127,7 +126,7 @@ class RenderServerTest {
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void aPictureThatIsNotAsExactAsAskedIsRenderedAgainWithTheWorkers(boolean isRestarted) throws Exception {
-        RenderSettings settings = Farm.SETTINGS.withBudget(Budget.NONE.withError(0.01));
+        RenderSettings settings = Farm.SETTINGS.withBudget(RenderSettings.Budget.NONE.withError(0.01));
         RenderResult alone = Renderer.render(RenderRequest.of(Farm.SCENE, settings));
         assertTrue(alone.report().sampling().rounds() > 1);
         Path checkpoint = folder.resolve("checkpoint");

@@ -11,7 +11,6 @@ import enlightenment.job.Build;
 import enlightenment.job.RenderIdentity;
 import enlightenment.job.SceneDocument;
 import enlightenment.render.RenderResult;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -29,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** What a server keeps in archives, beside its checkpoint and without one. */
 @Timeout(600)
 class ServerArchivesTest {
-    private static final RenderSettings SETTINGS = Farm.SETTINGS.withBudget(Budget.NONE.withSamples(4));
+    private static final RenderSettings SETTINGS = Farm.SETTINGS.withBudget(RenderSettings.Budget.NONE.withSamples(4));
 
     @TempDir
     Path folder;

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -36,7 +35,7 @@ class ToyMethodsNetTest {
                 .withThreads(1)
                 .withMethod(Method.named(method))
                 .withCrop(new RenderSettings.Crop(9, 3, 25, 20))
-                .withBudget(Budget.NONE.withSamples(150));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(150));
     }
 
     @ParameterizedTest

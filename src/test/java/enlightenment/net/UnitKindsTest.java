@@ -6,13 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.net.parts.RenderParts;
 import enlightenment.physical.InvarianceScenes;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -47,7 +47,7 @@ class UnitKindsTest {
                         .withSize(64, 48)
                         .withCrop(new RenderSettings.Crop(31, 20, 2, 1))
                         .with(new BuiltInMethod.RayTraceSettings(1))
-                        .withBudget(Budget.NONE.withSamples(90_000)),
+                        .withBudget(RenderSettings.Budget.NONE.withSamples(90_000)),
                 8),
 
         /** Eight batches, the last not full. */

@@ -19,7 +19,6 @@ import enlightenment.material.Medium;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -111,7 +110,8 @@ class CameraMethodsTest {
     void lightInFogIsCarriedToAllPointsOfALens(BuiltInMethod method) {
         Medium fog = Medium.Coefficients.of(Rgb.gray(0.15), Rgb.gray(0.02));
         Scene scene = scene(method)
-                .shading(new Shading.Physical(OptionalInt.of(4), new Background.Constant(Rgb.BLACK), Optional.of(fog)))
+                .shading(new Shading.Physical(
+                        OptionalInt.of(4), new Shading.Background.Constant(Rgb.BLACK), Optional.of(fog)))
                 .camera(CAMERAS.get("triangular lens"))
                 .build();
         List<Image> traced = Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE, 6), 100, 12);

@@ -12,7 +12,6 @@ import enlightenment.material.Medium;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -107,7 +106,7 @@ class DispersionTest {
         Medium fog = new Medium.Coefficients(new Rgb(0.1, 0.2, 0.3), new Rgb(0, 0.02, 0.05), 0.3);
         return PhysicalScenes.view(SIDE, SIDE)
                 .shading(new Shading.Physical(
-                        OptionalInt.empty(), new Background.Constant(Rgb.gray(0.3)), Optional.of(fog)))
+                        OptionalInt.empty(), new Shading.Background.Constant(Rgb.gray(0.3)), Optional.of(fog)))
                 .light(PhysicalScenes.sphereLight(-1, 2.5, -0.5, 0.4, 10))
                 .object(TestScenes.rectangle(-2, 0, -2, -2, 0, 2, 2, 0, 2, 2, 0, -2), PhysicalScenes.WHITE)
                 .object(PhysicalScenes.ball(0, 0.7, 0, 0.6), at.apply(glass(1.6, 5)))

@@ -22,7 +22,6 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -111,7 +110,7 @@ class DistantLightsTest {
     @ParameterizedTest
     @EnumSource(BuiltInMethod.class)
     void aSkyKeepsItsSunBesideADistantLight(BuiltInMethod method) {
-        Background.Sky sky = new Background.Sky(40, 20, 3, Rgb.gray(0.2), Rgb.WHITE, true);
+        Shading.Background.Sky sky = new Shading.Background.Sky(40, 20, 3, Rgb.gray(0.2), Rgb.WHITE, true);
         Shading.Physical shading = new Shading.Physical(OptionalInt.of(1), sky, Optional.empty());
         Statistics alone = mean(floor(0).shading(shading).build(), BuiltInMethod.RAYTRACE);
         Statistics both = mean(

@@ -27,7 +27,6 @@ import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -151,7 +150,7 @@ class EdgesOfLightsTest {
                 RenderSettings.of(scene)
                         .withMethod(method)
                         .withSeed(seed)
-                        .withBudget(Budget.NONE.withSamples(samples)));
+                        .withBudget(RenderSettings.Budget.NONE.withSamples(samples)));
     }
 
     private static Image[] pictures(Scene scene, BuiltInMethod method, double samples, int count, long seed) {

@@ -18,7 +18,6 @@ import enlightenment.primitive.Ray;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.sampling.SobolSampler;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -106,7 +105,7 @@ class ExtremeMatterTest {
                         lit(PhysicalScenes.RED)
                                 .shading(new Shading.Physical(
                                         OptionalInt.empty(),
-                                        new Background.Constant(Rgb.gray(0.5)),
+                                        new Shading.Background.Constant(Rgb.gray(0.5)),
                                         Optional.of(white(path, g)))));
             }
         }
@@ -150,7 +149,8 @@ class ExtremeMatterTest {
     private static void skies(Map<String, Scene.Builder> all) {
         for (double elevation : new double[] {0, 1e-9, 90}) {
             for (double turbidity : new double[] {2, 10}) {
-                Background sky = new Background.Sky(elevation, 1e9, turbidity, Rgb.WHITE, Rgb.gray(1e6), true);
+                Shading.Background sky =
+                        new Shading.Background.Sky(elevation, 1e9, turbidity, Rgb.WHITE, Rgb.gray(1e6), true);
                 all.put(
                         "sky, elevation " + elevation + ", turbidity " + turbidity,
                         lit(PhysicalScenes.RED)

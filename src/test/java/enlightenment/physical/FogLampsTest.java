@@ -14,7 +14,6 @@ import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.math.Vec3;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -57,7 +56,8 @@ class FogLampsTest {
     }
 
     private static Shading.Physical once(Medium around) {
-        return new Shading.Physical(OptionalInt.of(1), new Background.Constant(Rgb.BLACK), Optional.ofNullable(around));
+        return new Shading.Physical(
+                OptionalInt.of(1), new Shading.Background.Constant(Rgb.BLACK), Optional.ofNullable(around));
     }
 
     private static Light point(double x, double y, double z) {

@@ -23,7 +23,6 @@ import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -54,7 +53,7 @@ class LightInMediaTest {
     }
 
     private static Shading.Physical fog(Medium medium, OptionalInt bounces) {
-        return new Shading.Physical(bounces, Background.Constant.BLACK, Optional.of(medium));
+        return new Shading.Physical(bounces, Shading.Background.Constant.BLACK, Optional.of(medium));
     }
 
     private static Map<String, Scene.Builder> scenes() {
@@ -180,7 +179,7 @@ class LightInMediaTest {
                 .camera(room().build().camera())
                 .shading(new Shading.Physical(
                         OptionalInt.empty(),
-                        new Background.Constant(Rgb.gray(0.5)),
+                        new Shading.Background.Constant(Rgb.gray(0.5)),
                         Optional.of(medium(0, 0, 0, 1e-9, 0))))
                 .object(ball(0.1, 0.9, -0.2, 0.6), matte(0.5, 0.5, 0.5))
                 .build();

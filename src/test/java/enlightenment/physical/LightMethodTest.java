@@ -29,7 +29,6 @@ import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -242,7 +241,8 @@ class LightMethodTest {
         RenderSettings exact = RenderSettings.of(scene).withAntialias(40);
         float[] truth = Renderer.render(scene, exact).toArray();
         for (int seed = 1; seed <= 3; seed++) {
-            RenderSettings settings = light(scene, 1).withSeed(seed).withBudget(Budget.NONE.withError(0.03));
+            RenderSettings settings =
+                    light(scene, 1).withSeed(seed).withBudget(RenderSettings.Budget.NONE.withError(0.03));
             RenderResult result = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
             assertTrue(result.report().sampling().errorInFile() <= 0.03);
             float[] picture = result.image().toArray();

@@ -16,21 +16,17 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Bump;
 import enlightenment.material.Coated;
+import enlightenment.material.Composite;
 import enlightenment.material.Glossy;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.render.TestScenes;
 import enlightenment.render.Welch;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -94,7 +90,7 @@ class MaterialDetailTest {
             value = BuiltInMethod.class,
             names = {"RAYTRACE", "CLUSTER", "BIDIRECTIONAL", "METROPOLIS"})
     void aMixReflectsTheMeanOfBothWeightedByProbability(BuiltInMethod method) {
-        Material mix = new Mix(matte(0.2, 0.2, 0.2), matte(0.8, 0.8, 0.8), share(0.25));
+        Material mix = new Composite.Mix(matte(0.2, 0.2, 0.2), matte(0.8, 0.8, 0.8), share(0.25));
         Scene scene = down(1, 1)
                 .shading(PhysicalScenes.shading(1))
                 .object(level(0, 9), mix)
@@ -105,15 +101,15 @@ class MaterialDetailTest {
     @Test
     void detailsInsideOfEachOtherAreIndependent() {
         Material black = matte(0, 0, 0);
-        Material inner = new Mix(black, matte(0.8, 0.8, 0.8), share(0.5));
+        Material inner = new Composite.Mix(black, matte(0.8, 0.8, 0.8), share(0.5));
         Scene mixes = down(1, 1)
                 .shading(PhysicalScenes.shading(1))
-                .object(level(0, 9), new Mix(inner, black, share(0.5)))
+                .object(level(0, 9), new Composite.Mix(inner, black, share(0.5)))
                 .build();
         assertMean(0.5 * 0.5 * 0.8, means(mixes, BuiltInMethod.RAYTRACE, 8));
         Scene masks = down(1, 1)
                 .shading(PhysicalScenes.shading(1))
-                .object(level(0, 9), new Mask(new Mask(black, share(0.5)), share(0.5)))
+                .object(level(0, 9), new Composite.Mask(new Composite.Mask(black, share(0.5)), share(0.5)))
                 .build();
         assertMean(0.75, means(masks, BuiltInMethod.RAYTRACE, 8));
     }
@@ -127,7 +123,7 @@ class MaterialDetailTest {
     }
 
     private static Material sheet(double alpha) {
-        return new Mask(matte(0, 0, 0), share(alpha));
+        return new Composite.Mask(matte(0, 0, 0), share(alpha));
     }
 
     /** The eye is below the sheet, or above, where it sees the floor through it as well. */
@@ -174,7 +170,7 @@ class MaterialDetailTest {
 
     @Test
     void aMaskWithoutHolesIsWhatItIsOf() {
-        Material whole = new Mask(PhysicalScenes.RED, share(1));
+        Material whole = new Composite.Mask(PhysicalScenes.RED, share(1));
         assertAlike(
                 means(lamp(2.5, PhysicalScenes.RED).build(), BuiltInMethod.RAYTRACE, 4),
                 means(lamp(2.5, whole).build(), BuiltInMethod.RAYTRACE, 4));
@@ -194,8 +190,8 @@ class MaterialDetailTest {
         Scene.Builder scene = Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Window(at(0, 0, -1), at(-1, -1, 0), at(-1, 1, 0), at(1, 1, 0), at(1, -1, 0), 0))
-                .shading(
-                        new Shading.Physical(OptionalInt.empty(), new Background.Constant(Rgb.BLACK), Optional.of(fog)))
+                .shading(new Shading.Physical(
+                        OptionalInt.empty(), new Shading.Background.Constant(Rgb.BLACK), Optional.of(fog)))
                 .object(TestScenes.rectangle(-9, -9, 3, -9, 9, 3, 9, 9, 3, 9, -9, 3), PhysicalScenes.WHITE)
                 .light(PhysicalScenes.sphereLight(1.5, 1.5, 1, 0.3, 50));
         for (int k = 1; sheet != null && k < 6; k++) {
@@ -255,7 +251,7 @@ class MaterialDetailTest {
     @ParameterizedTest
     @CsvSource({"0.5, 0.5, 1", "0.7, 0.5, 0.9", "0.5, 0.2, 0.9", "0.2, 0.6, 0.8", "0.7, 0.8, 0.75"})
     void aNormalMapIsShadedByItsNormalAlongUAndUpwards(double x, double y, double z) {
-        Material material = new NormalMap(GREY, linear(x, y, z));
+        Material material = new Composite.NormalMap(GREY, linear(x, y, z));
         Vec3 normal = new Vec3(2 * x - 1, 2 * z - 1, 2 * y - 1);
         double expected = lit(Vec3.Y, normal, LAMP.toVec3());
         assertEquals(expected, seen(level(0, 2), material), 1e-5 * expected);
@@ -264,9 +260,9 @@ class MaterialDetailTest {
     @Test
     void aFlatNormalMapChangesNothing() {
         double expected = seen(level(0, 2), GREY);
-        assertEquals(expected, seen(level(0, 2), new NormalMap(GREY, linear(0.5, 0.5, 1))), 1e-9);
+        assertEquals(expected, seen(level(0, 2), new Composite.NormalMap(GREY, linear(0.5, 0.5, 1))), 1e-9);
         // A normal that points into the surface is none.
-        assertEquals(expected, seen(level(0, 2), new NormalMap(GREY, linear(0.5, 0.5, 0.25))), 1e-9);
+        assertEquals(expected, seen(level(0, 2), new Composite.NormalMap(GREY, linear(0.5, 0.5, 0.25))), 1e-9);
     }
 
     @ParameterizedTest
@@ -274,7 +270,7 @@ class MaterialDetailTest {
             value = BuiltInMethod.class,
             names = {"CLUSTER", "LIGHT", "BIDIRECTIONAL", "METROPOLIS"})
     void lightThatIsCarriedToTheEyeIsShadedAlike(BuiltInMethod method) {
-        Material material = new NormalMap(GREY, linear(0.7, 0.4, 0.85));
+        Material material = new Composite.NormalMap(GREY, linear(0.7, 0.4, 0.85));
         Scene.Builder scene =
                 down(2, 0.5).object(level(0, 0.5), material).light(PhysicalScenes.sphereLight(2, 5, 1, 0.5, 50));
         assertAlike(means(scene.build(), BuiltInMethod.RAYTRACE, 6), means(scene.build(), method, 6));
@@ -306,13 +302,14 @@ class MaterialDetailTest {
         Texture right = heights("right", (u, v) -> u);
         Texture up = heights("up", (u, v) -> 1 - v);
         Shape square = level(0, 2);
-        assertSlope(lit(Vec3.Y, new Vec3(-2.0 / 4, 1, 0), lamp), seen(square, new Bump(GREY, right, 2)));
-        assertSlope(lit(Vec3.Y, new Vec3(1.0 / 4, 1, 0), lamp), seen(square, new Bump(GREY, right, -1)));
-        assertSlope(lit(Vec3.Y, new Vec3(0, 1, -2.0 / 4), lamp), seen(square, new Bump(GREY, up, 2)));
+        assertSlope(lit(Vec3.Y, new Vec3(-2.0 / 4, 1, 0), lamp), seen(square, new Composite.Bump(GREY, right, 2)));
+        assertSlope(lit(Vec3.Y, new Vec3(1.0 / 4, 1, 0), lamp), seen(square, new Composite.Bump(GREY, right, -1)));
+        assertSlope(lit(Vec3.Y, new Vec3(0, 1, -2.0 / 4), lamp), seen(square, new Composite.Bump(GREY, up, 2)));
         // Where u and v are not at right angles: u = (x − z/2 + 1) / 4, but for a constant.
         Shape slanted = TestScenes.rectangle(-3, 0, -2, -1, 0, 2, 3, 0, 2, 1, 0, -2);
-        assertSlope(lit(Vec3.Y, new Vec3(-2.0 / 4, 1, 1.0 / 4), lamp), seen(slanted, new Bump(GREY, right, 2)));
-        assertSlope(lit(Vec3.Y, new Vec3(0, 1, -2.0 / 4), lamp), seen(slanted, new Bump(GREY, up, 2)));
+        assertSlope(
+                lit(Vec3.Y, new Vec3(-2.0 / 4, 1, 1.0 / 4), lamp), seen(slanted, new Composite.Bump(GREY, right, 2)));
+        assertSlope(lit(Vec3.Y, new Vec3(0, 1, -2.0 / 4), lamp), seen(slanted, new Composite.Bump(GREY, up, 2)));
     }
 
     /** At an edge there is nothing beyond to compare with: not the other end of the texture, either. */
@@ -322,7 +319,7 @@ class MaterialDetailTest {
         Shape edge = TestScenes.rectangle(-0.001, 0, -2, -0.001, 0, 2, 3.999, 0, 2, 3.999, 0, -2);
         double flat = lit(Vec3.Y, Vec3.Y, LAMP.toVec3());
         double tilted = lit(Vec3.Y, new Vec3(-2.0 / 4, 1, 0), LAMP.toVec3());
-        double found = seen(edge, new Bump(GREY, right, 2));
+        double found = seen(edge, new Composite.Bump(GREY, right, 2));
         assertTrue(found >= Math.min(flat, tilted) - 1e-3 && found <= Math.max(flat, tilted) + 1e-3, "" + found);
     }
 
@@ -336,13 +333,14 @@ class MaterialDetailTest {
                 mesh,
                 Transform.of(
                         new Transform.Scale(new Vec3(2, 1, 2)), new Transform.Translate(ExactPoint.of(0.1, 0, 0.2))));
-        assertSlope(lit(Vec3.Y, new Vec3(-2.0 / 4, 1, 0), LAMP.toVec3()), seen(square, new Bump(GREY, right, 2)));
+        assertSlope(
+                lit(Vec3.Y, new Vec3(-2.0 / 4, 1, 0), LAMP.toVec3()), seen(square, new Composite.Bump(GREY, right, 2)));
         // The front of a ball around (0, 0, 1), at the origin, where u grows along +x by 1 in 2π.
         Scene ball = Scene.builder()
                 .size(4, 4)
                 .camera(new Camera.Orthographic(at(0, 0, -2), at(0, 0, 0), Vec3.Y, 1e-6))
                 .shading(PhysicalScenes.shading(0))
-                .object(new Sphere(at(0, 0, 1), 1, 90), new Bump(GREY, right, 2))
+                .object(new Sphere(at(0, 0, 1), 1, 90), new Composite.Bump(GREY, right, 2))
                 .light(new Light.Point(at(3, 1, -4), Rgb.WHITE, Emission.intensity(Rgb.gray(INTENSITY))))
                 .build();
         Vec3 own = new Vec3(0, 0, -1);
@@ -360,14 +358,14 @@ class MaterialDetailTest {
                 heights("waves", (u, v) -> 0.5 + 0.25 * Math.sin(20 * Math.PI * u) + 0.25 * Math.sin(12 * Math.PI * v));
         Material plastic = Coated.of(linear(0.2, 0.4, 0.7), 0.6);
         Scene scene = PhysicalScenes.room()
-                .object(PhysicalScenes.ball(-0.4, 0.45, 0.2, 0.4), new Bump(plastic, waves, 0.1))
+                .object(PhysicalScenes.ball(-0.4, 0.45, 0.2, 0.4), new Composite.Bump(plastic, waves, 0.1))
                 .object(
                         TestScenes.rectangle(0.2, 0.1, -0.3, 0.2, 1, -0.1, 0.9, 1, 0.2, 0.9, 0.1, 0),
-                        new NormalMap(PhysicalScenes.GREEN, linear(0.7, 0.4, 0.85)))
+                        new Composite.NormalMap(PhysicalScenes.GREEN, linear(0.7, 0.4, 0.85)))
                 .object(
                         TestScenes.rectangle(-0.7, 1.4, -0.5, -0.7, 1.4, 0.5, 0.7, 1.4, 0.5, 0.7, 1.4, -0.5),
-                        new Mask(
-                                new Mix(PhysicalScenes.RED, PhysicalScenes.WHITE, share(0.5)),
+                        new Composite.Mask(
+                                new Composite.Mix(PhysicalScenes.RED, PhysicalScenes.WHITE, share(0.5)),
                                 new Texture.Checker(List.of(Rgb.gray(0.75), Rgb.BLACK), 4)))
                 .light(PhysicalScenes.panel(0, 1.95, 0, 0.3, Rgb.gray(20), false))
                 .build();
@@ -384,13 +382,13 @@ class MaterialDetailTest {
                 heights("dents", (u, v) -> 0.5 + 0.25 * Math.sin(12 * Math.PI * u) + 0.25 * Math.sin(8 * Math.PI * v));
         Material mirror = Material.Mirror.of(linear(0.9, 0.8, 0.7));
         Scene scene = PhysicalScenes.room()
-                .object(PhysicalScenes.ball(-0.4, 0.45, 0.2, 0.4), new Bump(mirror, waves, 0.1))
+                .object(PhysicalScenes.ball(-0.4, 0.45, 0.2, 0.4), new Composite.Bump(mirror, waves, 0.1))
                 .object(
                         TestScenes.rectangle(0.2, 0.1, -0.3, 0.2, 1, -0.1, 0.9, 1, 0.2, 0.9, 0.1, 0),
-                        new Mix(mirror, PhysicalScenes.GREEN, share(0.5)))
+                        new Composite.Mix(mirror, PhysicalScenes.GREEN, share(0.5)))
                 .object(
                         TestScenes.rectangle(-0.7, 1.3, -0.5, -0.7, 1.5, 0.5, 0.7, 1.5, 0.5, 0.7, 1.3, -0.5),
-                        new Mask(Glossy.of(linear(0.9, 0.9, 0.9), 0.2), share(0.5)))
+                        new Composite.Mask(Glossy.of(linear(0.9, 0.9, 0.9), 0.2), share(0.5)))
                 .light(PhysicalScenes.panel(0, 1.95, 0, 0.3, Rgb.gray(20), false))
                 .build();
         assertOnePicture(scene, method);

@@ -15,7 +15,6 @@ import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Background;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import enlightenment.surroundings.Pictures;
@@ -37,7 +36,7 @@ public final class MatterScenes {
 
     /** @param folder where their picture is written */
     public static Map<String, Scene> all(Path folder) {
-        Background picture = picture(folder);
+        Shading.Background picture = picture(folder);
         return Map.of(
                 NAMES.get(0), skyAndWax(),
                 NAMES.get(1), pictureAndDyes(picture),
@@ -45,13 +44,13 @@ public final class MatterScenes {
                 NAMES.get(3), pictureAndMilk(picture));
     }
 
-    private static Scene.Builder floor(Background background, Optional<Medium> medium) {
+    private static Scene.Builder floor(Shading.Background background, Optional<Medium> medium) {
         return PhysicalScenes.view(24, 16)
                 .shading(new Shading.Physical(OptionalInt.empty(), background, medium))
                 .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), PhysicalScenes.WHITE);
     }
 
-    private static Background picture(Path folder) {
+    private static Shading.Background picture(Path folder) {
         Path file = folder.resolve("around.pfm");
         try {
             Files.write(file, Pictures.pfm(16, 8, (x, y) -> new double[] {x == 5 && y == 2 ? 40 : 0.2, 0.3, 0.05 * x}));
@@ -59,7 +58,7 @@ public final class MatterScenes {
             throw new UncheckedIOException(e);
         }
         Texture.File texture = new Texture.File(file, Texture.Filter.BILINEAR, Texture.Encoding.SRGB);
-        return new Background.Picture(texture, Rgb.WHITE, 30);
+        return new Shading.Background.Picture(texture, Rgb.WHITE, 30);
     }
 
     private static Glass prism() {
@@ -72,13 +71,13 @@ public final class MatterScenes {
     }
 
     private static Scene skyAndWax() {
-        return floor(Background.Sky.of(35, -120), Optional.empty())
+        return floor(Shading.Background.Sky.of(35, -120), Optional.empty())
                 .object(ball(-0.4, 0.45, -0.1, 0.42), wax(1, 0))
                 .object(ball(0.45, 0.5, 0.1, 0.4), prism())
                 .build();
     }
 
-    private static Scene pictureAndDyes(Background picture) {
+    private static Scene pictureAndDyes(Shading.Background picture) {
         Material ink = new Material.Fluorescent(
                 linear(0.1, 0.5, 0.1),
                 new Material.WavelengthBand(320, 480),
@@ -98,14 +97,14 @@ public final class MatterScenes {
 
     private static Scene fogAndPrism() {
         Medium fog = new Medium.Coefficients(new Rgb(0.2, 0.25, 0.3), Rgb.gray(0.02), 0.6);
-        return floor(new Background.Constant(Rgb.gray(0.5)), Optional.of(fog))
+        return floor(new Shading.Background.Constant(Rgb.gray(0.5)), Optional.of(fog))
                 .object(ball(-0.4, 0.45, -0.1, 0.42), wax(1.4, 0.5))
                 .object(ball(0.45, 0.5, 0.1, 0.4), prism())
                 .light(sphereLight(0.1, 1.7, -0.3, 0.2, 9))
                 .build();
     }
 
-    private static Scene pictureAndMilk(Background picture) {
+    private static Scene pictureAndMilk(Shading.Background picture) {
         return floor(picture, Optional.empty())
                 .object(ball(0, 0.7, -0.1, 0.6), Glass.of(linear(0.95, 1, 0.9), 1.5))
                 .object(ball(0.02, 0.7, -0.1, 0.5), wax(1.33, 0))

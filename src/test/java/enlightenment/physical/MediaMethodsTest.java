@@ -15,7 +15,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
@@ -43,7 +42,7 @@ class MediaMethodsTest {
                 .size(24, 16)
                 .camera(new Camera.Perspective(ExactPoint.of(0, s, -3 * s), ExactPoint.of(0, 0.5 * s, 0), Vec3.Y, 45))
                 .shading(new Shading.Physical(
-                        OptionalInt.empty(), new Background.Constant(Rgb.gray(0.5)), Optional.of(fog)))
+                        OptionalInt.empty(), new Shading.Background.Constant(Rgb.gray(0.5)), Optional.of(fog)))
                 .object(Sphere.of(ExactPoint.of(-0.6 * s, 0.5 * s, 0), 0.5 * s), Material.Scattering.of(wax))
                 .object(
                         Sphere.of(ExactPoint.of(0.6 * s, 0.5 * s, 0), 0.5 * s),

@@ -15,7 +15,6 @@ import enlightenment.light.Light;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.scene.Background;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import java.util.Map;
@@ -42,7 +41,8 @@ final class MediaScenes {
     }
 
     static Shading.Physical in(Medium medium, OptionalInt maxBounces, double background) {
-        return new Shading.Physical(maxBounces, new Background.Constant(Rgb.gray(background)), Optional.of(medium));
+        return new Shading.Physical(
+                maxBounces, new Shading.Background.Constant(Rgb.gray(background)), Optional.of(medium));
     }
 
     private static Scene.Builder foggy(Medium medium) {

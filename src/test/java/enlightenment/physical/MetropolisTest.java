@@ -9,7 +9,6 @@ import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.Welch;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -53,7 +52,7 @@ class MetropolisTest {
     private static RenderSettings chains(Scene scene, int largeSteps, int mutations, double samples) {
         return RenderSettings.of(scene)
                 .using(new BuiltInMethod.MetropolisSettings(largeSteps, mutations))
-                .withBudget(Budget.NONE.withSamples(samples));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
     }
 
     private static List<Image> traced(String name, int seeds) {

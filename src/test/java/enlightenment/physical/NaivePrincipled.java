@@ -1,10 +1,10 @@
 package enlightenment.physical;
 
 import enlightenment.color.Rgb;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
 import enlightenment.material.Glossy;
 import enlightenment.material.Principled;
+import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
 import java.util.SplittableRandom;
 
@@ -29,7 +29,7 @@ final class NaivePrincipled extends NaiveReflector {
 
     NaivePrincipled(double[] color, Principled p) {
         this.color = color;
-        metallic = ((Amount.Constant) p.metallic()).value();
+        metallic = ((Texture.Amount.Constant) p.metallic()).value();
         double root = (p.indexOfRefraction() - 1) / (p.indexOfRefraction() + 1) * Math.sqrt(p.specular());
         double index = (1 + root) / (1 - root);
         coat = new NaiveCoat(color, new Coated(p.color(), p.roughness(), index, false, Rgb.BLACK, 0));

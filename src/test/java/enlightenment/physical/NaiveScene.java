@@ -3,7 +3,6 @@ package enlightenment.physical;
 import enlightenment.camera.Camera;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
@@ -60,12 +59,12 @@ final class NaiveScene {
         }
         for (SceneObject object : scene.objects()) {
             double[] glow = NaiveColors.of(object.material().radiance());
-            EmissionPattern.Side side = object.material().pattern().side();
+            Material.EmissionPattern.Side side = object.material().pattern().side();
             surfaces.add(new Surface(
                     NaiveShape.of(object.shape()),
                     object.material(),
-                    side == EmissionPattern.Side.BACK ? new double[3] : glow,
-                    side == EmissionPattern.Side.FRONT ? new double[3] : glow));
+                    side == Material.EmissionPattern.Side.BACK ? new double[3] : glow,
+                    side == Material.EmissionPattern.Side.FRONT ? new double[3] : glow));
         }
     }
 

@@ -1,7 +1,7 @@
 package enlightenment.physical;
 
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
@@ -13,12 +13,12 @@ import java.nio.file.Files;
 interface NaiveSky {
     double[] radiance(Vec3 direction);
 
-    static NaiveSky of(Background background) {
-        if (background instanceof Background.Constant c) {
+    static NaiveSky of(Shading.Background background) {
+        if (background instanceof Shading.Background.Constant c) {
             double[] radiance = NaiveColors.of(c.radiance());
             return d -> radiance;
         }
-        Background.Picture p = (Background.Picture) background;
+        Shading.Background.Picture p = (Shading.Background.Picture) background;
         double[] factor = NaiveColors.of(p.radiance());
         double turn = Math.toRadians(p.rotation());
         Texels texels = Texels.read(p);
@@ -33,7 +33,7 @@ interface NaiveSky {
 
     /** A picture's numbers. */
     record Texels(int width, int height, ByteBuffer floats) {
-        static Texels read(Background.Picture p) {
+        static Texels read(Shading.Background.Picture p) {
             try {
                 byte[] file = Files.readAllBytes(p.picture().file());
                 String[] head = new String(file, 0, 40, StandardCharsets.ISO_8859_1).split("\\s");

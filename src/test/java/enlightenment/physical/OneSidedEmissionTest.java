@@ -22,7 +22,6 @@ import enlightenment.geometry.Torus;
 import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.image.Image;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
@@ -45,11 +44,13 @@ import org.junit.jupiter.params.provider.MethodSource;
 class OneSidedEmissionTest {
     private static final double REFLECTANCE = 0.6;
 
-    private static final EmissionPattern FRONT = EmissionPattern.EVEN.withSide(EmissionPattern.Side.FRONT);
+    private static final Material.EmissionPattern FRONT =
+            Material.EmissionPattern.EVEN.withSide(Material.EmissionPattern.Side.FRONT);
 
-    private static final EmissionPattern BACK = EmissionPattern.EVEN.withSide(EmissionPattern.Side.BACK);
+    private static final Material.EmissionPattern BACK =
+            Material.EmissionPattern.EVEN.withSide(Material.EmissionPattern.Side.BACK);
 
-    private static Material.Matte lamp(double color, Rgb radiance, EmissionPattern pattern) {
+    private static Material.Matte lamp(double color, Rgb radiance, Material.EmissionPattern pattern) {
         return matte(color, color, color).withRadiance(radiance).withPattern(pattern);
     }
 
@@ -138,7 +139,7 @@ class OneSidedEmissionTest {
         compare(lamps, method, BACK, !lamps.isUp());
     }
 
-    private static void compare(Lamps lamps, BuiltInMethod method, EmissionPattern pattern, boolean isDark) {
+    private static void compare(Lamps lamps, BuiltInMethod method, Material.EmissionPattern pattern, boolean isDark) {
         Rgb radiance = new Rgb(2, 1, 0.5);
         Scene scene = floor(lamps.shapes(), lamp(0, radiance, pattern));
         if (isDark) {
@@ -160,7 +161,7 @@ class OneSidedEmissionTest {
         List<Shape> tube = List.of(new Cylinder(at(0, 0, 0), at(0, 1, 0), 0.75, false));
         Scene dark = floor(tube, lamp(0, Rgb.WHITE, FRONT));
         assertBlack(Renderer.render(dark, settings(dark, method, 4)));
-        Scene lit = floor(tube, lamp(0, Rgb.WHITE, EmissionPattern.EVEN));
+        Scene lit = floor(tube, lamp(0, Rgb.WHITE, Material.EmissionPattern.EVEN));
         assertTrue(Rendered.mean(lit, settings(lit, BuiltInMethod.RAYTRACE, 4)) > 0.1);
     }
 
@@ -231,14 +232,14 @@ class OneSidedEmissionTest {
 
     @Test
     void theFrontOfSolidsIsTheirOutside() {
-        Scene both = balls(EmissionPattern.EVEN);
+        Scene both = balls(Material.EmissionPattern.EVEN);
         Scene front = balls(FRONT);
         RenderSettings settings = settings(both, BuiltInMethod.RAYTRACE, 4);
         assertEquals(Rendered.mean(both, settings), Rendered.mean(front, settings));
         assertTrue(Rendered.mean(front, settings) > 0.01);
     }
 
-    private static Scene balls(EmissionPattern pattern) {
+    private static Scene balls(Material.EmissionPattern pattern) {
         return PhysicalScenes.room()
                 .object(ball(0.3, 0.5, 0.1, 0.25), lamp(0.4, Rgb.WHITE, pattern))
                 .object(PartnerScenes.BLOCK, lamp(0.4, Rgb.WHITE, pattern))
@@ -270,7 +271,7 @@ class OneSidedEmissionTest {
     }
 
     /** Lamps with one side, as many as make a tree of lights, with or without a mirror that throws caustics. */
-    private static Scene room(boolean hasMirror, EmissionPattern pattern) {
+    private static Scene room(boolean hasMirror, Material.EmissionPattern pattern) {
         // A tube that glows inwards shines out of its upper end.
         Scene.Builder room = PhysicalScenes.room()
                 .object(sheet(), lamp(0.5, new Rgb(1, 2, 3), pattern))
@@ -294,7 +295,7 @@ class OneSidedEmissionTest {
 
     @ParameterizedTest
     @MethodSource("sidesAndMethods")
-    void allMethodsMakeThePictureOfSinglePaths(EmissionPattern pattern, BuiltInMethod method) {
+    void allMethodsMakeThePictureOfSinglePaths(Material.EmissionPattern pattern, BuiltInMethod method) {
         // Light paths do not find what mirrors show.
         Scene scene = room(method != BuiltInMethod.LIGHT, pattern);
         List<Image> traced = Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE, 4), 100, 12);

@@ -21,7 +21,6 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
@@ -192,11 +191,11 @@ final class PartnerScenes {
                                 BALL,
                                 new Principled(
                                         linear(0.9, 0.5, 0.1),
-                                        Amount.of(0.5),
-                                        Amount.of(0.6),
+                                        Texture.Amount.of(0.5),
+                                        Texture.Amount.of(0.6),
                                         2,
                                         0.5,
-                                        new Principled.Clearcoat(0.8, Amount.of(0.5)),
+                                        new Principled.Clearcoat(0.8, Texture.Amount.of(0.5)),
                                         new Principled.Sheen(1, 0.5),
                                         Rgb.BLACK,
                                         0))
@@ -210,12 +209,14 @@ final class PartnerScenes {
                         .object(
                                 BALL,
                                 Principled.of(linear(0.9, 0.6, 0.3), 0, 0)
-                                        .withRoughness(new Amount.Textured(shares, Amount.Channel.RED, 0.75))
-                                        .withMetallic(Amount.of(shares)))
+                                        .withRoughness(
+                                                new Texture.Amount.Textured(shares, Texture.Amount.Channel.RED, 0.75))
+                                        .withMetallic(Texture.Amount.of(shares)))
                         .object(
                                 TestScenes.rectangle(0.2, 0.1, -0.3, 0.2, 1, -0.1, 0.9, 1, 0.2, 0.9, 0.1, 0),
                                 Glossy.of(linear(0.9, 0.9, 0.9), 0)
-                                        .withRoughness(new Amount.Textured(shares, Amount.Channel.GREEN, 1))));
+                                        .withRoughness(
+                                                new Texture.Amount.Textured(shares, Texture.Amount.Channel.GREEN, 1))));
         scenes.put(
                 "coated, mirror and glass",
                 room().light(LAMP)
@@ -307,13 +308,16 @@ final class PartnerScenes {
                         .object(
                                 BALL,
                                 Glass.of(linear(0.9, 1, 0.95), 1.5)
-                                        .withRoughness(new Amount.Textured(frost, Amount.Channel.GREEN, 1)))
+                                        .withRoughness(
+                                                new Texture.Amount.Textured(frost, Texture.Amount.Channel.GREEN, 1)))
                         .object(
                                 TestScenes.rectangle(0.2, 0.1, -0.3, 0.2, 1, -0.1, 0.9, 1, 0.2, 0.9, 0.1, 0),
                                 Principled.of(linear(0.9, 0.6, 0.3), 0.5, 0)
-                                        .withRoughness(Amount.of(frost))
+                                        .withRoughness(Texture.Amount.of(frost))
                                         .withClearcoat(new Principled.Clearcoat(
-                                                0.8, new Amount.Textured(frost, Amount.Channel.RED, 0.75)))));
+                                                0.8,
+                                                new Texture.Amount.Textured(
+                                                        frost, Texture.Amount.Channel.RED, 0.75)))));
         scenes.put(
                 "pane",
                 furnished()

@@ -9,7 +9,6 @@ import enlightenment.render.Film;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
 import enlightenment.render.Welch;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -44,7 +43,7 @@ final class Rendered {
                         .withSize(scene.width() * zoom, scene.height() * zoom)
                         .withMethod(method)
                         .withSeed(seed)
-                        .withBudget(Budget.NONE.withSamples(samples)));
+                        .withBudget(RenderSettings.Budget.NONE.withSamples(samples)));
     }
 
     /** A band's mean over a part of each picture. */

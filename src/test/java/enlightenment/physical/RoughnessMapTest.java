@@ -11,7 +11,6 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.material.Amount;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
@@ -82,7 +81,7 @@ class RoughnessMapTest {
     @Test
     void anImageOfOneRoughnessIsThatRoughness() throws IOException {
         Glossy metal = Glossy.of(linear(0.9, 0.6, 0.3), 0.4);
-        Amount map = new Amount.Textured(image("even", 0.8, 0.8), Amount.Channel.GREEN, 0.5);
+        Texture.Amount map = new Texture.Amount.Textured(image("even", 0.8, 0.8), Texture.Amount.Channel.GREEN, 0.5);
         assertAlike(
                 pictures(scene(metal), BuiltInMethod.RAYTRACE, 101),
                 pictures(scene(metal.withRoughness(map)), BuiltInMethod.RAYTRACE, 1));
@@ -91,7 +90,7 @@ class RoughnessMapTest {
     @Test
     void theSameImageOfAnotherFactorIsAnotherRoughness() throws IOException {
         Glossy metal = Glossy.of(linear(0.9, 0.6, 0.3), 0.4);
-        Amount map = new Amount.Textured(image("other", 0.8, 0.8), Amount.Channel.GREEN, 0.75);
+        Texture.Amount map = new Texture.Amount.Textured(image("other", 0.8, 0.8), Texture.Amount.Channel.GREEN, 0.75);
         double[] a = whole(pictures(scene(metal), BuiltInMethod.RAYTRACE, 101));
         double[] b = whole(pictures(scene(metal.withRoughness(map)), BuiltInMethod.RAYTRACE, 1));
         assertTrue(Welch.of(a, b).probability() < 1e-6, Statistics.of(a) + " and " + Statistics.of(b));
@@ -111,11 +110,11 @@ class RoughnessMapTest {
                 : scene(material);
     }
 
-    private static Material glass(Amount roughness) {
+    private static Material glass(Texture.Amount roughness) {
         return Glass.of(linear(0.9, 1, 0.8), 1.5).withRoughness(roughness);
     }
 
-    private static Material varnished(Amount roughness) {
+    private static Material varnished(Texture.Amount roughness) {
         return Principled.of(linear(0.9, 0.6, 0.3), 0.5, 0.25).withClearcoat(new Principled.Clearcoat(0.75, roughness));
     }
 
@@ -125,8 +124,9 @@ class RoughnessMapTest {
 
     @Test
     void aTextureOfOneValueIsThatNumberToTheBit() {
-        Amount half = Amount.of(0.5);
-        Amount texture = new Amount.Textured(Texture.of(new Rgb(1, 0.625, 0)), Amount.Channel.GREEN, 0.8);
+        Texture.Amount half = Texture.Amount.of(0.5);
+        Texture.Amount texture =
+                new Texture.Amount.Textured(Texture.of(new Rgb(1, 0.625, 0)), Texture.Amount.Channel.GREEN, 0.8);
         assertArrayEquals(
                 picture(stand(glass(half))).toArray(),
                 picture(stand(glass(texture))).toArray());
@@ -152,12 +152,12 @@ class RoughnessMapTest {
 
     @Test
     void aCheckerboardIsTheOneNumberOrTheOtherAtEachPlace() {
-        Amount checks = Amount.of(new Texture.Checker(List.of(Rgb.gray(0.25), Rgb.gray(0.75)), 2));
-        for (Function<Amount, Material> of :
-                List.<Function<Amount, Material>>of(RoughnessMapTest::glass, RoughnessMapTest::varnished)) {
+        Texture.Amount checks = Texture.Amount.of(new Texture.Checker(List.of(Rgb.gray(0.25), Rgb.gray(0.75)), 2));
+        for (Function<Texture.Amount, Material> of :
+                List.<Function<Texture.Amount, Material>>of(RoughnessMapTest::glass, RoughnessMapTest::varnished)) {
             float[] both = lit(of.apply(checks));
-            float[] smooth = lit(of.apply(Amount.of(0.25)));
-            float[] rough = lit(of.apply(Amount.of(0.75)));
+            float[] smooth = lit(of.apply(Texture.Amount.of(0.25)));
+            float[] rough = lit(of.apply(Texture.Amount.of(0.75)));
             boolean isFirstSmooth = both[0] == smooth[0];
             for (int k = 0; k < both.length; k++) {
                 int pixel = k / 3;
@@ -173,7 +173,7 @@ class RoughnessMapTest {
             value = BuiltInMethod.class,
             names = {"CLUSTER", "LIGHT", "BIDIRECTIONAL", "METROPOLIS"})
     void allMethodsMakeOnePictureOfFrostedGlassByAnImage(BuiltInMethod method) throws IOException {
-        Amount frost = new Amount.Textured(image("frost", 0, 0.5), Amount.Channel.GREEN, 0.8);
+        Texture.Amount frost = new Texture.Amount.Textured(image("frost", 0, 0.5), Texture.Amount.Channel.GREEN, 0.8);
         // Each level would make tables of lost light, again for each picture.
         Scene scene =
                 stand(Glass.of(linear(0.9, 1, 0.8), 1.5).withRoughness(frost).withMultipleScattering(false));
@@ -185,7 +185,8 @@ class RoughnessMapTest {
             value = BuiltInMethod.class,
             names = {"CLUSTER", "LIGHT", "BIDIRECTIONAL", "METROPOLIS"})
     void allMethodsMakeOnePictureOfAClearCoatByAnImage(BuiltInMethod method) throws IOException {
-        Scene scene = scene(varnished(new Amount.Textured(image("varnish", 0.4, 1), Amount.Channel.GREEN, 1)));
+        Scene scene = scene(
+                varnished(new Texture.Amount.Textured(image("varnish", 0.4, 1), Texture.Amount.Channel.GREEN, 1)));
         assertAlike(pictures(scene, BuiltInMethod.RAYTRACE, 101), pictures(scene, method, 1));
     }
 
@@ -196,8 +197,8 @@ class RoughnessMapTest {
     void allMethodsMakeOnePictureOfRoughnessAndMetalByAnImage(BuiltInMethod method) throws IOException {
         Texture image = image("both", 0.3, 1);
         Scene scene = scene(Principled.of(linear(0.9, 0.6, 0.3), 0, 0)
-                .withRoughness(new Amount.Textured(image, Amount.Channel.GREEN, 1))
-                .withMetallic(new Amount.Textured(image, Amount.Channel.BLUE, 0.75))
+                .withRoughness(new Texture.Amount.Textured(image, Texture.Amount.Channel.GREEN, 1))
+                .withMetallic(new Texture.Amount.Textured(image, Texture.Amount.Channel.BLUE, 0.75))
                 .withClearcoat(0.5, 0.5));
         assertAlike(pictures(scene, BuiltInMethod.RAYTRACE, 101), pictures(scene, method, 1));
     }

@@ -15,7 +15,6 @@ import enlightenment.material.Glass;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -131,7 +130,8 @@ class SmallImagesTest {
     @Test
     void aCropHasTheBytesOfTheWholePicture() throws Exception {
         Scene scene = SceneReader.read(Path.of("scenes/fire-and-ice-physical.json"));
-        RenderSettings settings = RenderSettings.of(scene).withSize(48, 24).withBudget(Budget.NONE.withSamples(4));
+        RenderSettings settings =
+                RenderSettings.of(scene).withSize(48, 24).withBudget(RenderSettings.Budget.NONE.withSamples(4));
         Image whole = Renderer.render(scene, settings);
         Image part = Renderer.render(scene, settings.withCrop(new RenderSettings.Crop(23, 7, 9, 5)));
         for (int y = 0; y < 5; y++) {

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -88,8 +87,10 @@ class SurfaceAtEyeTest {
     }
 
     private static double mean(Scene scene, BuiltInMethod method, int band, double samples) {
-        RenderSettings settings =
-                RenderSettings.of(scene).withMethod(method).withThreads(1).withBudget(Budget.NONE.withSamples(samples));
+        RenderSettings settings = RenderSettings.of(scene)
+                .withMethod(method)
+                .withThreads(1)
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
         Image image = Renderer.render(scene, settings);
         float[] rgb = image.toArray();
         double sum = 0;

@@ -24,7 +24,6 @@ import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -53,11 +52,12 @@ class SurroundingsTest {
     @TempDir
     static Path folder;
 
-    private static Background.Picture picture(String name, int width, int height, double turn, Pictures.Texel texels) {
+    private static Shading.Background.Picture picture(
+            String name, int width, int height, double turn, Pictures.Texel texels) {
         return picture(name, width, height, turn, Texture.Filter.BILINEAR, texels);
     }
 
-    private static Background.Picture picture(
+    private static Shading.Background.Picture picture(
             String name, int width, int height, double turn, Texture.Filter filter, Pictures.Texel texels) {
         Path file = folder.resolve(name + ".pfm");
         try {
@@ -66,10 +66,10 @@ class SurroundingsTest {
             throw new UncheckedIOException(e);
         }
         Texture.File texture = new Texture.File(file, filter, Texture.Encoding.SRGB);
-        return new Background.Picture(texture, Rgb.WHITE, turn);
+        return new Shading.Background.Picture(texture, Rgb.WHITE, turn);
     }
 
-    private static Shading.Physical shading(int bounces, Background background) {
+    private static Shading.Physical shading(int bounces, Shading.Background background) {
         return new Shading.Physical(
                 bounces < 0 ? OptionalInt.empty() : OptionalInt.of(bounces), background, Optional.empty());
     }
@@ -89,7 +89,7 @@ class SurroundingsTest {
     @ParameterizedTest
     @EnumSource(BuiltInMethod.class)
     void aMediumThatIsClearInOneBandLeavesOnlyThatOfAPicture(BuiltInMethod method) {
-        Background even = picture("even", 8, 8, 0, (x, y) -> grey(1));
+        Shading.Background even = picture("even", 8, 8, 0, (x, y) -> grey(1));
         Medium medium = Medium.Coefficients.of(new Rgb(0, 0.1, 0.2), Rgb.BLACK);
         Scene scene = floor(matte(0.5, 0.5, 0.5))
                 .shading(new Shading.Physical(OptionalInt.empty(), even, Optional.of(medium)))
@@ -102,7 +102,8 @@ class SurroundingsTest {
     @EnumSource(BuiltInMethod.class)
     void aFloorUnderABrightHalfOfTheSkyReflectsItsAlbedo(BuiltInMethod method) {
         // Texels are interpolated: 64 rows blur the horizon over a sixty-fourth of the angle, symmetrically to 1/2.
-        Background half = picture("half", 64, 64, 0, (x, y) -> new double[] {y < 32 ? 1 : 0, 1, y < 32 ? 2 : 2});
+        Shading.Background half =
+                picture("half", 64, 64, 0, (x, y) -> new double[] {y < 32 ? 1 : 0, 1, y < 32 ? 2 : 2});
         Scene scene = floor(matte(0.5, 0.25, 0.75)).shading(shading(1, half)).build();
         assertShown(scene, method, 8, new double[] {0.5 * rowsAbove(64), 0.25, 1.5});
     }
@@ -111,7 +112,7 @@ class SurroundingsTest {
     @ParameterizedTest
     @EnumSource(BuiltInMethod.class)
     void aPictureThatIsNotInterpolatedLightsByItsTexels(BuiltInMethod method) {
-        Background half = picture(
+        Shading.Background half = picture(
                 "halves", 1, 2, 30, Texture.Filter.NEAREST, (x, y) -> new double[] {y == 0 ? 1 : 0, y, 2 - 2 * y});
         Scene scene = floor(matte(0.5, 0.25, 0.75)).shading(shading(1, half)).build();
         assertShown(scene, method, 8, new double[] {0.5, 0, 1.5});
@@ -133,7 +134,7 @@ class SurroundingsTest {
     @ParameterizedTest
     @EnumSource(BuiltInMethod.class)
     void whatReflectsAllLightCannotBeToldFromSurroundingsOfOneColour(BuiltInMethod method) {
-        Background even = picture("even", 5, 3, 17, (x, y) -> new double[] {0.3, 0.7, 1});
+        Shading.Background even = picture("even", 5, 3, 17, (x, y) -> new double[] {0.3, 0.7, 1});
         Scene scene = view(8, 8)
                 .shading(shading(-1, even))
                 .object(ball(0, 1, 0, 0.9), matte(1, 1, 1))
@@ -143,7 +144,7 @@ class SurroundingsTest {
         assertShown(seesMirrored ? scene : withoutMirror(even), method, 8, 0.3, 0.7, 1);
     }
 
-    private static Scene withoutMirror(Background even) {
+    private static Scene withoutMirror(Shading.Background even) {
         return view(8, 8)
                 .shading(shading(-1, even))
                 .object(ball(0, 1, 0, 0.9), matte(1, 1, 1))
@@ -168,8 +169,8 @@ class SurroundingsTest {
         assertTrue(error < 0.1 * expected, "says nothing: " + error);
     }
 
-    private static Background sky(boolean sun) {
-        return new Background.Sky(30, 180, 3, Rgb.BLACK, Rgb.WHITE, sun);
+    private static Shading.Background sky(boolean sun) {
+        return new Shading.Background.Sky(30, 180, 3, Rgb.BLACK, Rgb.WHITE, sun);
     }
 
     /** Of the middle band: the sun's irradiance straight across its light. */
@@ -251,7 +252,7 @@ class SurroundingsTest {
             value = BuiltInMethod.class,
             names = {"RAYTRACE", "CLUSTER", "BIDIRECTIONAL", "METROPOLIS"})
     void oneBrightTexelIsNoNoise(BuiltInMethod method) {
-        Background spot = picture("spot", 32, 16, 0, (x, y) -> grey(x == 20 && y == 4 ? 1e6 : 1));
+        Shading.Background spot = picture("spot", 32, 16, 0, (x, y) -> grey(x == 20 && y == 4 ? 1e6 : 1));
         Scene scene = floor(matte(0.5, 0.5, 0.5)).shading(shading(1, spot)).build();
         double[] s = meanOf(scene, method, 8);
         assertTrue(s[0] > 100 && s[1] < 0.02 * s[0], s[0] + " ± " + s[1]);
@@ -271,7 +272,7 @@ class SurroundingsTest {
     @ParameterizedTest
     @EnumSource(BuiltInMethod.class)
     void anEmptyViewShowsThePictureItself(BuiltInMethod method) {
-        Background wave = picture("wave", 64, 32, 0, (x, y) -> grey(1 + Math.cos(x / 4.0) + y / 8.0));
+        Shading.Background wave = picture("wave", 64, 32, 0, (x, y) -> grey(1 + Math.cos(x / 4.0) + y / 8.0));
         Scene scene = view(16, 16)
                 .shading(shading(-1, wave))
                 .object(ball(0, 1, -40, 0.5), PhysicalScenes.WHITE)
@@ -296,8 +297,8 @@ class SurroundingsTest {
 
     @Test
     void aScaledPictureIsAsManyTimesAsBright() {
-        Background.Picture one = picture("scaled", 16, 8, 0, rough());
-        Background twice = new Background.Picture(one.picture(), new Rgb(2, 4, 8), 0);
+        Shading.Background.Picture one = picture("scaled", 16, 8, 0, rough());
+        Shading.Background twice = new Shading.Background.Picture(one.picture(), new Rgb(2, 4, 8), 0);
         RenderSettings settings = RenderSettings.of(partner()).withAntialias(2);
         Scene plain = floor(MIRROR).shading(shading(-1, one)).build();
         Scene bright = floor(MIRROR).shading(shading(-1, twice)).build();
@@ -310,7 +311,7 @@ class SurroundingsTest {
 
     @Test
     void aDamagedPictureIsToldWithItsPlaceInTheSceneAndOnce() throws IOException {
-        Background.Picture picture = picture("damaged", 4, 2, 0, (x, y) -> grey(1));
+        Shading.Background.Picture picture = picture("damaged", 4, 2, 0, (x, y) -> grey(1));
         Path file = picture.picture().file();
         byte[] content = Files.readAllBytes(file);
         Files.write(file, Arrays.copyOf(content, content.length - 5));

@@ -10,7 +10,6 @@ import enlightenment.geometry.Sphere;
 import enlightenment.math.Vec3;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -44,8 +43,9 @@ class TinyPicturesTest {
                         .shading(PhysicalScenes.shading(1))
                         .object(new Sphere(at(0, 0, 0), 1, 0), matte(0.5, 0.5, 0.5))
                         .build();
-                RenderSettings settings =
-                        RenderSettings.of(scene).withMethod(method).withBudget(Budget.NONE.withSamples(samples));
+                RenderSettings settings = RenderSettings.of(scene)
+                        .withMethod(method)
+                        .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
                 double high = Renderer.render(scene, settings, RenderProgress.NONE, () -> false)
                         .report()
                         .sampling()

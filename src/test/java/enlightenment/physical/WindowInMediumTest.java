@@ -11,7 +11,6 @@ import enlightenment.light.Light;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -48,7 +47,7 @@ class WindowInMediumTest {
     void aMediumThatFillsTheSceneTakesLightFromTheWindowOn(BuiltInMethod method) {
         Medium medium = Medium.Coefficients.of(Rgb.BLACK, Rgb.gray(1));
         Scene scene = view().shading(new Shading.Physical(
-                        OptionalInt.empty(), new Background.Constant(Rgb.BLACK), Optional.of(medium)))
+                        OptionalInt.empty(), new Shading.Background.Constant(Rgb.BLACK), Optional.of(medium)))
                 .build();
         assertShown(scene, method, Math.exp(-1));
     }

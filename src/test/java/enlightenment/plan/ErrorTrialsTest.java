@@ -7,7 +7,6 @@ import enlightenment.color.DisplayCurve;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SampleSpread;
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -20,7 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ErrorTrialsTest {
     private static final double MOST = 1 << 24;
 
-    private static RenderSettings settings(int width, int height, Budget budget) {
+    private static RenderSettings settings(int width, int height, RenderSettings.Budget budget) {
         return RenderSettings.of(TestScenes.whiteFireAndIce().build())
                 .withSize(width, height)
                 .withBudget(budget);
@@ -56,7 +55,7 @@ class ErrorTrialsTest {
     @CsvSource({"800, 400", "320, 200", "200, 100", "128, 64"})
     void theNumberFoundIsEnoughAndTheTrialsTakeLessThanTheRender(int width, int height) {
         for (double asked : new double[] {0.19, 0.09, 0.05, 0.03}) {
-            RenderSettings settings = settings(width, height, Budget.NONE.withError(asked));
+            RenderSettings settings = settings(width, height, RenderSettings.Budget.NONE.withError(asked));
             ErrorTrials trials = trials(settings, noise(0.2), () -> false);
             double n = trials.search(1, 2, MOST, 0);
             // Doubled samples in some of the pixels make less of a difference than as many more in each: up to 1.06
@@ -70,15 +69,17 @@ class ErrorTrialsTest {
     /** The rounding that the file adds is known before the render. */
     @Test
     void roundingIsSeenAndPlannedFor() {
-        RenderSettings plain = settings(320, 200, Budget.NONE.withError(0.0016));
+        RenderSettings plain = settings(320, 200, RenderSettings.Budget.NONE.withError(0.0016));
         double n = trials(plain, noise(0.004), () -> false).search(1, 2, MOST, 0);
-        RenderSettings bits = settings(320, 200, Budget.NONE.withError(0.0016).withDepth(8));
+        RenderSettings bits =
+                settings(320, 200, RenderSettings.Budget.NONE.withError(0.0016).withDepth(8));
         ErrorTrials trials = trials(bits, noise(0.004), () -> false);
         double more = trials.search(1, 2, MOST, 0);
         assertEquals(1 / (255 * Math.sqrt(12)), trials.rounding(), 1e-4);
         double left = Math.sqrt(1 - Math.pow(trials.rounding() / 0.0016, 2));
         assertEquals(1 / (left * left), more / n, 0.5);
-        RenderSettings few = settings(320, 200, Budget.NONE.withError(0.001).withDepth(8));
+        RenderSettings few =
+                settings(320, 200, RenderSettings.Budget.NONE.withError(0.001).withDepth(8));
         ErrorTrials hopeless = trials(few, noise(0.004), () -> false);
         assertEquals(Double.POSITIVE_INFINITY, hopeless.search(1, 2, MOST, 0));
         assertTrue(hopeless.isHopeless());
@@ -87,7 +88,7 @@ class ErrorTrialsTest {
     /** Where it is dear to plan for another number, few numbers are tried. */
     @Test
     void whatPlanningCostsCounts() {
-        RenderSettings settings = settings(200, 100, Budget.NONE.withError(0.05));
+        RenderSettings settings = settings(200, 100, RenderSettings.Budget.NONE.withError(0.05));
         for (double planning : new double[] {0.1, 0.5, 1.3, 3}) {
             ErrorTrials trials = trials(settings, noise(0.2), () -> false);
             double n = trials.search(2.45, 4, MOST, planning);
@@ -98,7 +99,8 @@ class ErrorTrialsTest {
 
     @Test
     void whatIsOutOfReachIsNotTriedForLong() {
-        ErrorTrials trials = trials(settings(800, 400, Budget.NONE.withError(0.01)), noise(0.2), () -> false);
+        ErrorTrials trials =
+                trials(settings(800, 400, RenderSettings.Budget.NONE.withError(0.01)), noise(0.2), () -> false);
         assertEquals(Double.POSITIVE_INFINITY, trials.search(1, 1, 2.44, 0));
         assertTrue(trials.work() <= 1.0 / 16 + 0.01);
     }
@@ -106,7 +108,7 @@ class ErrorTrialsTest {
     /** Only blocks that are looked at again tell of something that the first ones missed. */
     @Test
     void aSecondPhaseIsLookedAtBeforeAnAnswer() {
-        RenderSettings settings = settings(800, 400, Budget.NONE.withError(0.01));
+        RenderSettings settings = settings(800, 400, RenderSettings.Budget.NONE.withError(0.01));
         List<FilmTile> first = new TrialBlocks(settings, DisplayCurve.NONE, FilmTile.BLOCK_SIDE).phase(0, 1.0 / 16);
         SplittableRandom random = new SplittableRandom(2);
         ErrorTrials trials = trials(

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -34,14 +34,14 @@ class PaceTest {
         int trials = 0;
         do {
             double n = pace.next();
-            assertTrue(n >= 1 && n <= Budget.MAX_SAMPLES, what + ": " + n);
+            assertTrue(n >= 1 && n <= RenderSettings.Budget.MAX_SAMPLES, what + ": " + n);
             now += step;
             pace.tried(n, took, now);
             trials++;
             assertTrue(trials <= 10_000, what);
         } while (pace.isWorthTrying());
         double planned = Tidy.of(pace.planned(now));
-        assertTrue(planned >= 1 && planned <= Budget.MAX_SAMPLES, what + ": " + planned);
+        assertTrue(planned >= 1 && planned <= RenderSettings.Budget.MAX_SAMPLES, what + ": " + planned);
     }
 
     /** A machine that takes so many pixel samples per second, always: then the plan is what fits. */
@@ -83,7 +83,7 @@ class PaceTest {
     }
 
     private static Pace pace(double seconds, double pixels, double trialPixels) {
-        return new Pace(seconds, pixels, trialPixels, Budget.MAX_SAMPLES);
+        return new Pace(seconds, pixels, trialPixels, RenderSettings.Budget.MAX_SAMPLES);
     }
 
     @Test

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.TestScenes;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import java.util.Arrays;
@@ -27,11 +26,12 @@ class RoundsTest {
     /** Samples per pixel of the rounds of a small picture of caustics. */
     private static final double[] SAMPLES = {1, 8, 64, 512, 4100};
 
-    private static RenderReport report(Budget budget, double samples, double error, double rounding) {
+    private static RenderReport report(RenderSettings.Budget budget, double samples, double error, double rounding) {
         return report(budget, samples, error / 1.2, error, rounding);
     }
 
-    private static RenderReport report(Budget budget, double samples, double told, double high, double rounding) {
+    private static RenderReport report(
+            RenderSettings.Budget budget, double samples, double told, double high, double rounding) {
         return report(SETTINGS.withBudget(budget), samples, told, high, rounding);
     }
 
@@ -56,11 +56,12 @@ class RoundsTest {
     /** What all rounds took, and the number of the last. */
     private record End(double last, double all, int rounds, RenderReport report, String by) {}
 
-    private static End render(Budget budget, double first, DoubleUnaryOperator error, double rounding) {
+    private static End render(RenderSettings.Budget budget, double first, DoubleUnaryOperator error, double rounding) {
         return render(budget, first, error, rounding, 0);
     }
 
-    private static End render(Budget budget, double first, DoubleUnaryOperator error, double rounding, double cost) {
+    private static End render(
+            RenderSettings.Budget budget, double first, DoubleUnaryOperator error, double rounding, double cost) {
         Rounds rounds = new Rounds(budget);
         double n = first;
         double all = 0;
@@ -81,19 +82,21 @@ class RoundsTest {
 
     @Test
     void timeDecidesWhereAnErrorIsNotMetForWantOfIt() {
-        Budget both = Budget.NONE.withError(0.01).withSeconds(10);
+        RenderSettings.Budget both = RenderSettings.Budget.NONE.withError(0.01).withSeconds(10);
         Rounds rounds = new Rounds(both);
         RenderReport late = report(both, 8, 0.05, 0);
         assertTrue(rounds.next(late, 6, 9.9).isEmpty(), "there is no time for a second picture");
         assertEquals("time", late.decidedBy());
         assertEquals("error", report(both, 800, 0.009, 0).decidedBy());
-        assertEquals("error", report(Budget.NONE.withError(0.01), 8, 0.05, 0).decidedBy());
+        assertEquals(
+                "error",
+                report(RenderSettings.Budget.NONE.withError(0.01), 8, 0.05, 0).decidedBy());
     }
 
     /** Samples that all missed some light agree without it. */
     @Test
     void fewSamplesDoNotMeetAnErrorWhereLightIsUndersampled() {
-        Budget asked = Budget.NONE.withError(0.01);
+        RenderSettings.Budget asked = RenderSettings.Budget.NONE.withError(0.01);
         Optional<RenderReport.Light> light =
                 Optional.of(new RenderReport.Light(0.1, 9, false, 0, List.of("few paths")));
         RenderReport few = report(SETTINGS.withBudget(asked), 8, 0.004, 0.005, 0, light);
@@ -101,7 +104,7 @@ class RoundsTest {
         assertTrue(new Rounds(asked).note(few, 64).startsWith("8 samples per pixel are too few to tell the error"));
         RenderReport enough = report(SETTINGS.withBudget(asked), 64, 0.004, 0.005, 0, light);
         assertTrue(new Rounds(asked).next(enough, 1, 2).isEmpty());
-        Budget limited = asked.withSamples(32);
+        RenderSettings.Budget limited = asked.withSamples(32);
         assertEquals(32, new Rounds(limited).next(few, 1, 2).orElseThrow());
         RenderReport told = report(SETTINGS.withBudget(asked), 8, 0.004, 0.005, 0);
         assertTrue(new Rounds(asked).next(told, 1, 2).isEmpty());
@@ -110,7 +113,7 @@ class RoundsTest {
     /** A little more is much more where it is the least that the method can do with. */
     @Test
     void withTimeLeftARoundOfTheMethodItselfFollowsThatOfTheMethodForFewSamples() {
-        Budget both = Budget.NONE.withError(0.01).withSeconds(100);
+        RenderSettings.Budget both = RenderSettings.Budget.NONE.withError(0.01).withSeconds(100);
         MethodTraits traits = Integrators.traits(Method.CLUSTER, false);
         RenderSettings settings = SETTINGS.withMethod(Method.CLUSTER).withBudget(both);
         RenderReport few = report(settings, traits.mostBelow(), 0.04, 0.05, 0);
@@ -123,7 +126,7 @@ class RoundsTest {
         for (double asked = 0.2; asked > 1e-3; asked *= 0.77) {
             for (double first : new double[] {1, 2.44, 30}) {
                 DoubleUnaryOperator error = n -> 0.3 * Math.pow(n, -slope);
-                End end = render(Budget.NONE.withError(asked), first, error, 0);
+                End end = render(RenderSettings.Budget.NONE.withError(asked), first, error, 0);
                 assertTrue(end.report.isErrorMet());
                 double needed = Math.max(Math.pow(0.3 / asked, 1 / slope), first);
                 assertTrue(end.last <= 2 * needed, end + " where " + needed + " are needed");
@@ -144,8 +147,8 @@ class RoundsTest {
         for (DoubleUnaryOperator error : errors) {
             for (double asked : new double[] {Double.MIN_VALUE, 1e-300, 1e-7, 0.01}) {
                 for (double rounding : new double[] {0, 1e-9, 0.0011, 0.01, 1, Double.NaN}) {
-                    for (double first : new double[] {1, 2.45, Budget.MAX_SAMPLES}) {
-                        Budget budget = Budget.NONE.withError(asked);
+                    for (double first : new double[] {1, 2.45, RenderSettings.Budget.MAX_SAMPLES}) {
+                        RenderSettings.Budget budget = RenderSettings.Budget.NONE.withError(asked);
                         assertFalse(
                                 render(budget, first, error, rounding).report.isErrorMet());
                         render(budget.withSamples(57.3), Math.min(first, 57.3), error, rounding);
@@ -161,19 +164,19 @@ class RoundsTest {
     @Test
     void theSamplesThatAreAllowedAreAllTriedAndNotExceeded() {
         DoubleUnaryOperator error = n -> 1 / Math.sqrt(n);
-        End end = render(Budget.NONE.withError(0.01).withSamples(123.4), 1, error, 0);
+        End end = render(RenderSettings.Budget.NONE.withError(0.01).withSamples(123.4), 1, error, 0);
         assertEquals(123.4, end.last);
         assertEquals("samples", end.by);
         assertFalse(end.report.isErrorMet());
         assertTrue(Rounds.samplesForError(end.report).getAsDouble() > 123.4);
-        assertEquals(1, render(Budget.NONE.withError(0.01).withSamples(1), 1, error, 0).rounds);
+        assertEquals(1, render(RenderSettings.Budget.NONE.withError(0.01).withSamples(1), 1, error, 0).rounds);
     }
 
     /** Whatever the picture has: eight times as many were the most that was told. */
     @Test
     void theSamplesThatAreAdvisedAreEnoughForIndependentSamples() {
         for (double n : new double[] {1, 3, 64, 1000}) {
-            End end = render(Budget.NONE.withError(0.01).withSamples(n), n, k -> 1 / Math.sqrt(k), 0);
+            End end = render(RenderSettings.Budget.NONE.withError(0.01).withSamples(n), n, k -> 1 / Math.sqrt(k), 0);
             double advised = Rounds.samplesForError(end.report).getAsDouble();
             assertTrue(advised >= 1e4 && advised <= 1.2e4, advised + " after " + n);
         }
@@ -182,7 +185,12 @@ class RoundsTest {
     @Test
     void theTimeIsNotExceeded() {
         for (double seconds = 0.01; seconds < 1000; seconds *= 1.9) {
-            End end = render(Budget.NONE.withError(1e-4).withSeconds(seconds), 1, n -> 1 / Math.sqrt(n), 0, 0.001);
+            End end = render(
+                    RenderSettings.Budget.NONE.withError(1e-4).withSeconds(seconds),
+                    1,
+                    n -> 1 / Math.sqrt(n),
+                    0,
+                    0.001);
             assertTrue(end.all * 0.001 <= seconds, end + " in " + seconds + " s");
             assertTrue(end.rounds == 1 || end.by.equals("time") || end.by.equals("error"), end.by);
         }
@@ -192,18 +200,19 @@ class RoundsTest {
     @Test
     void roundingIsPartOfTheErrorAndEndsItWhereItIsAllOfIt() {
         DoubleUnaryOperator error = n -> 0.1 / Math.sqrt(n);
-        End plain = render(Budget.NONE.withError(0.002), 1, error, 0);
-        End rounded = render(Budget.NONE.withError(0.002), 1, error, 0.0015);
+        End plain = render(RenderSettings.Budget.NONE.withError(0.002), 1, error, 0);
+        End rounded = render(RenderSettings.Budget.NONE.withError(0.002), 1, error, 0.0015);
         assertTrue(rounded.last > 2 * plain.last);
         assertTrue(Math.hypot(error.applyAsDouble(rounded.last), 0.0015) <= 0.002);
-        assertEquals(1, render(Budget.NONE.withError(0.0014), 1, error, 0.0015).rounds);
+        assertEquals(1, render(RenderSettings.Budget.NONE.withError(0.0014), 1, error, 0.0015).rounds);
         // Another limit ends it, too, and the picture is as good as that allows.
-        assertEquals(77.7, render(Budget.NONE.withError(0.0014).withSamples(77.7), 1, error, 0.0015).last);
+        assertEquals(
+                77.7, render(RenderSettings.Budget.NONE.withError(0.0014).withSamples(77.7), 1, error, 0.0015).last);
     }
 
     @Test
     void anIntervalThatReachesBeyondTheErrorIsNotMet() {
-        Budget budget = Budget.NONE.withError(0.01);
+        RenderSettings.Budget budget = RenderSettings.Budget.NONE.withError(0.01);
         assertTrue(report(budget, 4, 0.0099, 0).isErrorMet());
         assertTrue(report(budget, 4, 0.0099, 0.0011).isErrorMet());
         assertFalse(report(budget, 4, 0.0099, 0.0015).isErrorMet());
@@ -212,7 +221,7 @@ class RoundsTest {
     }
 
     private static void assertGoesOn(double asked, double[] told, double[] high) {
-        Budget budget = Budget.NONE.withError(asked);
+        RenderSettings.Budget budget = RenderSettings.Budget.NONE.withError(asked);
         Rounds rounds = new Rounds(budget);
         for (int k = 0; k < high.length; k++) {
             RenderReport report = report(budget, SAMPLES[k], told[k], high[k], 0);
@@ -239,19 +248,20 @@ class RoundsTest {
     @Test
     void anErrorThatHardlyFallsIsGivenUpUnlessSomethingElseLimitsTheRender() {
         DoubleUnaryOperator error = n -> 0.6 * Math.pow(n, -0.14);
-        Rounds rounds = new Rounds(Budget.NONE.withError(0.02));
+        Rounds rounds = new Rounds(RenderSettings.Budget.NONE.withError(0.02));
         double n = 4;
         double all = 0;
         for (OptionalDouble next = OptionalDouble.of(n); next.isPresent(); ) {
             assertTrue(rounds.reasonForStopping().isEmpty());
             n = next.getAsDouble();
             all += n;
-            next = rounds.next(report(Budget.NONE.withError(0.02), n, error.applyAsDouble(n), 0), 0, 0);
+            next = rounds.next(report(RenderSettings.Budget.NONE.withError(0.02), n, error.applyAsDouble(n), 0), 0, 0);
         }
         // The first round that tells something has 256, and 64 times as many are enough.
         assertTrue(n >= 64 * 64 && all < 20_000, n + " of " + all);
         assertTrue(rounds.reasonForStopping().orElseThrow().contains("hardly fallen"));
-        Budget limited = Budget.NONE.withError(0.02).withSamples(100_000);
+        RenderSettings.Budget limited =
+                RenderSettings.Budget.NONE.withError(0.02).withSamples(100_000);
         assertEquals(100_000, render(limited, 4, error, 0).last);
     }
 
@@ -259,7 +269,7 @@ class RoundsTest {
     void whatAFewSamplesTellEndsNoSearch() {
         // Upper ends with few samples are too low, or hardly fall; from 64 on the error falls as it should.
         DoubleUnaryOperator error = n -> n < 64 ? 0.15 : 1.2 / Math.sqrt(n);
-        End end = render(Budget.NONE.withError(0.02), 1, error, 0);
+        End end = render(RenderSettings.Budget.NONE.withError(0.02), 1, error, 0);
         assertTrue(error.applyAsDouble(end.last) <= 0.02, end.last + " samples");
     }
 }

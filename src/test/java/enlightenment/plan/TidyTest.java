@@ -3,7 +3,7 @@ package enlightenment.plan;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
 import java.math.BigDecimal;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -33,9 +33,10 @@ class TidyTest {
     }
 
     @ParameterizedTest
-    @ValueSource(doubles = {Budget.MAX_SAMPLES, 1.678e7, 1e9, Double.MAX_VALUE, Double.POSITIVE_INFINITY})
+    @ValueSource(
+            doubles = {RenderSettings.Budget.MAX_SAMPLES, 1.678e7, 1e9, Double.MAX_VALUE, Double.POSITIVE_INFINITY})
     void whatIsTooManyBecomesTheMost(double samples) {
-        assertEquals(Budget.MAX_SAMPLES, Tidy.of(samples));
+        assertEquals(RenderSettings.Budget.MAX_SAMPLES, Tidy.of(samples));
     }
 
     @ParameterizedTest
@@ -62,7 +63,7 @@ class TidyTest {
             double tidy = Tidy.of(samples);
             assertEquals(1, tidy / samples, 0.005 + 1e-12);
             int digits = BigDecimal.valueOf(tidy).stripTrailingZeros().precision();
-            assertTrue(digits <= 3 || tidy == Budget.MAX_SAMPLES, samples + " became " + tidy);
+            assertTrue(digits <= 3 || tidy == RenderSettings.Budget.MAX_SAMPLES, samples + " became " + tidy);
             assertEquals(tidy, Tidy.of(tidy));
         }
     }

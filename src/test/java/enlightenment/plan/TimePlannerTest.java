@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.TestScenes;
-import enlightenment.scene.Budget;
 import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -28,10 +27,10 @@ class TimePlannerTest {
     }
 
     private static Planner planner(Method method, double seconds) {
-        return planner(method, Budget.NONE.withSeconds(seconds));
+        return planner(method, RenderSettings.Budget.NONE.withSeconds(seconds));
     }
 
-    private static Planner planner(Method method, Budget budget) {
+    private static Planner planner(Method method, RenderSettings.Budget budget) {
         RenderSettings settings = RenderSettings.of(SCENE)
                 .withMethod(method)
                 .withSize(64, 32)
@@ -67,7 +66,8 @@ class TimePlannerTest {
     @ParameterizedTest
     @ClassicMethods
     void aTimeThatIsFarMoreThanWhatIsAskedForCostsNoTrials(Method method) {
-        for (Budget asked : List.of(Budget.NONE.withSamples(8), Budget.NONE.withError(0.05))) {
+        for (RenderSettings.Budget asked :
+                List.of(RenderSettings.Budget.NONE.withSamples(8), RenderSettings.Budget.NONE.withError(0.05))) {
             AtomicLong clock = new AtomicLong();
             Stopwatch time = new Stopwatch(() -> clock.getAndAdd(100_000));
             RenderPlan plan = planner(method, asked.withSeconds(60)).plan(time, 0);

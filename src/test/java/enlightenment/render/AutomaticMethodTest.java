@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.engine.DividedRender;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -35,7 +34,7 @@ class AutomaticMethodTest {
         return RenderSettings.of(scene)
                 .withMethod(Method.AUTO)
                 .withSize(48, 32)
-                .withBudget(Budget.NONE.withSamples(samples))
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples))
                 .withThreads(2);
     }
 
@@ -72,7 +71,7 @@ class AutomaticMethodTest {
             }
         };
         RenderResult result = Renderer.render(scene, settings, progress, () -> false);
-        MethodChoice choice = Renderer.choose(scene, settings, () -> false);
+        RenderRequest.MethodChoice choice = Renderer.choose(scene, settings, () -> false);
         assertEquals(choice.settings(), result.report().settings());
         assertTrue(notes.contains(choice.reason().orElseThrow()), notes.toString());
         assertNotEquals(Method.AUTO, choice.settings().method());
@@ -89,7 +88,7 @@ class AutomaticMethodTest {
     void aMethodThatIsNamedIsKept() throws IOException {
         Scene scene = scene("cornell-box");
         RenderSettings settings = auto(scene, 8).withMethod(Method.METROPOLIS);
-        MethodChoice choice = Renderer.choose(scene, settings, () -> false);
+        RenderRequest.MethodChoice choice = Renderer.choose(scene, settings, () -> false);
         assertSame(settings, choice.settings());
         assertTrue(choice.reason().isEmpty());
     }
@@ -114,11 +113,11 @@ class AutomaticMethodTest {
     @Test
     void aSmallRenderHasNoPilotButTheMethodThatIsBestMostOften() throws IOException {
         Scene door = scene("door-ajar");
-        MethodChoice choice = Renderer.choose(door, auto(door, 8), () -> false);
+        RenderRequest.MethodChoice choice = Renderer.choose(door, auto(door, 8), () -> false);
         assertEquals(Method.CLUSTER, choice.settings().method());
         assertTrue(choice.reason().orElseThrow().contains("too small for a pilot"));
         assertEquals(Method.RAYTRACE, chosen(door, auto(door, 4)));
-        RenderSettings hasty = auto(door, 8).withSize(480, 320).withBudget(Budget.NONE.withSeconds(8));
+        RenderSettings hasty = auto(door, 8).withSize(480, 320).withBudget(RenderSettings.Budget.NONE.withSeconds(8));
         assertEquals(Method.CLUSTER, chosen(door, hasty));
     }
 

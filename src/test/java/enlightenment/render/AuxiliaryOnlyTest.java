@@ -19,11 +19,11 @@ import org.junit.jupiter.api.Test;
 
 /** What pixels show beside their colours, without a picture. */
 class AuxiliaryOnlyTest {
-    private static final Set<RenderRequest.Auxiliary> RAYS = EnumSet.of(
-            RenderRequest.Auxiliary.DEPTH,
-            RenderRequest.Auxiliary.NORMAL,
-            RenderRequest.Auxiliary.POSITION,
-            RenderRequest.Auxiliary.OBJECT);
+    private static final Set<RenderResult.Auxiliary> RAYS = EnumSet.of(
+            RenderResult.Auxiliary.DEPTH,
+            RenderResult.Auxiliary.NORMAL,
+            RenderResult.Auxiliary.POSITION,
+            RenderResult.Auxiliary.OBJECT);
 
     private static RenderRequest of(String scene) {
         Scene read = SceneReader.read(Path.of("scenes", scene));
@@ -34,18 +34,18 @@ class AuxiliaryOnlyTest {
 
     @Test
     void itIsWhatARenderFindsBesideItsPicture() {
-        EnumSet<RenderRequest.Auxiliary> kinds = EnumSet.copyOf(RAYS);
-        kinds.add(RenderRequest.Auxiliary.ALBEDO);
+        EnumSet<RenderResult.Auxiliary> kinds = EnumSet.copyOf(RAYS);
+        kinds.add(RenderResult.Auxiliary.ALBEDO);
         RenderRequest request = of("cornell-box.json").withAuxiliary(kinds);
-        Map<RenderRequest.Auxiliary, Image> beside = Renderer.render(request).auxiliary();
-        Map<RenderRequest.Auxiliary, Image> alone = Renderer.auxiliary(request);
+        Map<RenderResult.Auxiliary, Image> beside = Renderer.render(request).auxiliary();
+        Map<RenderResult.Auxiliary, Image> alone = Renderer.auxiliary(request);
         assertEquals(kinds, alone.keySet());
-        for (RenderRequest.Auxiliary kind : RAYS) {
+        for (RenderResult.Auxiliary kind : RAYS) {
             assertArrayEquals(beside.get(kind).toArray(), alone.get(kind).toArray(), kind.word());
         }
         // The walls' colours have no noise: only pixels on an edge depend on the samples.
-        float[] a = beside.get(RenderRequest.Auxiliary.ALBEDO).toArray();
-        float[] b = alone.get(RenderRequest.Auxiliary.ALBEDO).toArray();
+        float[] a = beside.get(RenderResult.Auxiliary.ALBEDO).toArray();
+        float[] b = alone.get(RenderResult.Auxiliary.ALBEDO).toArray();
         int alike = 0;
         for (int i = 0; i < a.length; i++) {
             alike += a[i] == b[i] ? 1 : 0;
@@ -55,8 +55,8 @@ class AuxiliaryOnlyTest {
 
     @Test
     void whatTakesAPictureIsRefused() {
-        for (RenderRequest.Auxiliary kind : new RenderRequest.Auxiliary[] {
-            RenderRequest.Auxiliary.ERROR, RenderRequest.Auxiliary.SAMPLES, RenderRequest.Auxiliary.INDIRECT
+        for (RenderResult.Auxiliary kind : new RenderResult.Auxiliary[] {
+            RenderResult.Auxiliary.ERROR, RenderResult.Auxiliary.SAMPLES, RenderResult.Auxiliary.INDIRECT
         }) {
             RenderRequest request = of("cornell-box.json").withAuxiliary(kind);
             assertEquals(
@@ -64,14 +64,14 @@ class AuxiliaryOnlyTest {
                     assertThrows(InvalidValueException.class, () -> Renderer.auxiliary(request))
                             .key());
         }
-        RenderRequest classic = of("fire-and-ice.json").withAuxiliary(RenderRequest.Auxiliary.ALBEDO);
+        RenderRequest classic = of("fire-and-ice.json").withAuxiliary(RenderResult.Auxiliary.ALBEDO);
         assertThrows(InvalidValueException.class, () -> Renderer.auxiliary(classic));
     }
 
     @Test
     void itCanBeStopped() {
         RenderRequest request = of("cornell-box.json")
-                .withAuxiliary(RenderRequest.Auxiliary.DEPTH)
+                .withAuxiliary(RenderResult.Auxiliary.DEPTH)
                 .withCancelled(() -> true);
         assertThrows(CancellationException.class, () -> Renderer.auxiliary(request));
     }

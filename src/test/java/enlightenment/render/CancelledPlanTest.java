@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -44,7 +43,7 @@ class CancelledPlanTest {
 
     /** A scene and its method; there is no other thread, so that each render asks in the same order whether to stop. */
     record Kind(String name, Scene scene, Method method) {
-        RenderSettings settings(Budget budget) {
+        RenderSettings settings(RenderSettings.Budget budget) {
             return RenderSettings.of(scene)
                     .withMethod(method)
                     .withSize(24, 16)
@@ -65,7 +64,7 @@ class CancelledPlanTest {
                 BuiltInMethod.rendering(Shading.Model.PHYSICAL).stream().map(m -> new Kind("lamp room", LAMP, m)));
     }
 
-    private RenderResult render(Kind kind, Budget budget, BooleanSupplier cancelled) {
+    private RenderResult render(Kind kind, RenderSettings.Budget budget, BooleanSupplier cancelled) {
         RenderProgress listener = new RenderProgress() {
             @Override
             public void progress(long done, long total, Supplier<Image> soFar) {
@@ -107,7 +106,7 @@ class CancelledPlanTest {
     @ParameterizedTest
     @MethodSource("kinds")
     void whereverPlanningIsStoppedThePictureIsThatOfOneGo(Kind kind) {
-        Budget budget = Budget.NONE.withSamples(12);
+        RenderSettings.Budget budget = RenderSettings.Budget.NONE.withSamples(12);
         RenderResult expected = render(kind, budget, () -> false);
         byte[] plan = archive.plans.get(0);
         boolean isPlanned = false;
@@ -134,7 +133,7 @@ class CancelledPlanTest {
     @MethodSource("kinds")
     void aTimeThatWasNotTriedOutIsNotPlannedFor(Kind kind) {
         // Less than what the most samples take, or trials would end at once.
-        Budget budget = Budget.NONE.withSeconds(1000);
+        RenderSettings.Budget budget = RenderSettings.Budget.NONE.withSeconds(1000);
         for (int patience : new int[] {1, 2, 5, 30, 200}) {
             AtomicInteger asked = new AtomicInteger();
             RenderResult stopped = render(kind, budget, () -> asked.incrementAndGet() >= patience);
@@ -148,7 +147,8 @@ class CancelledPlanTest {
     @ParameterizedTest
     @MethodSource("kinds")
     void aFurtherRoundThatIsStoppedWhileItIsPlannedLeavesTheRoundBefore(Kind kind) {
-        Budget budget = Budget.NONE.withError(0.02).withSamples(200);
+        RenderSettings.Budget budget =
+                RenderSettings.Budget.NONE.withError(0.02).withSamples(200);
         RenderResult expected = render(kind, budget, () -> false);
         List<byte[]> plans = List.copyOf(archive.plans);
         assertTrue(plans.size() > 1, "a picture as small as this is its own first trial");
@@ -172,7 +172,8 @@ class CancelledPlanTest {
         Kind kind = new Kind("fire and ice", FIRE, Method.RAYTRACE);
         AtomicBoolean stop = new AtomicBoolean();
         whenDone = () -> stop.set(true);
-        RenderResult first = render(kind, Budget.NONE.withError(0.02).withSamples(200), stop::get);
+        RenderResult first =
+                render(kind, RenderSettings.Budget.NONE.withError(0.02).withSamples(200), stop::get);
         assertTrue(first.complete());
         assertEquals(1, first.report().sampling().rounds());
         assertTrue(notes.get(notes.size() - 1).startsWith("stopped: the picture is that of the round before"));
@@ -181,7 +182,7 @@ class CancelledPlanTest {
     @Test
     void whatIsKeptIsShownThoughItIsStoppedAtOnce() {
         Kind kind = new Kind("fire and ice", FIRE, Method.RAYTRACE);
-        Budget budget = Budget.NONE.withSamples(4);
+        RenderSettings.Budget budget = RenderSettings.Budget.NONE.withSamples(4);
         RenderResult whole = render(kind, budget, () -> false);
         RenderResult again = render(kind, budget, () -> true);
         assertTrue(again.complete());

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.UnitMaker;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -38,15 +37,18 @@ class CancelledRenderTest {
             }
             """;
 
-    private static final List<Budget> BUDGETS = List.of(
-            Budget.NONE, Budget.NONE.withSamples(16), Budget.NONE.withError(0.01), Budget.NONE.withSeconds(1e6));
+    private static final List<RenderSettings.Budget> BUDGETS = List.of(
+            RenderSettings.Budget.NONE,
+            RenderSettings.Budget.NONE.withSamples(16),
+            RenderSettings.Budget.NONE.withError(0.01),
+            RenderSettings.Budget.NONE.withSeconds(1e6));
 
     private final Scene scene = SceneReader.readString(SCENE, Path.of("."), "");
 
     @Test
     void whateverIsPlannedOrRendered() {
         for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
-            for (Budget budget : BUDGETS) {
+            for (RenderSettings.Budget budget : BUDGETS) {
                 for (int patience : new int[] {1, 7, 60}) {
                     AtomicInteger asked = new AtomicInteger();
                     RenderSettings settings = RenderSettings.of(scene)

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -48,7 +47,7 @@ class ChosenLightErrorTest {
                 "pane");
     }
 
-    private static RenderResult render(Scene scene, Budget budget, long seed) {
+    private static RenderResult render(Scene scene, RenderSettings.Budget budget, long seed) {
         RenderSettings settings =
                 RenderSettings.of(scene).withThreads(1).withBudget(budget).withSeed(seed);
         return Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
@@ -69,7 +68,9 @@ class ChosenLightErrorTest {
     void theVarianceIsThatOfStratifiedNumbers() throws Exception {
         double p = 0.3;
         int n = 8;
-        float[] rgb = render(pane(p), Budget.NONE.withSamples(n), 1).image().toArray();
+        float[] rgb = render(pane(p), RenderSettings.Budget.NONE.withSamples(n), 1)
+                .image()
+                .toArray();
         double squares = 0;
         for (float value : rgb) {
             squares += (value - p * GLOW) * (value - p * GLOW) / rgb.length;
@@ -86,7 +87,7 @@ class ChosenLightErrorTest {
         for (int percent = 5; percent < 100; percent += 5) {
             Scene scene = pane(percent / 100.0);
             for (int n : new int[] {4, 6, 8, 9, 12, 16, 32, 64, 100, 128, 256}) {
-                RenderResult result = render(scene, Budget.NONE.withSamples(n), 1);
+                RenderResult result = render(scene, RenderSettings.Budget.NONE.withSamples(n), 1);
                 double error = error(result.image(), GLOW * percent / 100);
                 RenderReport.Sampling told = result.report().sampling();
                 pictures++;
@@ -117,7 +118,7 @@ class ChosenLightErrorTest {
         for (double share : new double[] {0.3, 0.6, 0.72}) {
             Scene scene = pane(share);
             for (double asked : new double[] {0.03, 0.02}) {
-                RenderResult result = render(scene, Budget.NONE.withError(asked), 1);
+                RenderResult result = render(scene, RenderSettings.Budget.NONE.withError(asked), 1);
                 double error = error(result.image(), GLOW * share);
                 assertTrue(error <= asked, () -> share + ": " + error + " for " + asked);
             }

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -27,7 +26,7 @@ class ClassicMetropolisTest {
         return RenderSettings.of(scene)
                 .using(new BuiltInMethod.MetropolisSettings(10, mutations))
                 .withSize(WIDTH, HEIGHT)
-                .withBudget(Budget.NONE.withSamples(8));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(8));
     }
 
     private static List<double[]> rgb(List<Picture> pictures) {

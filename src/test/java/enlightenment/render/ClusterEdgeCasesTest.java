@@ -15,7 +15,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
@@ -105,7 +104,7 @@ class ClusterEdgeCasesTest {
         return RenderSettings.of(scene)
                 .withMethod(Method.CLUSTER)
                 .withThreads(1)
-                .withBudget(Budget.NONE.withSamples(samples));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
     }
 
     private static List<double[]> rgb(List<Picture> pictures) {
@@ -141,12 +140,12 @@ class ClusterEdgeCasesTest {
     @CsvSource({"1, 1", "3, 5", "1, 4096", "4096, 1", "8, 8", "9, 17"})
     void everySizeIsRendered(int width, int height) {
         Scene scene = room().light(lamp(0)).build();
-        for (Budget budget : List.of(
-                Budget.NONE,
-                Budget.NONE.withSamples(1),
-                Budget.NONE.withSamples(20),
-                Budget.NONE.withError(0.9),
-                Budget.NONE.withError(1e-9).withSamples(5))) {
+        for (RenderSettings.Budget budget : List.of(
+                RenderSettings.Budget.NONE,
+                RenderSettings.Budget.NONE.withSamples(1),
+                RenderSettings.Budget.NONE.withSamples(20),
+                RenderSettings.Budget.NONE.withError(0.9),
+                RenderSettings.Budget.NONE.withError(1e-9).withSamples(5))) {
             RenderSettings s =
                     cluster(scene, 1).withSize(width, height).withAntialias(2).withBudget(budget);
             Picture p = ManySeeds.render(scene, s);
@@ -166,7 +165,8 @@ class ClusterEdgeCasesTest {
                 .camera(new Camera.Perspective(at(0, 0, 0), at(0, 0, 1), Vec3.Y, 40))
                 .light(lamp(90))
                 .build();
-        for (Budget budget : List.of(Budget.NONE.withError(1e-3), Budget.NONE.withSamples(7))) {
+        for (RenderSettings.Budget budget :
+                List.of(RenderSettings.Budget.NONE.withError(1e-3), RenderSettings.Budget.NONE.withSamples(7))) {
             RenderSettings s = cluster(scene, 1).withMethod(method).withBudget(budget);
             Picture p = ManySeeds.render(scene, s);
             for (int k = 0; k < p.rgb().length; k++) {
@@ -182,7 +182,7 @@ class ClusterEdgeCasesTest {
                 .shading(DARK)
                 .camera(new Camera.Perspective(at(0, 0, 0), at(0, 0, 1), Vec3.Y, 40))
                 .build();
-        Picture p = ManySeeds.render(scene, cluster(scene, Budget.MAX_SAMPLES));
+        Picture p = ManySeeds.render(scene, cluster(scene, RenderSettings.Budget.MAX_SAMPLES));
         assertEquals(1, p.counts()[0]);
         // One look and one sample: no thing comes near.
         assertEquals(2, p.sampling().samplesPerPixel());
@@ -199,10 +199,10 @@ class ClusterEdgeCasesTest {
                 .withSize(120, 60)
                 .withCrop(new RenderSettings.Crop(20, 24, 4, 8))
                 .withThreads(2);
-        Picture plain =
-                ManySeeds.render(scene, settings.withMethod(Method.RAYTRACE).withBudget(Budget.NONE.withSamples(2048)));
-        Picture cluster =
-                ManySeeds.render(scene, settings.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(600)));
+        Picture plain = ManySeeds.render(
+                scene, settings.withMethod(Method.RAYTRACE).withBudget(RenderSettings.Budget.NONE.withSamples(2048)));
+        Picture cluster = ManySeeds.render(
+                scene, settings.withMethod(Method.CLUSTER).withBudget(RenderSettings.Budget.NONE.withSamples(600)));
         for (int k = 0; k < plain.rgb().length; k++) {
             assertEquals(plain.rgb()[k], cluster.rgb()[k], 0.01, "pixel " + k / 3);
         }
@@ -228,7 +228,7 @@ class ClusterEdgeCasesTest {
             Picture p = ManySeeds.render(
                     scene,
                     settings.withCrop(new RenderSettings.Crop(40, 24, 8, 8))
-                            .withBudget(Budget.NONE.withSamples(samples)));
+                            .withBudget(RenderSettings.Budget.NONE.withSamples(samples)));
             int least = Arrays.stream(p.counts()).min().orElseThrow();
             assertTrue(least > before, least + " samples");
             before = least;

@@ -9,7 +9,6 @@ import enlightenment.classic.cluster.ClusterMethod;
 import enlightenment.film.FilmTile;
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.sampling.Distribution;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -40,24 +39,25 @@ class ClusterInvarianceTest {
     /** No budget, and each kind of budget. */
     static Stream<Arguments> pictures() {
         return Stream.of(
-                Arguments.of("keyhole", Budget.NONE),
-                Arguments.of("keyhole", Budget.NONE.withSamples(9.7)),
-                Arguments.of("keyhole", Budget.NONE.withError(0.001).withSamples(30)),
-                Arguments.of("fire-and-ice", Budget.NONE.withSamples(9.7)),
-                Arguments.of("fire-and-ice", Budget.NONE.withSamples(70)),
-                Arguments.of("fire-and-ice", Budget.NONE.withError(0.02)));
+                Arguments.of("keyhole", RenderSettings.Budget.NONE),
+                Arguments.of("keyhole", RenderSettings.Budget.NONE.withSamples(9.7)),
+                Arguments.of(
+                        "keyhole", RenderSettings.Budget.NONE.withError(0.001).withSamples(30)),
+                Arguments.of("fire-and-ice", RenderSettings.Budget.NONE.withSamples(9.7)),
+                Arguments.of("fire-and-ice", RenderSettings.Budget.NONE.withSamples(70)),
+                Arguments.of("fire-and-ice", RenderSettings.Budget.NONE.withError(0.02)));
     }
 
     static Stream<Arguments> morePictures() {
         return Stream.of("keyhole", "fire-and-ice").flatMap(name -> Stream.of(
-                        Budget.NONE,
-                        Budget.NONE.withSamples(9.7),
-                        Budget.NONE.withError(0.02),
-                        Budget.NONE.withError(0.001).withSamples(30))
+                        RenderSettings.Budget.NONE,
+                        RenderSettings.Budget.NONE.withSamples(9.7),
+                        RenderSettings.Budget.NONE.withError(0.02),
+                        RenderSettings.Budget.NONE.withError(0.001).withSamples(30))
                 .map(budget -> Arguments.of(name, budget)));
     }
 
-    private static RenderSettings settings(Scene scene, Budget budget) {
+    private static RenderSettings settings(Scene scene, RenderSettings.Budget budget) {
         return RenderSettings.of(scene)
                 .withMethod(Method.CLUSTER)
                 .withSize(WIDTH, HEIGHT)
@@ -67,18 +67,18 @@ class ClusterInvarianceTest {
 
     @ParameterizedTest
     @MethodSource("pictures")
-    void threadsAndTilesChangeNoBit(String name, Budget budget) {
+    void threadsAndTilesChangeNoBit(String name, RenderSettings.Budget budget) {
         compareWays(name, budget, WAYS);
     }
 
     @Tag("full")
     @ParameterizedTest
     @MethodSource("morePictures")
-    void threadsAndTilesChangeNoBitOfMorePictures(String name, Budget budget) {
+    void threadsAndTilesChangeNoBitOfMorePictures(String name, RenderSettings.Budget budget) {
         compareWays(name, budget, MORE_WAYS);
     }
 
-    private static void compareWays(String name, Budget budget, int[][] ways) {
+    private static void compareWays(String name, RenderSettings.Budget budget, int[][] ways) {
         Scene scene = ManySeeds.shipped(name);
         RenderSettings settings = settings(scene, budget);
         Picture one = ManySeeds.render(scene, settings);
@@ -99,18 +99,18 @@ class ClusterInvarianceTest {
 
     @ParameterizedTest
     @MethodSource("pictures")
-    void aCropShowsThePixelsOfTheWhole(String name, Budget budget) {
+    void aCropShowsThePixelsOfTheWhole(String name, RenderSettings.Budget budget) {
         compareCrops(name, budget, CROPS);
     }
 
     @Tag("full")
     @ParameterizedTest
     @MethodSource("morePictures")
-    void moreCropsShowThePixelsOfTheWhole(String name, Budget budget) {
+    void moreCropsShowThePixelsOfTheWhole(String name, RenderSettings.Budget budget) {
         compareCrops(name, budget, MORE_CROPS);
     }
 
-    private static void compareCrops(String name, Budget budget, List<Crop> crops) {
+    private static void compareCrops(String name, RenderSettings.Budget budget, List<Crop> crops) {
         Scene scene = ManySeeds.shipped(name);
         RenderSettings settings = settings(scene, budget);
         Picture whole = ManySeeds.render(scene, settings);
@@ -130,18 +130,18 @@ class ClusterInvarianceTest {
 
     @ParameterizedTest
     @MethodSource("pictures")
-    void theEstimatedErrorIsThatOfThePictureAndNotOfItsTiles(String name, Budget budget) {
+    void theEstimatedErrorIsThatOfThePictureAndNotOfItsTiles(String name, RenderSettings.Budget budget) {
         compareErrors(name, budget);
     }
 
     @Tag("full")
     @ParameterizedTest
     @MethodSource("morePictures")
-    void theEstimatedErrorIsThatOfThePictureWhateverTheBudget(String name, Budget budget) {
+    void theEstimatedErrorIsThatOfThePictureWhateverTheBudget(String name, RenderSettings.Budget budget) {
         compareErrors(name, budget);
     }
 
-    private static void compareErrors(String name, Budget budget) {
+    private static void compareErrors(String name, RenderSettings.Budget budget) {
         Scene scene = ManySeeds.shipped(name);
         RenderSettings settings = settings(scene, budget);
         double standard = ManySeeds.render(scene, settings).sampling().estimatedError();
@@ -156,7 +156,7 @@ class ClusterInvarianceTest {
     @ValueSource(strings = {"glass", "keyhole", "primitives"})
     void aBlockDoesNotDependOnWhatWasRenderedBefore(String name) {
         Scene scene = ManySeeds.shipped(name);
-        RenderSettings settings = settings(scene, Budget.NONE);
+        RenderSettings settings = settings(scene, RenderSettings.Budget.NONE);
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         for (double samples : new double[] {2.6, 10.6}) {
             double effort = ClusterCost.of(compiled, settings, 32).effort(samples);

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -38,7 +37,8 @@ class ClusterUnbiasedTest {
     }
 
     private static RenderSettings cluster(Scene scene, double samples) {
-        return settings(scene, Method.CLUSTER, WIDTH, HEIGHT).withBudget(Budget.NONE.withSamples(samples));
+        return settings(scene, Method.CLUSTER, WIDTH, HEIGHT)
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
     }
 
     private static List<double[]> rgb(List<Picture> pictures) {
@@ -183,7 +183,8 @@ class ClusterUnbiasedTest {
     })
     void largerPicturesAreTheSameToo(String name, double samples) {
         Scene scene = ManySeeds.shipped(name);
-        RenderSettings s = settings(scene, Method.CLUSTER, 96, 48).withBudget(Budget.NONE.withSamples(samples));
+        RenderSettings s =
+                settings(scene, Method.CLUSTER, 96, 48).withBudget(RenderSettings.Budget.NONE.withSamples(samples));
         BlockMeans blocks = new BlockMeans(96, 48);
         Verdict v = blocks.compare(rgb(ManySeeds.render(scene, s, 0, FULL_SEEDS)), traced(scene, 96, 48, FULL_SEEDS));
         assertSame(v, name + " with " + samples + " samples");

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -58,11 +57,13 @@ class EstimatedErrorTest {
                 RenderSettings.of(scene).withSize(width, width / 2).withThreads(2);
         double[] truth = ManySeeds.render(
                         scene,
-                        base.withMethod(Method.RAYTRACE).withSeed(424242).withBudget(Budget.NONE.withSamples(finest)))
+                        base.withMethod(Method.RAYTRACE)
+                                .withSeed(424242)
+                                .withBudget(RenderSettings.Budget.NONE.withSamples(finest)))
                 .rgb();
         List<String> failures = new ArrayList<>();
         for (Budgeted c : cases) {
-            RenderSettings s = base.withMethod(c.method).withBudget(Budget.NONE.withSamples(c.samples));
+            RenderSettings s = base.withMethod(c.method).withBudget(RenderSettings.Budget.NONE.withSamples(c.samples));
             List<Picture> pictures = ManySeeds.render(scene, s, 1, SEEDS);
             double[] ratios = new double[SEEDS];
             int held = 0;

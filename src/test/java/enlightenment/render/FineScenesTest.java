@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.render.ManySeeds.Picture;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -32,7 +31,7 @@ class FineScenesTest {
         return RenderSettings.of(scene)
                 .withMethod(method)
                 .with(new BuiltInMethod.RayTraceSettings(1))
-                .withBudget(Budget.NONE.withSamples(samples));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
     }
 
     private static double meanSquare(List<Picture> pictures, double[] truth) {
@@ -50,7 +49,7 @@ class FineScenesTest {
     private double ratio(String name, double samples, int width, int height, int seeds, double of) {
         Scene scene = FineScenes.of(name, directory);
         RenderSettings traced = settings(scene, Method.RAYTRACE, samples).withSize(width, height);
-        RenderSettings many = traced.withBudget(Budget.NONE.withSamples(of));
+        RenderSettings many = traced.withBudget(RenderSettings.Budget.NONE.withSamples(of));
         double[] truth =
                 ManySeeds.render(scene, many.withSeed(APART).withThreads(2)).rgb();
         RenderSettings clustered = settings(scene, Method.CLUSTER, samples).withSize(width, height);

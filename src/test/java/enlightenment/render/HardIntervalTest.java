@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -33,12 +32,13 @@ class HardIntervalTest {
         Scene scene = HardScenes.of(name);
         RenderSettings base = RenderSettings.of(scene);
         RenderSettings fine = base.withMethod(Method.RAYTRACE).withThreads(2).withSeed(987654321);
-        double[] truth = ManySeeds.render(scene, fine.withBudget(Budget.NONE.withSamples(finest)))
+        double[] truth = ManySeeds.render(scene, fine.withBudget(RenderSettings.Budget.NONE.withSamples(finest)))
                 .rgb();
         for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
             for (double samples : numbers) {
                 if (samples > FEW || method == Method.RAYTRACE) {
-                    RenderSettings s = base.withMethod(method).withBudget(Budget.NONE.withSamples(samples));
+                    RenderSettings s =
+                            base.withMethod(method).withBudget(RenderSettings.Budget.NONE.withSamples(samples));
                     judge(
                             name + " " + method + " " + samples,
                             ManySeeds.render(scene, s, 1, seeds),

@@ -17,7 +17,6 @@ import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -159,8 +158,9 @@ class HiddenObjectsTest {
                 .withThreads(1)
                 .withAntialias(2)
                 .with(new BuiltInMethod.RayTraceSettings(3))
-                .withBudget(Budget.NONE);
-        RenderSettings cluster = settings.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(8));
+                .withBudget(RenderSettings.Budget.NONE);
+        RenderSettings cluster =
+                settings.withMethod(Method.CLUSTER).withBudget(RenderSettings.Budget.NONE.withSamples(8));
         RawPicture evenly = RawPicture.of(scene, settings);
         RawPicture clustered = RawPicture.of(scene, cluster);
         int number = first;

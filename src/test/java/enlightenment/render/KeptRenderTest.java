@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -44,7 +43,7 @@ class KeptRenderTest {
                     .withMethod(method)
                     .withSize(scene == FIRE ? 40 : 24, scene == FIRE ? 24 : 16)
                     .withThreads(2)
-                    .withBudget(Budget.NONE.withSamples(samples));
+                    .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
             return scene == FIRE ? settings.with(new BuiltInMethod.RayTraceSettings(2)) : settings;
         }
 
@@ -151,7 +150,8 @@ class KeptRenderTest {
     @Test
     void aSquareOfPositionsGrowsToAnotherNumberOfSamples() {
         Kind kind = fire(Method.RAYTRACE);
-        RenderSettings three = kind.settings(1).withBudget(Budget.NONE).withAntialias(3);
+        RenderSettings three =
+                kind.settings(1).withBudget(RenderSettings.Budget.NONE).withAntialias(3);
         assertSame(Renderer.render(RenderRequest.of(FIRE, three)), render(FIRE, three, () -> false));
         assertSame(alone(kind, 64), render(kind, 64));
         assertTrue(archive.found > 0, "64 samples begin with those nine");
@@ -276,7 +276,7 @@ class KeptRenderTest {
     void roundsOfAnErrorGoOnFromEachOtherAndFromWhatIsKept() {
         RenderSettings settings = fire(Method.RAYTRACE)
                 .settings(1)
-                .withBudget(Budget.NONE.withError(0.012).withDepth(8));
+                .withBudget(RenderSettings.Budget.NONE.withError(0.012).withDepth(8));
         RenderResult expected = Renderer.render(RenderRequest.of(FIRE, settings));
         for (int stop = 3; stop < 200; stop *= 4) {
             int most = stop;
@@ -289,14 +289,15 @@ class KeptRenderTest {
 
     @Test
     void aTimeIsPlannedOnce() {
-        RenderSettings settings = fire(Method.RAYTRACE).settings(1).withBudget(Budget.NONE.withSeconds(0.3));
+        RenderSettings settings =
+                fire(Method.RAYTRACE).settings(1).withBudget(RenderSettings.Budget.NONE.withSeconds(0.3));
         RenderResult first = render(FIRE, settings, () -> archive.given >= 3);
         RenderResult second = render(FIRE, settings, () -> false);
         double samples = second.report().sampling().plannedSamples();
         assertEquals(first.report().sampling().plannedSamples(), samples);
         assertTrue(second.complete());
         assertEquals(1, archive.plans.size());
-        RenderSettings same = settings.withBudget(Budget.NONE.withSamples(samples));
+        RenderSettings same = settings.withBudget(RenderSettings.Budget.NONE.withSamples(samples));
         assertArrayEquals(Renderer.render(FIRE, same).toArray(), second.image().toArray());
     }
 
@@ -323,11 +324,11 @@ class KeptRenderTest {
     @Test
     void furtherPicturesAreThoseOfOneGo() {
         RenderSettings settings = new Kind("lamp room", LAMP, Method.RAYTRACE).settings(8);
-        RenderRequest request = RenderRequest.of(LAMP, settings).withAuxiliary(RenderRequest.Auxiliary.values());
+        RenderRequest request = RenderRequest.of(LAMP, settings).withAuxiliary(RenderResult.Auxiliary.values());
         RenderResult expected = Renderer.render(request);
         Renderer.render(request.withArchives(List.of(archive)).withCancelled(() -> archive.given >= 7));
         RenderResult result = Renderer.render(request.withArchives(List.of(archive)));
-        for (RenderRequest.Auxiliary kind : RenderRequest.Auxiliary.values()) {
+        for (RenderResult.Auxiliary kind : RenderResult.Auxiliary.values()) {
             assertArrayEquals(
                     expected.auxiliary().get(kind).toArray(),
                     result.auxiliary().get(kind).toArray(),

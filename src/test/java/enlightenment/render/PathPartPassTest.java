@@ -20,7 +20,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import enlightenment.render.aov.AuxiliaryPicture;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
@@ -41,15 +40,13 @@ class PathPartPassTest {
         return RenderSettings.of(scene)
                 .withSize(SIDE, SIDE)
                 .withThreads(2)
-                .withBudget(Budget.NONE.withSamples(samples));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
     }
 
     private static RenderResult render(Scene scene, RenderSettings settings) {
         return Renderer.render(RenderRequest.of(scene, settings)
                 .withAuxiliary(
-                        RenderRequest.Auxiliary.ALBEDO,
-                        RenderRequest.Auxiliary.DIRECT,
-                        RenderRequest.Auxiliary.INDIRECT));
+                        RenderResult.Auxiliary.ALBEDO, RenderResult.Auxiliary.DIRECT, RenderResult.Auxiliary.INDIRECT));
     }
 
     private static Scene shipped(String name) {
@@ -62,8 +59,8 @@ class PathPartPassTest {
         Scene scene = shipped(name);
         RenderResult result = render(scene, settings(scene, 3));
         float[] picture = result.image().toArray();
-        float[] direct = result.auxiliary().get(RenderRequest.Auxiliary.DIRECT).toArray();
-        float[] rest = result.auxiliary().get(RenderRequest.Auxiliary.INDIRECT).toArray();
+        float[] direct = result.auxiliary().get(RenderResult.Auxiliary.DIRECT).toArray();
+        float[] rest = result.auxiliary().get(RenderResult.Auxiliary.INDIRECT).toArray();
         for (int i = 0; i < picture.length; i++) {
             assertEquals(picture[i], direct[i] + rest[i], 1e-6f * (picture[i] + 1));
             // Of the same paths, and nothing is negative.
@@ -71,7 +68,7 @@ class PathPartPassTest {
         }
         assertEquals(
                 Color.Encoding.LINEAR,
-                result.auxiliary().get(RenderRequest.Auxiliary.DIRECT).encoding());
+                result.auxiliary().get(RenderResult.Auxiliary.DIRECT).encoding());
     }
 
     /** A ball in the light of a lamp and of the surroundings. */
@@ -96,16 +93,16 @@ class PathPartPassTest {
         RenderResult more = render(ball(9), settings(ball(9), 5));
         assertArrayEquals(
                 one.image().toArray(),
-                more.auxiliary().get(RenderRequest.Auxiliary.DIRECT).toArray());
+                more.auxiliary().get(RenderResult.Auxiliary.DIRECT).toArray());
         assertFalse(Arrays.equals(one.image().toArray(), more.image().toArray()));
-        for (float rest : one.auxiliary().get(RenderRequest.Auxiliary.INDIRECT).toArray()) {
+        for (float rest : one.auxiliary().get(RenderResult.Auxiliary.INDIRECT).toArray()) {
             assertEquals(0, rest);
         }
     }
 
     @Test
     void reflectanceIsTheLinearColorOfWhatIsSeen() {
-        Image albedo = render(ball(9), settings(ball(9), 2)).auxiliary().get(RenderRequest.Auxiliary.ALBEDO);
+        Image albedo = render(ball(9), settings(ball(9), 2)).auxiliary().get(RenderResult.Auxiliary.ALBEDO);
         assertEquals(0.5f, albedo.component(SIDE / 2, SIDE / 2, 0));
         assertEquals(1f, albedo.component(SIDE / 2, SIDE / 2, 1));
         assertEquals(0.25f, albedo.component(SIDE / 2, SIDE / 2, 2));
@@ -116,11 +113,11 @@ class PathPartPassTest {
     void theBytesDependNeitherOnThreadsNorOnTilesNorOnACrop() {
         Scene scene = shipped("lamp-room");
         RenderSettings settings = settings(scene, 2.5);
-        Map<RenderRequest.Auxiliary, Image> whole = render(scene, settings).auxiliary();
-        Map<RenderRequest.Auxiliary, Image> otherwise =
+        Map<RenderResult.Auxiliary, Image> whole = render(scene, settings).auxiliary();
+        Map<RenderResult.Auxiliary, Image> otherwise =
                 render(scene, settings.withThreads(3).withTileSize(8)).auxiliary();
         RenderSettings.Crop crop = new RenderSettings.Crop(5, 7, 11, 9);
-        Map<RenderRequest.Auxiliary, Image> part =
+        Map<RenderResult.Auxiliary, Image> part =
                 render(scene, settings.withCrop(crop)).auxiliary();
         whole.forEach((kind, image) -> {
             assertArrayEquals(image.toArray(), otherwise.get(kind).toArray(), kind.word());
@@ -159,14 +156,10 @@ class PathPartPassTest {
         Image grey = new Image(1, 1, new float[] {0.25f, 0.25f, 0.25f}, bright);
         assertEquals(
                 0.5371f,
-                AuxiliaryPicture.of(RenderRequest.Auxiliary.ALBEDO, grey)
-                        .image()
-                        .displayed(0, 0, 0),
+                AuxiliaryPicture.of(RenderResult.Auxiliary.ALBEDO, grey).image().displayed(0, 0, 0),
                 1e-3f);
         assertEquals(
                 1f,
-                AuxiliaryPicture.of(RenderRequest.Auxiliary.DIRECT, grey)
-                        .image()
-                        .displayed(0, 0, 0));
+                AuxiliaryPicture.of(RenderResult.Auxiliary.DIRECT, grey).image().displayed(0, 0, 0));
     }
 }

@@ -10,7 +10,6 @@ import enlightenment.image.Image;
 import enlightenment.method.cluster.PhysicalClusterMethod;
 import enlightenment.render.BlockMeans.Verdict;
 import enlightenment.sampling.RunningStatistics;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
@@ -41,7 +40,7 @@ class PhysicalClusterTest {
                 .withMethod(method)
                 .withSize(WIDTH, HEIGHT)
                 .withThreads(2)
-                .withBudget(Budget.NONE.withSamples(samples));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
     }
 
     private static Image image(Scene scene, RenderSettings settings) {
@@ -291,7 +290,7 @@ class PhysicalClusterTest {
     void anErrorThatIsAskedForIsReportedAsKept() {
         Scene scene = ManySeeds.shipped("fire-and-ice-physical");
         RenderSettings settings = settings(scene, Method.CLUSTER, 64)
-                .withBudget(Budget.NONE.withError(0.03).withSamples(256));
+                .withBudget(RenderSettings.Budget.NONE.withError(0.03).withSamples(256));
         RenderResult result = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
         assertTrue(result.report().sampling().errorHigh() <= 0.03);
     }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -43,7 +42,7 @@ class PhysicalErrorTest {
         RenderSettings settings = RenderSettings.of(scene)
                 .withSize(width, height)
                 .withThreads(2)
-                .withBudget(Budget.NONE.withError(error));
+                .withBudget(RenderSettings.Budget.NONE.withError(error));
         List<RenderResult> results = new ArrayList<>();
         for (int seed = 1; seed <= seeds; seed++) {
             results.add(Renderer.render(scene, settings.withSeed(seed), RenderProgress.NONE, () -> false));

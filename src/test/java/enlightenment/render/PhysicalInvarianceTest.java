@@ -10,7 +10,6 @@ import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.physical.InvarianceScenes;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -170,7 +169,7 @@ class PhysicalInvarianceTest {
                 .toList();
         Shading.Physical shading = (Shading.Physical) s.shading();
         Shading brighter = new Shading.Physical(
-                shading.maxBounces(), times(((Background.Constant) shading.background()).radiance(), factor));
+                shading.maxBounces(), times(((Shading.Background.Constant) shading.background()).radiance(), factor));
         return new Scene(
                 s.name(),
                 s.width(),

@@ -11,7 +11,6 @@ import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.math.InvalidValueException;
 import enlightenment.picture.Exposure;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -56,7 +55,7 @@ class PictureInFileTest {
                 .withMethod(method)
                 .withSize(45, 37)
                 .withThreads(2)
-                .withBudget(Budget.NONE.withSamples(samples));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
     }
 
     static Stream<Kind> kinds() {
@@ -145,7 +144,8 @@ class PictureInFileTest {
 
     @Test
     void roundsOfAnErrorAreThoseOfAPictureInMemory() throws IOException {
-        RenderSettings settings = of(FIRE, BuiltInMethod.RAYTRACE, 1).withBudget(Budget.NONE.withError(0.02));
+        RenderSettings settings =
+                of(FIRE, BuiltInMethod.RAYTRACE, 1).withBudget(RenderSettings.Budget.NONE.withError(0.02));
         Kind kind = new Kind("", FIRE, settings);
         assertSame(Renderer.render(RenderRequest.of(FIRE, settings)), Renderer.render(inFile(kind)));
     }

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.ManySeeds.Picture;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
@@ -61,7 +60,7 @@ class PlannerTest {
     private static double[] reference(Scene scene, Method method, int width, int height, double error) {
         Method other = method == Method.CLUSTER ? Method.RAYTRACE : Method.CLUSTER;
         RenderSettings s = settings(scene, other, width, height).withSeed(424242);
-        return doubles(render(scene, s.withBudget(Budget.NONE.withError(error))));
+        return doubles(render(scene, s.withBudget(RenderSettings.Budget.NONE.withError(error))));
     }
 
     @ParameterizedTest
@@ -75,7 +74,8 @@ class PlannerTest {
         double asked = 0.03;
         // A quarter: what the reference errs itself adds 3 % to the distance, on the side of caution.
         double[] truth = reference(scene, method, width, height, asked / 4);
-        RenderSettings s = settings(scene, method, width, height).withBudget(Budget.NONE.withError(asked));
+        RenderSettings s =
+                settings(scene, method, width, height).withBudget(RenderSettings.Budget.NONE.withError(asked));
         int over = 0;
         int runs = 6;
         for (int seed = 0; seed < runs; seed++) {
@@ -104,7 +104,8 @@ class PlannerTest {
     private static void assertNotMisled(String name, double asked, double of, int seeds) {
         Scene scene = ManySeeds.shipped(name);
         double[] truth = reference(scene, Method.CLUSTER, 200, 100, of);
-        RenderSettings s = settings(scene, Method.CLUSTER, 200, 100).withBudget(Budget.NONE.withError(asked));
+        RenderSettings s =
+                settings(scene, Method.CLUSTER, 200, 100).withBudget(RenderSettings.Budget.NONE.withError(asked));
         for (int seed = 0; seed < seeds; seed++) {
             RenderResult p = render(scene, s.withSeed(seed));
             double error = distance(p, truth);
@@ -125,7 +126,8 @@ class PlannerTest {
             Scene scene = ManySeeds.shipped(name);
             double[] truth = reference(scene, method, 200, 100, 0.0005);
             for (double asked : new double[] {0.02, 0.01, 0.005}) {
-                RenderSettings s = settings(scene, method, 200, 100).withBudget(Budget.NONE.withError(asked));
+                RenderSettings s =
+                        settings(scene, method, 200, 100).withBudget(RenderSettings.Budget.NONE.withError(asked));
                 List<Double> ratios = new ArrayList<>();
                 int inside = 0;
                 double samples = 0;
@@ -167,9 +169,9 @@ class PlannerTest {
         assertTrue(failures.isEmpty(), String.join("\n", failures));
     }
 
-    private static void assertReplayed(Method method, int width, int height, List<Budget> budgets) {
+    private static void assertReplayed(Method method, int width, int height, List<RenderSettings.Budget> budgets) {
         Scene scene = ManySeeds.shipped("keyhole");
-        for (Budget budget : budgets) {
+        for (RenderSettings.Budget budget : budgets) {
             RenderSettings s = settings(scene, method, width, height).withBudget(budget);
             RenderResult planned = render(scene, s);
             double samples = planned.report().sampling().plannedSamples();
@@ -182,15 +184,19 @@ class PlannerTest {
     /** Of each method one plan for an error and one for a time, and one for a number that decides before the error. */
     @Test
     void whatWasPlannedMakesTheSamePictureAsANumberOfSamples() {
-        assertReplayed(Method.RAYTRACE, 32, 16, List.of(Budget.NONE.withError(0.04), Budget.NONE.withSeconds(0.05)));
+        assertReplayed(
+                Method.RAYTRACE,
+                32,
+                16,
+                List.of(RenderSettings.Budget.NONE.withError(0.04), RenderSettings.Budget.NONE.withSeconds(0.05)));
         assertReplayed(
                 Method.CLUSTER,
                 32,
                 16,
                 List.of(
-                        Budget.NONE.withError(0.04).withSeconds(5),
-                        Budget.NONE.withSeconds(0.05),
-                        Budget.NONE.withError(1e-5).withSamples(12.341)));
+                        RenderSettings.Budget.NONE.withError(0.04).withSeconds(5),
+                        RenderSettings.Budget.NONE.withSeconds(0.05),
+                        RenderSettings.Budget.NONE.withError(1e-5).withSamples(12.341)));
     }
 
     @ParameterizedTest
@@ -202,11 +208,11 @@ class PlannerTest {
                 64,
                 32,
                 List.of(
-                        Budget.NONE.withError(0.02),
-                        Budget.NONE.withSeconds(0.3),
-                        Budget.NONE.withError(0.02).withSamples(5.5),
-                        Budget.NONE.withError(1e-5).withSamples(12.341),
-                        Budget.NONE.withError(0.04).withSeconds(5)));
+                        RenderSettings.Budget.NONE.withError(0.02),
+                        RenderSettings.Budget.NONE.withSeconds(0.3),
+                        RenderSettings.Budget.NONE.withError(0.02).withSamples(5.5),
+                        RenderSettings.Budget.NONE.withError(1e-5).withSamples(12.341),
+                        RenderSettings.Budget.NONE.withError(0.04).withSeconds(5)));
     }
 
     @ParameterizedTest
@@ -215,7 +221,7 @@ class PlannerTest {
         Scene scene = ManySeeds.shipped("fire-and-ice");
         for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
             RenderSettings s = settings(scene, method, 32, 16)
-                    .withBudget(Budget.NONE.withError(1e-7).withSamples(samples));
+                    .withBudget(RenderSettings.Budget.NONE.withError(1e-7).withSamples(samples));
             RenderReport p = render(scene, s).report();
             assertEquals("samples", p.sampling().decidedBy(), method.word());
             assertEquals(samples, p.sampling().plannedSamples(), method.word());
@@ -246,7 +252,7 @@ class PlannerTest {
     private static void assertSurveyedFrom245(String name, double... numbers) {
         Scene scene = ManySeeds.shipped(name);
         for (double samples : numbers) {
-            Budget budget = Budget.NONE.withSamples(samples);
+            RenderSettings.Budget budget = RenderSettings.Budget.NONE.withSamples(samples);
             Picture cluster = ManySeeds.render(
                     scene, settings(scene, Method.CLUSTER, 64, 32).withBudget(budget));
             Picture raytrace = ManySeeds.render(
@@ -270,7 +276,7 @@ class PlannerTest {
     void anErrorThatIsReachedAtOnceTakesTheFewestSamples() {
         Scene scene = ManySeeds.shipped("fire-and-ice");
         for (Method method : BuiltInMethod.rendering(Shading.Model.CLASSIC)) {
-            RenderSettings s = settings(scene, method, 64, 32).withBudget(Budget.NONE.withError(0.9));
+            RenderSettings s = settings(scene, method, 64, 32).withBudget(RenderSettings.Budget.NONE.withError(0.9));
             Picture p = ManySeeds.render(scene, s);
             assertEquals("error", p.sampling().decidedBy(), method.word());
             assertTrue(Arrays.stream(p.counts()).allMatch(n -> n == 1), method.word());
@@ -284,7 +290,7 @@ class PlannerTest {
         Scene scene = ManySeeds.shipped("fire-and-ice");
         RenderSettings s = settings(scene, Method.RAYTRACE, 96, 48).with(new BuiltInMethod.RayTraceSettings(1));
         for (RenderSettings settings : List.of(s, s.withCrop(new RenderSettings.Crop(13, 5, 61, 33)))) {
-            RenderReport report = render(scene, settings.withBudget(Budget.NONE.withSamples(samples)))
+            RenderReport report = render(scene, settings.withBudget(RenderSettings.Budget.NONE.withSamples(samples)))
                     .report();
             assertEquals(samples, report.sampling().plannedSamples());
             // The share of doubled pixels is met within a few pixels.
@@ -304,7 +310,8 @@ class PlannerTest {
     @Test
     void whatIsPlannedForAnErrorOrATimeIsSpent() {
         Scene scene = ManySeeds.shipped("glass");
-        for (Budget budget : List.of(Budget.NONE.withError(0.02), Budget.NONE.withSeconds(0.15))) {
+        for (RenderSettings.Budget budget :
+                List.of(RenderSettings.Budget.NONE.withError(0.02), RenderSettings.Budget.NONE.withSeconds(0.15))) {
             RenderReport.Sampling sampling = render(
                             scene, settings(scene, Method.RAYTRACE, 160, 80).withBudget(budget))
                     .report()
@@ -317,7 +324,8 @@ class PlannerTest {
     @CsvSource({"fire-and-ice, 4", "keyhole, 30"})
     void clusterTakesAboutTheSamplesThatItMayTake(String name, double samples) {
         Scene scene = ManySeeds.shipped(name);
-        RenderSettings s = settings(scene, Method.CLUSTER, 96, 48).withBudget(Budget.NONE.withSamples(samples));
+        RenderSettings s =
+                settings(scene, Method.CLUSTER, 96, 48).withBudget(RenderSettings.Budget.NONE.withSamples(samples));
         double taken = ManySeeds.render(scene, s).sampling().samplesPerPixel();
         // All 72 blocks were surveyed to plan it, but with other samples; and where clusters learn they take more
         // survey

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -25,7 +24,7 @@ class PreparedRenderTest {
                 .withMethod(method)
                 .withSize(24, 12)
                 .withThreads(1)
-                .withBudget(Budget.NONE.withSamples(1));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(1));
     }
 
     private static Film film() {
@@ -42,10 +41,10 @@ class PreparedRenderTest {
     void picturesAreThoseOfRendersThatPrepareTheScene(String word) {
         Film film = film();
         RenderSettings first = settings(Method.named(word));
-        MethodChoice prepared = film.prepare(SCENE, first, () -> false);
+        RenderRequest.MethodChoice prepared = film.prepare(SCENE, first, () -> false);
         RenderSettings[] all = {
             first.withSeed(7),
-            first.withBudget(Budget.NONE.withSamples(3)),
+            first.withBudget(RenderSettings.Budget.NONE.withSamples(3)),
             first.withCrop(new RenderSettings.Crop(5, 3, 4, 4))
         };
         for (RenderSettings settings : all) {
@@ -72,7 +71,7 @@ class PreparedRenderTest {
     @Test
     void anotherSizeIsRefused() {
         RenderSettings settings = settings(RenderSettings.of(SCENE).method());
-        MethodChoice prepared = film().prepare(SCENE, settings, () -> false);
+        RenderRequest.MethodChoice prepared = film().prepare(SCENE, settings, () -> false);
         IllegalArgumentException e =
                 assertThrows(IllegalArgumentException.class, () -> prepared.with(settings.withSize(12, 24)));
         assertEquals("prepared for 24x12 pixels, not for 12x24", e.getMessage());

@@ -13,7 +13,6 @@ import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
@@ -33,8 +32,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class RenderRequestTest {
-    private static final Set<RenderRequest.Auxiliary> ALL =
-            EnumSet.range(RenderRequest.Auxiliary.ERROR, RenderRequest.Auxiliary.OBJECT);
+    private static final Set<RenderResult.Auxiliary> ALL =
+            EnumSet.range(RenderResult.Auxiliary.ERROR, RenderResult.Auxiliary.OBJECT);
     private static final Scene SMALL = TestScenes.whiteFireAndIce()
             .size(80, 40)
             .shading(new Shading.Classic(0.1, 0.5, new DisplayRgb(0.5, 0.5, 0.5), 10))
@@ -62,26 +61,26 @@ class RenderRequestTest {
                 Renderer.render(RenderRequest.of(scene, RenderSettings.of(scene).withAntialias(1))
                         .withAuxiliary(ALL));
         // The picture's middle is the middle of a pixel: there the ball is met after 5 - 1.
-        assertEquals(4, result.auxiliary().get(RenderRequest.Auxiliary.DEPTH).component(20, 10, 0));
-        Image normal = result.auxiliary().get(RenderRequest.Auxiliary.NORMAL);
+        assertEquals(4, result.auxiliary().get(RenderResult.Auxiliary.DEPTH).component(20, 10, 0));
+        Image normal = result.auxiliary().get(RenderResult.Auxiliary.NORMAL);
         assertEquals(0, normal.component(20, 10, 0), 1e-15);
         assertEquals(0, normal.component(20, 10, 1), 1e-15);
         assertEquals(-1, normal.component(20, 10, 2));
-        Image position = result.auxiliary().get(RenderRequest.Auxiliary.POSITION);
+        Image position = result.auxiliary().get(RenderResult.Auxiliary.POSITION);
         assertArrayEquals(new float[] {10, 20, 34}, pixel(position, 20, 10), 1e-6f);
         assertArrayEquals(new float[3], pixel(position, 0, 0));
-        Image object = result.auxiliary().get(RenderRequest.Auxiliary.OBJECT);
+        Image object = result.auxiliary().get(RenderResult.Auxiliary.OBJECT);
         assertEquals(1, object.component(20, 10, 0));
         // In the corner there is nothing.
         assertEquals(
                 Float.POSITIVE_INFINITY,
-                result.auxiliary().get(RenderRequest.Auxiliary.DEPTH).component(0, 0, 1));
+                result.auxiliary().get(RenderResult.Auxiliary.DEPTH).component(0, 0, 1));
         assertEquals(-1, object.component(0, 0, 2));
         assertEquals(0, normal.component(0, 0, 2));
         // The light stands at x/z = 0.3; the picture is 2 tan 20 degrees high for 21 pixels. It counts as object 2.
         int column = (int) (20.5 + 0.3 / (2 * Math.tan(Math.toRadians(20))) * 21);
         assertEquals(2, object.component(column, 10, 0));
-        float depth = result.auxiliary().get(RenderRequest.Auxiliary.DEPTH).component(column, 10, 0);
+        float depth = result.auxiliary().get(RenderResult.Auxiliary.DEPTH).component(column, 10, 0);
         assertEquals(Math.sqrt(109) - 0.5, depth, 0.1);
     }
 
@@ -94,17 +93,14 @@ class RenderRequestTest {
     void positionsLieOnWhatIsSeen() {
         RenderResult result = Renderer.render(RenderRequest.of(ballAndLight(), RenderSettings.of(ballAndLight()))
                 .withAuxiliary(
-                        RenderRequest.Auxiliary.POSITION,
-                        RenderRequest.Auxiliary.DEPTH,
-                        RenderRequest.Auxiliary.OBJECT));
+                        RenderResult.Auxiliary.POSITION, RenderResult.Auxiliary.DEPTH, RenderResult.Auxiliary.OBJECT));
         int seen = 0;
         for (int y = 0; y < 21; y++) {
             for (int x = 0; x < 41; x++) {
-                if (result.auxiliary().get(RenderRequest.Auxiliary.OBJECT).component(x, y, 0) == 1) {
-                    float[] p = pixel(result.auxiliary().get(RenderRequest.Auxiliary.POSITION), x, y);
-                    float depth = result.auxiliary()
-                            .get(RenderRequest.Auxiliary.DEPTH)
-                            .component(x, y, 0);
+                if (result.auxiliary().get(RenderResult.Auxiliary.OBJECT).component(x, y, 0) == 1) {
+                    float[] p = pixel(result.auxiliary().get(RenderResult.Auxiliary.POSITION), x, y);
+                    float depth =
+                            result.auxiliary().get(RenderResult.Auxiliary.DEPTH).component(x, y, 0);
                     assertEquals(1, distance(p, 10, 20, 35), 1e-5);
                     assertEquals(depth, distance(p, 10, 20, 30), 1e-5);
                     seen++;
@@ -127,25 +123,24 @@ class RenderRequestTest {
                 .build();
         RenderResult result = Renderer.render(
                 RenderRequest.of(scene, RenderSettings.of(scene)).withAuxiliary(ALL));
-        assertEquals(-1, result.auxiliary().get(RenderRequest.Auxiliary.NORMAL).component(1, 1, 2));
+        assertEquals(-1, result.auxiliary().get(RenderResult.Auxiliary.NORMAL).component(1, 1, 2));
         for (int x = 0; x < 3; x++) {
             // Along each ray the same: it is no depth along the axis.
-            assertEquals(
-                    7, result.auxiliary().get(RenderRequest.Auxiliary.DEPTH).component(x, 0, 0), 1e-6);
+            assertEquals(7, result.auxiliary().get(RenderResult.Auxiliary.DEPTH).component(x, 0, 0), 1e-6);
         }
     }
 
     @ParameterizedTest
     @ClassicMethods
     void countsAndErrorsAgreeWithTheReport(Method method) {
-        RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(12));
+        RenderSettings settings = QUICK.withMethod(method).withBudget(RenderSettings.Budget.NONE.withSamples(12));
         RenderResult result = Renderer.render(RenderRequest.of(SMALL, settings)
-                .withAuxiliary(Set.of(RenderRequest.Auxiliary.ERROR, RenderRequest.Auxiliary.SAMPLES)));
+                .withAuxiliary(Set.of(RenderResult.Auxiliary.ERROR, RenderResult.Auxiliary.SAMPLES)));
         assertEquals(
-                Set.of(RenderRequest.Auxiliary.ERROR, RenderRequest.Auxiliary.SAMPLES),
+                Set.of(RenderResult.Auxiliary.ERROR, RenderResult.Auxiliary.SAMPLES),
                 result.auxiliary().keySet());
-        Image counts = result.auxiliary().get(RenderRequest.Auxiliary.SAMPLES);
-        Image errors = result.auxiliary().get(RenderRequest.Auxiliary.ERROR);
+        Image counts = result.auxiliary().get(RenderResult.Auxiliary.SAMPLES);
+        Image errors = result.auxiliary().get(RenderResult.Auxiliary.ERROR);
         double sum = 0;
         double squares = 0;
         for (int y = 0; y < 40; y++) {
@@ -241,10 +236,10 @@ class RenderRequestTest {
         assertEquals(0, result.report().pixels());
         assertEquals(3200, result.shownPixels());
         assertTrue(result.image().component(40, 20, 0) > 0);
-        assertEquals(0, result.auxiliary().get(RenderRequest.Auxiliary.SAMPLES).component(40, 20, 0));
+        assertEquals(0, result.auxiliary().get(RenderResult.Auxiliary.SAMPLES).component(40, 20, 0));
         assertEquals(
                 Float.POSITIVE_INFINITY,
-                result.auxiliary().get(RenderRequest.Auxiliary.ERROR).component(40, 20, 0));
+                result.auxiliary().get(RenderResult.Auxiliary.ERROR).component(40, 20, 0));
     }
 
     @ParameterizedTest
@@ -252,23 +247,24 @@ class RenderRequestTest {
     void aTimeBecomesANumberOfSamplesThatMakesTheSamePicture(Method method) {
         RenderSettings settings = QUICK.withMethod(method).with(new BuiltInMethod.RayTraceSettings(1));
         AtomicReference<String> told = new AtomicReference<>();
-        RenderResult timed = Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withSeconds(0.5)))
-                .withProgress(new RenderProgress() {
-                    @Override
-                    public void progress(long done, long total, java.util.function.Supplier<Image> soFar) {}
+        RenderResult timed = Renderer.render(
+                RenderRequest.of(SMALL, settings.withBudget(RenderSettings.Budget.NONE.withSeconds(0.5)))
+                        .withProgress(new RenderProgress() {
+                            @Override
+                            public void progress(long done, long total, java.util.function.Supplier<Image> soFar) {}
 
-                    @Override
-                    public void planned(double samples, String decidedBy) {
-                        assertEquals(null, told.getAndSet(samples + " " + decidedBy));
-                    }
-                }));
+                            @Override
+                            public void planned(double samples, String decidedBy) {
+                                assertEquals(null, told.getAndSet(samples + " " + decidedBy));
+                            }
+                        }));
         double samples = timed.report().sampling().plannedSamples();
         assertEquals(samples + " time", told.get());
         // Three digits, give or take what a decimal fraction is in binary.
         double scaled = samples * Math.pow(10, 2 - Math.floor(Math.log10(samples)));
         assertEquals(Math.rint(scaled), scaled, 1e-6);
-        RenderResult again =
-                Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withSamples(samples))));
+        RenderResult again = Renderer.render(
+                RenderRequest.of(SMALL, settings.withBudget(RenderSettings.Budget.NONE.withSamples(samples))));
         assertArrayEquals(again.image().toArray(), timed.image().toArray());
         // Work, not time by the clock, which depends on what else the machine does: docs/notes/benchmarks.md measures
         // that. The
@@ -285,7 +281,8 @@ class RenderRequestTest {
     @ClassicMethods
     void theFirstPassCostsTheSameWhateverIsAskedFor(Method method) {
         AtomicBoolean stop = new AtomicBoolean();
-        RenderSettings settings = QUICK.withMethod(method).withBudget(Budget.NONE.withSamples(Budget.MAX_SAMPLES));
+        RenderSettings settings = QUICK.withMethod(method)
+                .withBudget(RenderSettings.Budget.NONE.withSamples(RenderSettings.Budget.MAX_SAMPLES));
         RenderResult result = Renderer.render(RenderRequest.of(SMALL, settings)
                 .withProgressive(true)
                 .withCancelled(stop::get)
@@ -297,11 +294,14 @@ class RenderRequestTest {
     @Test
     void anErrorThatWasAskedForIsMetOrSaidNotToBe() {
         RenderSettings settings = QUICK.withMethod(Method.CLUSTER);
-        RenderReport met = Renderer.render(RenderRequest.of(SMALL, settings.withBudget(Budget.NONE.withError(0.05))))
+        RenderReport met = Renderer.render(
+                        RenderRequest.of(SMALL, settings.withBudget(RenderSettings.Budget.NONE.withError(0.05))))
                 .report();
         assertTrue(met.isErrorMet(), met.sampling().toString());
         RenderReport few = Renderer.render(RenderRequest.of(
-                        SMALL, settings.withBudget(Budget.NONE.withError(0.001).withSamples(3))))
+                        SMALL,
+                        settings.withBudget(
+                                RenderSettings.Budget.NONE.withError(0.001).withSamples(3))))
                 .report();
         assertFalse(few.isErrorMet());
         assertEquals("samples", few.sampling().decidedBy());

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.render.ManySeeds.Picture;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -36,11 +35,12 @@ class SpentSamplesTest {
 
     private static Picture render(Scene scene, RenderSettings settings, double samples) {
         return ManySeeds.render(
-                scene, settings.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(samples)));
+                scene, settings.withMethod(Method.CLUSTER).withBudget(RenderSettings.Budget.NONE.withSamples(samples)));
     }
 
     private static double spent(Scene scene, RenderSettings settings, double samples) {
-        RenderSettings asked = settings.withMethod(Method.CLUSTER).withBudget(Budget.NONE.withSamples(samples));
+        RenderSettings asked =
+                settings.withMethod(Method.CLUSTER).withBudget(RenderSettings.Budget.NONE.withSamples(samples));
         return ManySeeds.sampling(scene, asked).samplesPerPixel() / samples;
     }
 

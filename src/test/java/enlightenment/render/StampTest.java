@@ -18,7 +18,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.picture.Rounding;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ClassicMethods;
 import enlightenment.scene.Method;
@@ -159,7 +158,8 @@ class StampTest {
         double asked = 0.006;
         List<String> all = new ArrayList<>();
         for (int seed = 0; seed < seeds; seed++) {
-            RenderResult result = render(settings(method).withSeed(seed).withBudget(Budget.NONE.withError(asked)));
+            RenderResult result =
+                    render(settings(method).withSeed(seed).withBudget(RenderSettings.Budget.NONE.withError(asked)));
             double error = distance(result.image(), truth);
             over += error > asked ? 1 : 0;
             RenderReport.Sampling sampling = result.report().sampling();
@@ -188,8 +188,10 @@ class StampTest {
     private static void severalRounds(Method method, int seeds) {
         int again = 0;
         for (int seed = 0; seed < seeds; seed++) {
-            RenderSettings settings =
-                    settings(method).withCrop(CROP).withSeed(seed).withBudget(Budget.NONE.withError(0.02));
+            RenderSettings settings = settings(method)
+                    .withCrop(CROP)
+                    .withSeed(seed)
+                    .withBudget(RenderSettings.Budget.NONE.withError(0.02));
             RenderResult rounds = render(settings);
             RenderReport.Sampling sampling = rounds.report().sampling();
             again += sampling.rounds() > 1 ? 1 : 0;
@@ -210,7 +212,8 @@ class StampTest {
 
     @Test
     void theTilesOfARenderAreMadeAgainAsOneProcessDoes() {
-        RenderSettings settings = settings(Method.RAYTRACE).withCrop(CROP).withBudget(Budget.NONE.withError(0.02));
+        RenderSettings settings =
+                settings(Method.RAYTRACE).withCrop(CROP).withBudget(RenderSettings.Budget.NONE.withError(0.02));
         RenderResult alone = render(settings);
         DividedRender tiled = DividedRender.prepare(SCENE, settings, () -> false);
         Rendered result = made(tiled);
@@ -238,7 +241,8 @@ class StampTest {
     /** What was finished is not lost if the next round is stopped. */
     @Test
     void aRoundThatIsStoppedLeavesThePictureBeforeIt() {
-        RenderSettings settings = settings(Method.RAYTRACE).withCrop(CROP).withBudget(Budget.NONE.withError(0.02));
+        RenderSettings settings =
+                settings(Method.RAYTRACE).withCrop(CROP).withBudget(RenderSettings.Budget.NONE.withError(0.02));
         int[] plans = new int[1];
         double[] samples = new double[1];
         RenderProgress count = new RenderProgress() {
@@ -257,20 +261,20 @@ class StampTest {
         assertTrue(result.complete());
         assertFalse(result.report().isErrorMet());
         assertEquals(samples[0], result.report().sampling().plannedSamples());
-        RenderResult once = render(settings.withBudget(Budget.NONE.withSamples(samples[0])));
+        RenderResult once = render(settings.withBudget(RenderSettings.Budget.NONE.withSamples(samples[0])));
         assertArrayEquals(once.image().toArray(), result.image().toArray());
     }
 
     @Test
     void limitsEndItAndItIsNotMet() {
-        RenderSettings settings =
-                settings(Method.RAYTRACE).withBudget(Budget.NONE.withError(1e-5).withSamples(6.5));
+        RenderSettings settings = settings(Method.RAYTRACE)
+                .withBudget(RenderSettings.Budget.NONE.withError(1e-5).withSamples(6.5));
         RenderReport report = render(settings).report();
         assertFalse(report.isErrorMet());
         assertEquals(6.5, report.sampling().plannedSamples());
         assertEquals("samples", report.sampling().decidedBy());
-        RenderReport timed = render(
-                        settings.withBudget(Budget.NONE.withError(1e-5).withSeconds(1e-9)))
+        RenderReport timed = render(settings.withBudget(
+                        RenderSettings.Budget.NONE.withError(1e-5).withSeconds(1e-9)))
                 .report();
         assertFalse(timed.isErrorMet());
         assertEquals(1, timed.sampling().plannedSamples());
@@ -284,8 +288,10 @@ class StampTest {
         Image truth = truth(CROP);
         double asked = 0.02;
         for (int seed = 0; seed < 3; seed++) {
-            RenderSettings settings =
-                    settings(method).withSeed(seed).withCrop(CROP).withBudget(Budget.NONE.withError(asked));
+            RenderSettings settings = settings(method)
+                    .withSeed(seed)
+                    .withCrop(CROP)
+                    .withBudget(RenderSettings.Budget.NONE.withError(asked));
             RenderResult result = render(settings);
             assertTrue(result.report().isErrorMet());
             double error = distance(result.image(), truth);
@@ -310,10 +316,12 @@ class StampTest {
         RenderSettings settings = RenderSettings.of(scene)
                 .with(new BuiltInMethod.RayTraceSettings(4))
                 .withThreads(2);
-        Image truth = Renderer.render(scene, settings.withSeed(77).withBudget(Budget.NONE.withSamples(512)));
+        Image truth =
+                Renderer.render(scene, settings.withSeed(77).withBudget(RenderSettings.Budget.NONE.withSamples(512)));
         double asked = 0.004;
         RenderResult result = Renderer.render(RenderRequest.of(
-                scene, settings.withBudget(Budget.NONE.withError(asked).withDepth(8))));
+                scene,
+                settings.withBudget(RenderSettings.Budget.NONE.withError(asked).withDepth(8))));
         RenderReport.Sampling sampling = result.report().sampling();
         assertEquals(Rounding.of(result.image(), 8), sampling.rounding());
         assertEquals(1 / (255 * Math.sqrt(12)), sampling.rounding(), 3e-4);

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayRgb;
 import enlightenment.image.Image;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -79,7 +78,7 @@ class WatchedRequestTest {
     @CsvSource({"RAYTRACE,1", "RAYTRACE,16", "RAYTRACE,100", "CLUSTER,4", "METROPOLIS,4"})
     void everyPictureFromTheFirstOnIsWholeAndTheLastIsThatOfAnUnwatchedRender(BuiltInMethod method, double samples) {
         RenderSettings settings = QUICK.withMethod(method)
-                .withBudget(Budget.NONE.withSamples(samples))
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples))
                 .withCrop(new RenderSettings.Crop(3, 5, 61, 30));
         RenderResult plain = Renderer.render(RenderRequest.of(SMALL, settings));
         Looking looking = new Looking();
@@ -113,8 +112,10 @@ class WatchedRequestTest {
     @ValueSource(strings = {"caustics.json", "glass-physical.json", "cornell-box.json"})
     void physicalPicturesHaveTheSameBitsToo(String name) throws Exception {
         Scene scene = SceneReader.read(Path.of("scenes", name));
-        RenderSettings settings =
-                RenderSettings.of(scene).withSize(40, 24).withThreads(2).withBudget(Budget.NONE.withSamples(5));
+        RenderSettings settings = RenderSettings.of(scene)
+                .withSize(40, 24)
+                .withThreads(2)
+                .withBudget(RenderSettings.Budget.NONE.withSamples(5));
         Looking looking = new Looking();
         RenderResult watched = Renderer.render(
                 RenderRequest.of(scene, settings).withWatched(true).withProgress(looking));
@@ -151,7 +152,7 @@ class WatchedRequestTest {
     @Test
     void aPictureWithAnErrorIsWholeInEveryRound() {
         Looking looking = new Looking();
-        RenderSettings settings = QUICK.withBudget(Budget.NONE.withError(0.01));
+        RenderSettings settings = QUICK.withBudget(RenderSettings.Budget.NONE.withError(0.01));
         RenderResult result = Renderer.render(
                 RenderRequest.of(SMALL, settings).withWatched(true).withProgress(looking));
         assertTrue(result.report().isErrorMet());

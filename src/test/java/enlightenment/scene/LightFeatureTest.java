@@ -44,7 +44,7 @@ class LightFeatureTest {
         return scene(Shading.Physical.DEFAULT);
     }
 
-    private static Shading.Physical in(Background background, Optional<Medium> medium) {
+    private static Shading.Physical in(Shading.Background background, Optional<Medium> medium) {
         return new Shading.Physical(OptionalInt.empty(), background, medium);
     }
 
@@ -80,8 +80,8 @@ class LightFeatureTest {
                         "/shading/medium",
                         Shading.LightFeature.SURROUNDINGS,
                         "/shading/background"),
-                Shading.LightFeature.of(
-                        scene(in(Background.Sky.of(30, 0), Optional.of(MILK))).build()));
+                Shading.LightFeature.of(scene(in(Shading.Background.Sky.of(30, 0), Optional.of(MILK)))
+                        .build()));
     }
 
     @Test
@@ -98,7 +98,7 @@ class LightFeatureTest {
                         scene(Shading.Classic.DEFAULT).object(BALL, PRISM).build()));
         assertEquals(
                 Map.of(),
-                Shading.LightFeature.of(scene(in(new Background.Constant(Rgb.WHITE), Optional.empty()))
+                Shading.LightFeature.of(scene(in(new Shading.Background.Constant(Rgb.WHITE), Optional.empty()))
                         .build()));
     }
 

@@ -77,7 +77,7 @@ class NamedFaultsTest {
         fails(
                 "radiance: times the light's colour must be at most 1e100",
                 () -> new Light.Sphere(O, 1, Rgb.gray(2), Emission.radiance(Rgb.gray(1e100))));
-        fails("radiance: must be at most 1e100", () -> new Background.Constant(new Rgb(0, 1.5e100, 0)));
+        fails("radiance: must be at most 1e100", () -> new Shading.Background.Constant(new Rgb(0, 1.5e100, 0)));
         fails("ultraviolet: must be at most 1e100", () -> Emission.RADIANCE_1.withUltraviolet(2e100));
         fails(
                 "color: reflects more than it receives: no component of a surface's colour may be above 1, as 1.25 is",
@@ -88,7 +88,9 @@ class NamedFaultsTest {
         fails("roughness: must lie in 0.0..1.0, not 2.0", () -> Material.Matte.of(WHITE)
                 .withRoughness(2));
         fails("eta: must be a number greater than 0, not 0.0", () -> new Glossy.Conductor(Rgb.BLACK, Rgb.WHITE));
-        fails("exposure: must lie in -1000.0..1000.0, not NaN", () -> new Display(Double.NaN, DisplayCurve.Tone.CLIP));
+        fails(
+                "exposure: must lie in -1000.0..1000.0, not NaN",
+                () -> new Scene.Display(Double.NaN, DisplayCurve.Tone.CLIP));
         fails("ambient: must lie in 0.0..1.0, not 3.0", () -> new Shading.Classic(3, 0, DisplayRgb.BLACK, 1));
         fails("g: must lie in 0.0..1.0, not 255.0", () -> DisplayRgb.of(0, 255, 0));
         fails("y: must be a finite number, not Infinity", () -> ExactPoint.of(0, 1 / 0.0, 0));
@@ -117,7 +119,9 @@ class NamedFaultsTest {
         RenderSettings s = RenderSettings.of(scene);
         fails("threads: must lie in 1..4096, not 0", () -> s.withThreads(0));
         fails("antialias: must lie in 1..256, not 0", () -> s.withAntialias(0));
-        fails("samples: must lie in 1..16777216, not 0.5", () -> s.withBudget(Budget.NONE.withSamples(0.5)));
+        fails(
+                "samples: must lie in 1..16777216, not 0.5",
+                () -> s.withBudget(RenderSettings.Budget.NONE.withSamples(0.5)));
         fails(
                 "method: must be one of " + Method.words(Method.selectable()) + ", not \"magic\"",
                 () -> Method.named("magic"));

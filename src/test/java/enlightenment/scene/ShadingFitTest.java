@@ -15,15 +15,11 @@ import enlightenment.geometry.Disk;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Torus;
-import enlightenment.material.Amount;
-import enlightenment.material.Bump;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
@@ -86,8 +82,8 @@ class ShadingFitTest {
     @Test
     void aViewFromInfinitelyFarIsRefusedWhereAMediumHasNoEnd() {
         Medium medium = Medium.Coefficients.of(Rgb.BLACK, Rgb.WHITE);
-        Shading fog =
-                new Shading.Physical(OptionalInt.empty(), new Background.Constant(Rgb.BLACK), Optional.of(medium));
+        Shading fog = new Shading.Physical(
+                OptionalInt.empty(), new Shading.Background.Constant(Rgb.BLACK), Optional.of(medium));
         InvalidValueException e = refused(scene(fog));
         assertEquals("camera/type", e.key());
         assertTrue(e.problem().startsWith("must not be \"isometric\""), e.problem());
@@ -127,7 +123,7 @@ class ShadingFitTest {
         Material fog = Material.Scattering.of(Medium.Coefficients.of(Rgb.WHITE, Rgb.BLACK));
         Cylinder tube = new Cylinder(ExactPoint.ORIGIN, ExactPoint.of(0, 1, 0), 0.5, false);
         Texture checks = new Texture.Checker(List.of(Rgb.BLACK, Rgb.gray(0.5)), 2);
-        Material frosted = Glass.of(WHITE, 1.5).withRoughness(Amount.of(checks));
+        Material frosted = Glass.of(WHITE, 1.5).withRoughness(Texture.Amount.of(checks));
         for (Material material : new Material[] {rough, fog, frosted}) {
             InvalidValueException e = refused(
                     scene(Shading.Physical.DEFAULT).object(BALL, material).object(tube, material));
@@ -163,9 +159,9 @@ class ShadingFitTest {
 
     @Test
     void reliefIsRefusedWhereDirectionsOfTexturesAreUnknown() {
-        Material normals = new NormalMap(Material.Matte.of(WHITE), Texture.of(new Rgb(0.5, 0.5, 1)));
-        Material bump = new Bump(Material.Matte.of(WHITE), HEIGHTS, 0.5);
-        Material inside = new Mix(BRASS, new Mask(bump, WHITE), WHITE);
+        Material normals = new Composite.NormalMap(Material.Matte.of(WHITE), Texture.of(new Rgb(0.5, 0.5, 1)));
+        Material bump = new Composite.Bump(Material.Matte.of(WHITE), HEIGHTS, 0.5);
+        Material inside = new Composite.Mix(BRASS, new Composite.Mask(bump, WHITE), WHITE);
         Cube cube = new Cube(ExactPoint.ORIGIN, 1, Vec3.ZERO);
         List<Shape> unknown = List.of(
                 new Disk(ExactPoint.ORIGIN, Vec3.Y, 1),
@@ -189,7 +185,7 @@ class ShadingFitTest {
         assertEquals(
                 "objects/0/faces/2",
                 refused(scene(Shading.Physical.DEFAULT).object(faces)).key());
-        Material holes = new Mask(BRASS, WHITE);
+        Material holes = new Composite.Mask(BRASS, WHITE);
         unknown.forEach(
                 shape -> scene(Shading.Physical.DEFAULT).object(shape, holes).build());
     }
@@ -199,23 +195,27 @@ class ShadingFitTest {
         Material white = Material.Matte.of(WHITE);
         Texture checks = new Texture.Checker(List.of(DisplayRgb.WHITE, DisplayRgb.BLACK), 2);
         for (Texture map : List.of(WHITE, checks)) {
-            InvalidValueException e = assertThrows(InvalidValueException.class, () -> new Bump(white, map, 1));
+            InvalidValueException e =
+                    assertThrows(InvalidValueException.class, () -> new Composite.Bump(white, map, 1));
             assertEquals("map", e.key());
             assertEquals("must be a texture that is a file: no other has slopes", e.problem());
         }
         Texture colors = new Texture.File(Path.of("n.png"), Texture.Filter.BILINEAR, Texture.Encoding.SRGB);
-        InvalidValueException e = assertThrows(InvalidValueException.class, () -> new NormalMap(white, colors));
+        InvalidValueException e =
+                assertThrows(InvalidValueException.class, () -> new Composite.NormalMap(white, colors));
         assertEquals("map", e.key());
         assertTrue(e.problem().startsWith("must be a texture with \"encoding\": \"linear\""), e.problem());
     }
 
     @Test
     void partsOfMaterialsAreLookedAtToo() {
-        InvalidValueException e = refused(scene(Shading.Physical.DEFAULT).object(BALL, new Mix(BRASS, SKY, WHITE)));
+        InvalidValueException e =
+                refused(scene(Shading.Physical.DEFAULT).object(BALL, new Composite.Mix(BRASS, SKY, WHITE)));
         assertEquals("objects/0/material/materials/1/receivesShadows", e.key());
         assertEquals(
                 "objects/0/material/type",
-                refused(scene(Shading.Classic.DEFAULT).object(BALL, new Mask(Material.Matte.of(WHITE), WHITE)))
+                refused(scene(Shading.Classic.DEFAULT)
+                                .object(BALL, new Composite.Mask(Material.Matte.of(WHITE), WHITE)))
                         .key());
     }
 

@@ -8,7 +8,6 @@ import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -22,7 +21,7 @@ class EyeVisibilityTest {
         RenderSettings settings = RenderSettings.of(BALLS)
                 .withMethod(Method.named(EyeVisibility.WORD))
                 .withSeed(seed)
-                .withBudget(Budget.NONE.withSamples(samples));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(samples));
         return Renderer.render(RenderRequest.of(BALLS, settings));
     }
 

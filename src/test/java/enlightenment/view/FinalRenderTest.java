@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.image.ImageFormat;
 import enlightenment.listen.ServerLog;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -88,7 +87,8 @@ class FinalRenderTest {
         assertEquals(30, status.get("width").asInt());
         assertEquals(1, status.get("done").asDouble());
         Scene scene = SceneReader.read(file);
-        RenderSettings settings = RenderSettings.of(scene).withSize(30, 20).withBudget(Budget.NONE.withSamples(3));
+        RenderSettings settings =
+                RenderSettings.of(scene).withSize(30, 20).withBudget(RenderSettings.Budget.NONE.withSamples(3));
         for (ImageFormat format : BackgroundRender.FORMATS) {
             String name = "render." + format.extensions().get(0);
             assertArrayEquals(
@@ -110,7 +110,7 @@ class FinalRenderTest {
                         .replace("\"shading\"", "\"display\": { \"exposure\": -2 }, \"shading\""));
         Scene scene = SceneReader.read(seen, 2);
         assertEquals(2, scene.instants().size());
-        RenderSettings settings = RenderSettings.of(scene).withBudget(Budget.NONE.withSamples(2));
+        RenderSettings settings = RenderSettings.of(scene).withBudget(RenderSettings.Budget.NONE.withSamples(2));
         assertArrayEquals(
                 expected(scene, settings, ImageFormat.PNG),
                 client.get("render.png", "").body());
@@ -141,7 +141,7 @@ class FinalRenderTest {
         Scene scene = SceneReader.read(file);
         RenderSettings settings = RenderSettings.of(scene)
                 .withMethod(Method.named("bidirectional"))
-                .withBudget(Budget.NONE.withSamples(2));
+                .withBudget(RenderSettings.Budget.NONE.withSamples(2));
         assertArrayEquals(
                 expected(scene, settings, ImageFormat.PNG),
                 client.get("render.png", "").body());
@@ -154,7 +154,8 @@ class FinalRenderTest {
         String notes = client.awaitRender("done").get("notes").toString();
         assertFalse(notes.contains("more than asked"), notes);
         Scene scene = SceneReader.read(file);
-        Budget budget = Budget.NONE.withError(0.05).withDepth(8);
+        RenderSettings.Budget budget =
+                RenderSettings.Budget.NONE.withError(0.05).withDepth(8);
         assertArrayEquals(
                 expected(scene, RenderSettings.of(scene).withBudget(budget), ImageFormat.PNG),
                 client.get("render.png", "").body());

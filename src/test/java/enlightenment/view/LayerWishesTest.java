@@ -2,7 +2,7 @@ package enlightenment.view;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import java.util.EnumSet;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
@@ -18,9 +18,9 @@ class LayerWishesTest {
         wishes.add(Layer.DEPTH);
         clock.addAndGet(LayerWishes.WISH_NANOS);
         wishes.add(Layer.DEPTH);
-        assertEquals(EnumSet.of(RenderRequest.Auxiliary.NORMAL, RenderRequest.Auxiliary.DEPTH), wishes.current());
+        assertEquals(EnumSet.of(RenderResult.Auxiliary.NORMAL, RenderResult.Auxiliary.DEPTH), wishes.current());
         clock.addAndGet(1);
-        assertEquals(Set.of(RenderRequest.Auxiliary.DEPTH), wishes.current());
+        assertEquals(Set.of(RenderResult.Auxiliary.DEPTH), wishes.current());
         wishes.clear();
         assertEquals(Set.of(), wishes.current());
     }
@@ -31,6 +31,6 @@ class LayerWishesTest {
         wishes.add(Layer.MATERIAL);
         wishes.add(Layer.PICTURE);
         wishes.add(Layer.ERROR);
-        assertEquals(Set.of(RenderRequest.Auxiliary.OBJECT), wishes.current());
+        assertEquals(Set.of(RenderResult.Auxiliary.OBJECT), wishes.current());
     }
 }

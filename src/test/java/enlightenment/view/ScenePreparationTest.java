@@ -8,6 +8,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.render.Film;
 import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -98,18 +99,18 @@ class ScenePreparationTest {
 
     @Test
     void layersOfAPreparedSceneAreThoseOfTheScene() {
-        Set<RenderRequest.Auxiliary> kinds = EnumSet.of(
-                RenderRequest.Auxiliary.ALBEDO,
-                RenderRequest.Auxiliary.DEPTH,
-                RenderRequest.Auxiliary.NORMAL,
-                RenderRequest.Auxiliary.OBJECT);
+        Set<RenderResult.Auxiliary> kinds = EnumSet.of(
+                RenderResult.Auxiliary.ALBEDO,
+                RenderResult.Auxiliary.DEPTH,
+                RenderResult.Auxiliary.NORMAL,
+                RenderResult.Auxiliary.OBJECT);
         prepare(shot(1), 1);
-        Map<RenderRequest.Auxiliary, Image> prepared = Renderer.auxiliary(
+        Map<RenderResult.Auxiliary, Image> prepared = Renderer.auxiliary(
                 preparation.request(shot(1), settings(shot(1), 1), () -> false).withAuxiliary(kinds));
-        Map<RenderRequest.Auxiliary, Image> fresh =
+        Map<RenderResult.Auxiliary, Image> fresh =
                 Renderer.auxiliary(RenderRequest.of(scene, settings(shot(1), 1)).withAuxiliary(kinds));
         assertEquals(kinds, prepared.keySet());
-        for (RenderRequest.Auxiliary kind : kinds) {
+        for (RenderResult.Auxiliary kind : kinds) {
             assertArrayEquals(fresh.get(kind).toArray(), prepared.get(kind).toArray(), kind.word());
         }
     }

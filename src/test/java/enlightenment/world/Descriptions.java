@@ -17,15 +17,12 @@ import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Bump;
 import enlightenment.material.Coated;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -133,10 +130,10 @@ public final class Descriptions {
                     Material.Scattering.of(Medium.Colored.of(Rgb.gray(0.5), Rgb.gray(0.25))),
                     new Material.Fluorescent(
                             RED, new Material.WavelengthBand(300, 400), new Material.WavelengthBand(500, 600), 0.5),
-                    new Mix(Material.Matte.of(RED), Material.Mirror.of(RED), Texture.of(Rgb.gray(0.5))),
-                    new Mask(Material.Matte.of(RED), Texture.of(Rgb.gray(0.5))),
-                    new NormalMap(Material.Matte.of(RED), Texture.of(new Rgb(0.5, 0.25, 1))),
-                    new Bump(
+                    new Composite.Mix(Material.Matte.of(RED), Material.Mirror.of(RED), Texture.of(Rgb.gray(0.5))),
+                    new Composite.Mask(Material.Matte.of(RED), Texture.of(Rgb.gray(0.5))),
+                    new Composite.NormalMap(Material.Matte.of(RED), Texture.of(new Rgb(0.5, 0.25, 1))),
+                    new Composite.Bump(
                             Material.Matte.of(RED),
                             new Texture.File(Path.of("texture.png"), Texture.Filter.BILINEAR, Texture.Encoding.LINEAR),
                             0.5)));

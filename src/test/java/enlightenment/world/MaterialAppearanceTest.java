@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Sphere;
-import enlightenment.material.Amount;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
@@ -22,7 +21,8 @@ import org.junit.jupiter.api.Test;
 /** Materials that look different have different texts: what is compared where surfaces touch, and between machines. */
 class MaterialAppearanceTest {
     private static final Texture GREY = Texture.of(Rgb.gray(0.5));
-    private static final Amount CHECKS = Amount.of(new Texture.Checker(List.of(Rgb.gray(0.25), Rgb.gray(0.75)), 2));
+    private static final Texture.Amount CHECKS =
+            Texture.Amount.of(new Texture.Checker(List.of(Rgb.gray(0.25), Rgb.gray(0.75)), 2));
 
     private static String text(Material material) {
         Scene scene = Scene.builder()
@@ -36,13 +36,13 @@ class MaterialAppearanceTest {
                 .appearance();
     }
 
-    private static Principled varnished(Amount roughness, Amount clear) {
+    private static Principled varnished(Texture.Amount roughness, Texture.Amount clear) {
         return Principled.of(GREY, 0, 0).withRoughness(roughness).withClearcoat(new Principled.Clearcoat(0.5, clear));
     }
 
     @Test
     void aTextureOfRoughnessLooksUnlikeThatOfTheClearCoat() {
-        Amount low = Amount.of(0.25);
+        Texture.Amount low = Texture.Amount.of(0.25);
         assertEquals(text(varnished(CHECKS, low)), text(varnished(CHECKS, low)));
         assertNotEquals(text(varnished(CHECKS, low)), text(varnished(low, CHECKS)));
         assertNotEquals(text(varnished(CHECKS, low)), text(varnished(CHECKS, CHECKS)));

@@ -3,7 +3,7 @@ package enlightenment.cli.film;
 import enlightenment.cli.option.CommandFiles;
 import enlightenment.cli.serve.ServingOptions;
 import enlightenment.cli.terminal.Terminal;
-import enlightenment.net.FilmServer;
+import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
 import java.io.IOException;
 import picocli.CommandLine.Mixin;
@@ -40,7 +40,7 @@ final class FilmServing {
     }
 
     /** Tells where the server is. */
-    void announce(FilmServer started, Terminal terminal) throws IOException {
+    void announce(RenderServer.OfFilm started, Terminal terminal) throws IOException {
         serving.announce(started.port(), started.pin(), started.statusPort(), terminal);
     }
 }

@@ -6,7 +6,6 @@ import enlightenment.cli.picture.ViewOption;
 import enlightenment.cli.setting.SettingsLine;
 import enlightenment.cli.terminal.Version;
 import enlightenment.file.ContentHash;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
@@ -33,7 +32,7 @@ final class FrameDigest {
     /** 64 hexadecimal digits. */
     String of(Scene scene, RenderSettings settings) throws IOException {
         DoubleFunction<String> plain = DecimalNumber::plain;
-        Budget budget = settings.budget();
+        RenderSettings.Budget budget = settings.budget();
         String all = String.join(
                 "\n",
                 "version " + Version.number(),

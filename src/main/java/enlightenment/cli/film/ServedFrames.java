@@ -3,7 +3,6 @@ package enlightenment.cli.film;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.math.InvalidValueException;
-import enlightenment.net.FilmServer;
 import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
 import enlightenment.render.Film;
@@ -54,7 +53,7 @@ final class ServedFrames implements FrameMaker {
         if (frames.isEmpty()) {
             return true;
         }
-        try (FilmServer server = FilmServer.start(frames, this::prepared, options, terminal.stop())) {
+        try (RenderServer.OfFilm server = RenderServer.OfFilm.start(frames, this::prepared, options, terminal.stop())) {
             serving.announce(server, terminal);
             boolean areAllThere = server.await(
                     (frame, result) -> listener.written(frame, !writer.write(subjects.get(frame), result)),
@@ -78,7 +77,7 @@ final class ServedFrames implements FrameMaker {
         return Optional.of(audits);
     }
 
-    private FilmServer.Frame prepared(int frame) {
+    private RenderServer.OfFilm.Frame prepared(int frame) {
         current = frame;
         Scene scene = film.scene(frame);
         RenderSettings chosen = settings.of(scene);
@@ -87,6 +86,6 @@ final class ServedFrames implements FrameMaker {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return new FilmServer.Frame(scene, chosen);
+        return new RenderServer.OfFilm.Frame(scene, chosen);
     }
 }

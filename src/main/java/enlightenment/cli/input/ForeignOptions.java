@@ -6,9 +6,9 @@ import enlightenment.cli.option.WordOption;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
-import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportOptions.Orbit;
-import enlightenment.importer.ImportOptions.Up;
+import enlightenment.importer.SceneImporter;
+import enlightenment.importer.SceneImporter.Options.Orbit;
+import enlightenment.importer.SceneImporter.Options.Up;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -48,7 +48,7 @@ public final class ForeignOptions {
             converter = BackdropConverter.class,
             completionCandidates = BackdropWords.class,
             description = "file of another program: what surrounds it: ${COMPLETION-CANDIDATES} or #rrggbb")
-    private ImportOptions.Backdrop background;
+    private SceneImporter.Options.Backdrop background;
 
     @Option(
             names = "--fps",
@@ -74,9 +74,9 @@ public final class ForeignOptions {
     }
 
     /** The choices for the importer. */
-    public ImportOptions options() {
-        ImportOptions usual = ImportOptions.DEFAULT;
-        return new ImportOptions(
+    public SceneImporter.Options options() {
+        SceneImporter.Options usual = SceneImporter.Options.DEFAULT;
+        return new SceneImporter.Options(
                 usual.extracted(),
                 Optional.ofNullable(up),
                 Optional.ofNullable(camera),
@@ -163,20 +163,20 @@ public final class ForeignOptions {
         }
     }
 
-    static final class BackdropConverter implements ITypeConverter<ImportOptions.Backdrop> {
-        private static final Map<String, ImportOptions.Backdrop> NAMED = Map.of(
-                "studio", new ImportOptions.Backdrop.Studio(),
-                "sky", new ImportOptions.Backdrop.Sky(),
-                "white", new ImportOptions.Backdrop.Constant(Rgb.WHITE),
-                "black", new ImportOptions.Backdrop.Constant(Rgb.BLACK));
+    static final class BackdropConverter implements ITypeConverter<SceneImporter.Options.Backdrop> {
+        private static final Map<String, SceneImporter.Options.Backdrop> NAMED = Map.of(
+                "studio", new SceneImporter.Options.Backdrop.Studio(),
+                "sky", new SceneImporter.Options.Backdrop.Sky(),
+                "white", new SceneImporter.Options.Backdrop.Constant(Rgb.WHITE),
+                "black", new SceneImporter.Options.Backdrop.Constant(Rgb.BLACK));
 
         @Override
-        public ImportOptions.Backdrop convert(String text) {
+        public SceneImporter.Options.Backdrop convert(String text) {
             if (NAMED.containsKey(text)) {
                 return NAMED.get(text);
             }
             return DisplayRgb.ofHexadecimal(text)
-                    .map(color -> new ImportOptions.Backdrop.Constant(color.linear()))
+                    .map(color -> new SceneImporter.Options.Backdrop.Constant(color.linear()))
                     .orElseThrow(() -> BadValue.expected("studio, sky, white, black or #rrggbb", text));
         }
     }

@@ -2,7 +2,6 @@ package enlightenment.cli.input;
 
 import enlightenment.cli.terminal.CliException;
 import enlightenment.file.FileFailure;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
@@ -18,7 +17,7 @@ public final class ForeignScene {
      * @throws SceneException if it cannot be used
      * @throws CliException if it cannot be read, which is the user's mistake, as a missing file is
      */
-    public static SceneImporter.Result read(Path file, ImportOptions options) {
+    public static SceneImporter.Result read(Path file, SceneImporter.Options options) {
         try {
             return SceneImporter.read(file, options);
         } catch (IOException e) {

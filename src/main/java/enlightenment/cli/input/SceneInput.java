@@ -5,7 +5,6 @@ import enlightenment.cli.terminal.Terminal;
 import enlightenment.importer.SceneImporter;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.SceneFrames;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -18,7 +17,7 @@ public final class SceneInput {
     private final Path file;
     private final ForeignOptions foreign;
     private final Terminal terminal;
-    private final SceneFrames scenes;
+    private final SceneReader.Frames scenes;
 
     /** What standard input held, once it has been read. */
     private byte[] bytes;
@@ -30,7 +29,7 @@ public final class SceneInput {
     private Scene imported;
 
     /** Its frames, once one has been asked for. */
-    private SceneFrames importedFrames;
+    private SceneReader.Frames importedFrames;
 
     public SceneInput(Path file, Terminal terminal) {
         this(file, new ForeignOptions(), terminal);
@@ -41,7 +40,7 @@ public final class SceneInput {
         this.file = file;
         this.foreign = foreign;
         this.terminal = terminal;
-        scenes = SceneFrames.of(file);
+        scenes = SceneReader.Frames.of(file);
     }
 
     /** What messages call it. */
@@ -87,7 +86,7 @@ public final class SceneInput {
 
     private Scene importedFrame(int frame) {
         if (importedFrames == null) {
-            importedFrames = SceneFrames.of(imported(), name());
+            importedFrames = SceneReader.Frames.of(imported(), name());
         }
         return importedFrames.read(frame);
     }

@@ -4,9 +4,8 @@ import enlightenment.measure.analysis.CostEstimate;
 import enlightenment.measure.analysis.EqualErrorComparison;
 import enlightenment.measure.analysis.TradeAnalysis;
 import enlightenment.measure.trade.TradeResult;
-import enlightenment.render.MethodChoice;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -32,8 +31,8 @@ final class AutomaticChoice {
         }
         EqualErrorComparison there = all.get(all.size() - 1);
         RenderSettings settings = measured.settings().base().withMethod(Method.AUTO);
-        MethodChoice choice =
-                Renderer.choose(scene, settings.withBudget(Budget.NONE.withError(there.error())), cancelled);
+        RenderRequest.MethodChoice choice = Renderer.choose(
+                scene, settings.withBudget(RenderSettings.Budget.NONE.withError(there.error())), cancelled);
         String word = choice.settings().method().word();
         return Optional.of(String.format(
                 Locale.ROOT,

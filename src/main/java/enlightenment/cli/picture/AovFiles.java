@@ -5,7 +5,7 @@ import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import enlightenment.render.aov.AuxiliaryPicture;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -16,7 +16,7 @@ import java.util.Map;
 
 /** The further files beside a picture, {@code out.error.png} beside {@code out.png}. */
 public final class AovFiles {
-    private final Map<RenderRequest.Auxiliary, Path> files = new EnumMap<>(RenderRequest.Auxiliary.class);
+    private final Map<RenderResult.Auxiliary, Path> files = new EnumMap<>(RenderResult.Auxiliary.class);
 
     /** @param picture the picture's file, with the extension of an image format if any kind is asked for */
     public AovFiles(AovSet kinds, Path picture) {
@@ -45,9 +45,9 @@ public final class AovFiles {
      * @param numbers what the render gave
      * @param shown the picture as it is shown: parts of its light are shown likewise
      */
-    public void write(Map<RenderRequest.Auxiliary, Image> numbers, Image shown, ImageFiles.PngOptions options)
+    public void write(Map<RenderResult.Auxiliary, Image> numbers, Image shown, ImageFiles.PngOptions options)
             throws IOException {
-        for (Map.Entry<RenderRequest.Auxiliary, Path> e : files.entrySet()) {
+        for (Map.Entry<RenderResult.Auxiliary, Path> e : files.entrySet()) {
             Image raw = numbers.get(e.getKey());
             if (ImageFormat.ofExtension(e.getValue()).orElseThrow().holdsFloats()) {
                 ImageFiles.write(raw, e.getValue(), options);

@@ -3,7 +3,7 @@ package enlightenment.cli.picture;
 import enlightenment.cli.option.BadValue;
 import enlightenment.cli.option.WordOption;
 import enlightenment.cli.terminal.CliException;
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import java.util.ArrayList;
@@ -13,15 +13,15 @@ import java.util.List;
 import java.util.Set;
 import picocli.CommandLine.ITypeConverter;
 
-/** The further pictures that are asked for beside the picture, in the order of {@link RenderRequest.Auxiliary}. */
-public record AovSet(Set<RenderRequest.Auxiliary> kinds) {
+/** The further pictures that are asked for beside the picture, in the order of {@link RenderResult.Auxiliary}. */
+public record AovSet(Set<RenderResult.Auxiliary> kinds) {
     public static final AovSet EMPTY = new AovSet(Set.of());
 
     /** Fails for what a scene's shading does not have. */
     public void check(Scene scene) {
         List<String> words = kinds.stream()
-                .filter(RenderRequest.Auxiliary::needsPaths)
-                .map(RenderRequest.Auxiliary::word)
+                .filter(RenderResult.Auxiliary::needsPaths)
+                .map(RenderResult.Auxiliary::word)
                 .toList();
         if (!words.isEmpty() && !(scene.shading() instanceof Shading.Physical)) {
             throw CliException.wrongUsage("--aov " + String.join(",", words)
@@ -42,7 +42,7 @@ public record AovSet(Set<RenderRequest.Auxiliary> kinds) {
         @Override
         public AovSet convert(String text) {
             Words words = new Words();
-            Set<RenderRequest.Auxiliary> kinds = EnumSet.noneOf(RenderRequest.Auxiliary.class);
+            Set<RenderResult.Auxiliary> kinds = EnumSet.noneOf(RenderResult.Auxiliary.class);
             for (String word : text.split(",", -1)) {
                 if (!kinds.add(words.convert(word))) {
                     throw new BadValue("names " + word + " twice");
@@ -53,13 +53,13 @@ public record AovSet(Set<RenderRequest.Auxiliary> kinds) {
     }
 
     /** One of the words. */
-    public static final class Words extends WordOption<RenderRequest.Auxiliary> {
+    public static final class Words extends WordOption<RenderResult.Auxiliary> {
         Words() {
-            super(List.of(RenderRequest.Auxiliary.values()));
+            super(List.of(RenderResult.Auxiliary.values()));
         }
 
         @Override
-        protected String word(RenderRequest.Auxiliary kind) {
+        protected String word(RenderResult.Auxiliary kind) {
             return kind.word();
         }
     }

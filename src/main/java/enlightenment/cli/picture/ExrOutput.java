@@ -2,7 +2,7 @@ package enlightenment.cli.picture;
 
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import java.util.Map;
 import java.util.Optional;
@@ -18,7 +18,7 @@ final class ExrOutput {
      * @param layers numbers that become channels, each kind in a layer of its name
      */
     static ImageFiles.ExrOptions options(
-            int depth, Map<String, String> texts, RenderSettings settings, Map<RenderRequest.Auxiliary, Image> layers) {
+            int depth, Map<String, String> texts, RenderSettings settings, Map<RenderResult.Auxiliary, Image> layers) {
         RenderSettings.Crop region = settings.region();
         ImageFiles.ExrOptions.Place place =
                 new ImageFiles.ExrOptions.Place(region.x(), region.y(), settings.width(), settings.height());

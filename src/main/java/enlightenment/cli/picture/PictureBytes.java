@@ -3,7 +3,7 @@ package enlightenment.cli.picture;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -28,7 +28,7 @@ public final class PictureBytes {
             int depth,
             Map<String, String> texts,
             RenderSettings settings,
-            Map<RenderRequest.Auxiliary, Image> layers,
+            Map<RenderResult.Auxiliary, Image> layers,
             OutputStream out)
             throws IOException {
         if (format == ImageFormat.EXR) {

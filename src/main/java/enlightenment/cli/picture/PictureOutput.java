@@ -198,7 +198,7 @@ public final class PictureOutput {
             Image image,
             Map<String, String> texts,
             RenderSettings settings,
-            Map<RenderRequest.Auxiliary, Image> layers,
+            Map<RenderResult.Auxiliary, Image> layers,
             Terminal terminal)
             throws IOException {
         if (isStandardOutput()) {
@@ -212,7 +212,7 @@ public final class PictureOutput {
             Image image,
             Map<String, String> texts,
             RenderSettings settings,
-            Map<RenderRequest.Auxiliary, Image> layers,
+            Map<RenderResult.Auxiliary, Image> layers,
             OutputStream out)
             throws IOException {
         PictureBytes.write(image, format(), depth(), texts, settings, layers, out);

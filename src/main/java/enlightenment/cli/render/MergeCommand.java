@@ -6,7 +6,7 @@ import enlightenment.cli.picture.ResultPicture;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.Terminal;
-import enlightenment.net.RenderParts;
+import enlightenment.net.parts.RenderParts;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;

@@ -39,8 +39,7 @@ import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
-import enlightenment.net.RenderParts;
-import enlightenment.render.MethodChoice;
+import enlightenment.net.parts.RenderParts;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
@@ -194,7 +193,7 @@ public final class RenderCommand extends Subcommand {
         }
     }
 
-    private int make(Scene scene, MethodChoice choice) throws IOException {
+    private int make(Scene scene, RenderRequest.MethodChoice choice) throws IOException {
         RenderSettings settings = choice.settings();
         samples.check(settings);
         if (clusters != null) {
@@ -268,7 +267,7 @@ public final class RenderCommand extends Subcommand {
         }
     }
 
-    private void renderPicture(Scene scene, MethodChoice choice, Watch watch) throws IOException {
+    private void renderPicture(Scene scene, RenderRequest.MethodChoice choice, Watch watch) throws IOException {
         RenderSettings settings = choice.settings();
         RenderResult result;
         try (ArchiveList archives = new ArchiveList(terminal)) {
@@ -310,7 +309,8 @@ public final class RenderCommand extends Subcommand {
         RequestedError.require(result);
     }
 
-    private RenderResult render(Scene scene, MethodChoice choice, Watch watch, List<RenderResult.Archive> archives) {
+    private RenderResult render(
+            Scene scene, RenderRequest.MethodChoice choice, Watch watch, List<RenderResult.Archive> archives) {
         RenderSettings settings = choice.settings();
         RenderProgress display = progress.display(terminal.err());
         RenderProgress told = new BudgetNotes(display, settings.budget(), terminal);

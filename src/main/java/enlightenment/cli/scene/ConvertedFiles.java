@@ -5,7 +5,7 @@ import enlightenment.cli.terminal.StandardStreams;
 import enlightenment.file.NumberedFiles;
 import enlightenment.file.WholeFile;
 import enlightenment.geometry.Mesh;
-import enlightenment.importer.ImportOptions;
+import enlightenment.importer.SceneImporter;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
@@ -34,7 +34,7 @@ final class ConvertedFiles {
     }
 
     /** How the input is to be read: with the folder for its pictures, if there is one. */
-    ImportOptions options(ImportOptions chosen) {
+    SceneImporter.Options options(SceneImporter.Options chosen) {
         return StandardStreams.isNamed(output) ? chosen : chosen.withExtracted(folder);
     }
 

@@ -19,7 +19,7 @@ import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.mesh.tree.TriangleTree;
-import enlightenment.render.MethodChoice;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
@@ -74,7 +74,7 @@ public final class InspectCommand extends Subcommand {
     protected int execute() {
         input = argument.open(foreign, terminal);
         Scene scene = frame.read(input);
-        MethodChoice choice = options.choose(scene, options.settings(scene, input), input, terminal);
+        RenderRequest.MethodChoice choice = options.choose(scene, options.settings(scene, input), input, terminal);
         RenderSettings settings = choice.settings();
         Renderer.Inspection inspection = inspect(scene, settings);
         contents(scene);

@@ -30,8 +30,8 @@ import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
-import enlightenment.render.MethodChoice;
 import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -116,13 +116,13 @@ public final class ServerCommand extends Subcommand {
         files.writes("-o", output.file());
         report.register(files);
         files.check();
-        MethodChoice choice = choose(scene, settings);
+        RenderRequest.MethodChoice choice = choose(scene, settings);
         choice.reason().ifPresent(terminal::say);
         finish(serve(scene, choice.settings(), serverOptions), scene, choice);
         return ExitCode.DONE;
     }
 
-    private MethodChoice choose(Scene scene, RenderSettings settings) {
+    private RenderRequest.MethodChoice choose(Scene scene, RenderSettings settings) {
         try {
             return options.choose(scene, settings, input, terminal);
         } catch (CancellationException e) {
@@ -159,7 +159,7 @@ public final class ServerCommand extends Subcommand {
         return archives;
     }
 
-    private void finish(RenderResult result, Scene scene, MethodChoice choice) throws IOException {
+    private void finish(RenderResult result, Scene scene, RenderRequest.MethodChoice choice) throws IOException {
         if (result.report().pixels() == 0) {
             throw output.nothingRendered();
         }

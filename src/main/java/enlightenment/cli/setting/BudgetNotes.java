@@ -4,7 +4,7 @@ import enlightenment.cli.option.DecimalNumber;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
-import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
@@ -14,12 +14,12 @@ import java.util.function.Supplier;
  */
 public final class BudgetNotes implements RenderProgress {
     private final RenderProgress display;
-    private final Budget budget;
+    private final RenderSettings.Budget budget;
     private final Terminal terminal;
     private final String about;
     private final Consumer<String> notes;
 
-    public BudgetNotes(RenderProgress display, Budget budget, Terminal terminal) {
+    public BudgetNotes(RenderProgress display, RenderSettings.Budget budget, Terminal terminal) {
         this(display, budget, terminal, "", terminal::say);
     }
 
@@ -29,7 +29,12 @@ public final class BudgetNotes implements RenderProgress {
      * @param about what is rendered, as messages begin
      * @param notes hears what cannot be met
      */
-    public BudgetNotes(RenderProgress display, Budget budget, Terminal terminal, String about, Consumer<String> notes) {
+    public BudgetNotes(
+            RenderProgress display,
+            RenderSettings.Budget budget,
+            Terminal terminal,
+            String about,
+            Consumer<String> notes) {
         this.about = about;
         this.notes = notes;
         this.display = display;

@@ -8,9 +8,8 @@ import enlightenment.cli.option.WordOption;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.math.InvalidValueException;
-import enlightenment.render.MethodChoice;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -87,7 +86,7 @@ public final class RenderOptions {
      * @param input where the scene comes from
      * @throws java.util.concurrent.CancellationException if it is stopped before
      */
-    public MethodChoice choose(Scene scene, RenderSettings asked, SceneInput input, Terminal terminal) {
+    public RenderRequest.MethodChoice choose(Scene scene, RenderSettings asked, SceneInput input, Terminal terminal) {
         try {
             return Renderer.choose(scene, asked, terminal.stop());
         } catch (InvalidValueException e) {
@@ -97,8 +96,8 @@ public final class RenderOptions {
         }
     }
 
-    private Budget budget() {
-        Budget budget = Budget.NONE;
+    private RenderSettings.Budget budget() {
+        RenderSettings.Budget budget = RenderSettings.Budget.NONE;
         budget = samples == null ? budget : budget.withSamples(samples);
         budget = error == null ? budget : budget.withError(error);
         return time == null ? budget : budget.withSeconds(time);
@@ -139,7 +138,7 @@ public final class RenderOptions {
 
     static final class Samples extends DecimalNumber {
         Samples() {
-            super(1, Budget.MAX_SAMPLES);
+            super(1, RenderSettings.Budget.MAX_SAMPLES);
         }
     }
 

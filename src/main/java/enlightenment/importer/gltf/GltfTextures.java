@@ -6,7 +6,6 @@ import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.support.ImportNotes;
-import enlightenment.material.Amount;
 import enlightenment.material.Texture;
 import java.io.IOException;
 import java.nio.file.FileSystemException;
@@ -118,10 +117,11 @@ final class GltfTextures {
     }
 
     /** A channel of a texture of linear numbers, times a factor in 0..1. */
-    Optional<Amount> channel(GltfElement info, Amount.Channel channel, double factor) throws IOException {
+    Optional<Texture.Amount> channel(GltfElement info, Texture.Amount.Channel channel, double factor)
+            throws IOException {
         return chosen(
                 info,
-                (image, filter) -> new Amount.Textured(
+                (image, filter) -> new Texture.Amount.Textured(
                         new Texture.File(images.file(image), filter, Texture.Encoding.LINEAR), channel, factor));
     }
 
@@ -131,17 +131,17 @@ final class GltfTextures {
      * @param factor 0..1, which it is multiplied by
      * @param cutoff what is less opaque than that is a hole, all else opaque; empty for opacities as they are
      */
-    Optional<Amount> opacity(GltfElement info, double factor, OptionalDouble cutoff) throws IOException {
+    Optional<Texture.Amount> opacity(GltfElement info, double factor, OptionalDouble cutoff) throws IOException {
         return chosen(info, (image, filter) -> {
                     Optional<Image> alpha = ImageFiles.readAlpha(images.file(image));
                     if (alpha.isEmpty()) {
-                        return Optional.<Amount>empty();
+                        return Optional.<Texture.Amount>empty();
                     }
                     String what = cutoff.isEmpty() ? "alpha" : "alpha " + factor + " cut at " + cutoff.getAsDouble();
                     Path file = images.made(image, what, source -> cut(alpha.get(), factor, cutoff));
                     Texture texture = new Texture.File(file, filter, Texture.Encoding.LINEAR);
-                    return Optional.<Amount>of(
-                            new Amount.Textured(texture, Amount.Channel.RED, cutoff.isEmpty() ? factor : 1));
+                    return Optional.<Texture.Amount>of(new Texture.Amount.Textured(
+                            texture, Texture.Amount.Channel.RED, cutoff.isEmpty() ? factor : 1));
                 })
                 .flatMap(found -> found);
     }

@@ -3,13 +3,10 @@ package enlightenment.importer.gltf;
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.GlowingMaterial;
 import enlightenment.importer.support.ImportNotes;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
-import enlightenment.material.EmissionPattern;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
@@ -199,10 +196,10 @@ final class MaterialReader {
         if (!emitted().equals(Rgb.BLACK)) {
             note("the light of what transmits light is left out");
         }
-        Amount roughness = amount(Amount.Channel.GREEN, roughnessFactor());
+        Texture.Amount roughness = amount(Texture.Amount.Channel.GREEN, roughnessFactor());
         if (!closed && !roughness.isZero()) {
             note("what transmits light is smooth: its mesh is not closed");
-            roughness = Amount.of(0);
+            roughness = Texture.Amount.of(0);
         }
         Glass glass = new Glass(color, index(), share, 0, true)
                 .withRoughness(roughness)
@@ -213,10 +210,11 @@ final class MaterialReader {
     /** What a surface is made of that transmits only a share of light, where it does not: the metal, and the matte base. */
     private Material opaqueShare(Texture color, double share) throws IOException {
         Principled whole = principled(color);
-        Principled rest = whole.metallic() instanceof Amount.Constant metal
-                ? whole.withMetallic(Amount.of(Math.min(metal.value() / (1 - share), 1)))
+        Principled rest = whole.metallic() instanceof Texture.Amount.Constant metal
+                ? whole.withMetallic(Texture.Amount.of(Math.min(metal.value() / (1 - share), 1)))
                 : whole;
-        return GlowingMaterial.of(rest, Rgb.BLACK, EmissionPattern.EVEN).orElseThrow();
+        return GlowingMaterial.of(rest, Rgb.BLACK, Material.EmissionPattern.EVEN)
+                .orElseThrow();
     }
 
     private Glass dispersing(Glass glass) throws IOException {
@@ -278,15 +276,15 @@ final class MaterialReader {
         double metallic = isSpecularGlossiness() ? 0 : share(metallicRoughness(), "metallicFactor", 1);
         return new Principled(
                 color,
-                amount(Amount.Channel.BLUE, metallic),
-                amount(Amount.Channel.GREEN, roughnessFactor()),
+                amount(Texture.Amount.Channel.BLUE, metallic),
+                amount(Texture.Amount.Channel.GREEN, roughnessFactor()),
                 index(),
                 share(specular, "specularFactor", 1),
                 clearcoat(coat),
                 sheen(),
                 emitted(),
                 0,
-                EmissionPattern.of(radianceMap()));
+                Material.EmissionPattern.of(radianceMap()));
     }
 
     private Principled.Clearcoat clearcoat(GltfElement coat) throws IOException {
@@ -294,7 +292,7 @@ final class MaterialReader {
                 share(coat, "clearcoatFactor", 0),
                 amount(
                         coat.get(CLEARCOAT_ROUGHNESS),
-                        Amount.Channel.GREEN,
+                        Texture.Amount.Channel.GREEN,
                         share(coat, "clearcoatRoughnessFactor", 0)));
     }
 
@@ -312,14 +310,14 @@ final class MaterialReader {
     }
 
     /** A channel of the metallic-roughness texture, if there is one. */
-    private Amount amount(Amount.Channel channel, double factor) throws IOException {
+    private Texture.Amount amount(Texture.Amount.Channel channel, double factor) throws IOException {
         return amount(metallicRoughness().get("metallicRoughnessTexture"), channel, factor);
     }
 
-    private Amount amount(GltfElement info, Amount.Channel channel, double factor) throws IOException {
+    private Texture.Amount amount(GltfElement info, Texture.Amount.Channel channel, double factor) throws IOException {
         return factor == 0
-                ? Amount.of(0)
-                : textures.channel(info, channel, factor).orElseGet(() -> Amount.of(factor));
+                ? Texture.Amount.of(0)
+                : textures.channel(info, channel, factor).orElseGet(() -> Texture.Amount.of(factor));
     }
 
     /** The radiance, before it is multiplied by a texture of several colours; black with one that cannot be had. */
@@ -360,7 +358,7 @@ final class MaterialReader {
             return surface;
         }
         Optional<Texture> normals = textures.normals(info, info.number("scale", 1));
-        return normals.isPresent() ? new NormalMap(surface, normals.get()) : surface;
+        return normals.isPresent() ? new Composite.NormalMap(surface, normals.get()) : surface;
     }
 
     private Material masked(Material surface, double alpha) throws IOException {
@@ -371,7 +369,7 @@ final class MaterialReader {
         boolean isCut = mode.equals("MASK");
         OptionalDouble cutoff =
                 isCut ? OptionalDouble.of(material.number("alphaCutoff", USUAL_CUTOFF)) : OptionalDouble.empty();
-        Optional<Amount> map = textures.opacity(colorTexture(), alpha, cutoff);
+        Optional<Texture.Amount> map = textures.opacity(colorTexture(), alpha, cutoff);
         double constant = !isCut ? alpha : alpha >= cutoff.getAsDouble() ? 1 : 0;
         if (map.isEmpty() && constant == 1) {
             return surface;
@@ -380,6 +378,6 @@ final class MaterialReader {
             note("the opacity of what glows or transmits light is left out");
             return surface;
         }
-        return new Mask(surface, map.orElseGet(() -> Amount.of(constant)));
+        return new Composite.Mask(surface, map.orElseGet(() -> Texture.Amount.of(constant)));
     }
 }

@@ -2,12 +2,9 @@ package enlightenment.importer.mitsuba;
 
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.UvMap;
-import enlightenment.material.Bump;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import java.util.HashMap;
 import java.util.List;
@@ -111,7 +108,7 @@ final class BsdfReader {
             Optional<Material> of = opaque(p, parts(p, 1).get(0), depth);
             Texture opacity =
                     p.find("opacity").map(e -> textures.texture(e, true)).orElse(Texture.of(Rgb.gray(0.5)));
-            return isOpaque(of) ? Optional.of(new Mask(of.get(), opacity)) : of;
+            return isOpaque(of) ? Optional.of(new Composite.Mask(of.get(), opacity)) : of;
         }
 
         private Optional<Material> blend(Properties p, int depth) {
@@ -123,10 +120,10 @@ final class BsdfReader {
             }
             Texture weight = p.element().type().equals("blendbsdf") ? weight(p) : Texture.of(Rgb.gray(share(p)));
             if (first.isEmpty() && isOpaque(second)) {
-                return Optional.of(new Mask(second.get(), weight));
+                return Optional.of(new Composite.Mask(second.get(), weight));
             }
             return isOpaque(first) && isOpaque(second)
-                    ? Optional.of(new Mix(first.get(), second.get(), weight))
+                    ? Optional.of(new Composite.Mix(first.get(), second.get(), weight))
                     : first.isPresent() ? first : second;
         }
 
@@ -154,7 +151,7 @@ final class BsdfReader {
             double scale = p.number("scale", 1);
             p.ignore("use_shadowing_function", "flip_invalid_normals");
             if (map.isPresent() && isOpaque(of)) {
-                return Optional.of(new Bump(of.get(), map.get(), scale));
+                return Optional.of(new Composite.Bump(of.get(), map.get(), scale));
             }
             return of;
         }
@@ -168,8 +165,8 @@ final class BsdfReader {
                 if (file.encoding() != Texture.Encoding.LINEAR) {
                     scene.note(p.element(), "a normal map without raw is read as linear numbers");
                 }
-                return Optional.of(
-                        new NormalMap(of.get(), new Texture.File(file.file(), file.filter(), Texture.Encoding.LINEAR)));
+                return Optional.of(new Composite.NormalMap(
+                        of.get(), new Texture.File(file.file(), file.filter(), Texture.Encoding.LINEAR)));
             }
             return of;
         }

@@ -7,7 +7,7 @@ import enlightenment.light.Light;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
+import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Path;
 
@@ -33,7 +33,7 @@ final class EmitterReader {
         Properties p = new Properties(e);
         p.ignore("sampling_weight", "id");
         switch (e.type()) {
-            case "constant" -> background(e, new Background.Constant(emissions.light(p, "radiance", 1)));
+            case "constant" -> background(e, new Shading.Background.Constant(emissions.light(p, "radiance", 1)));
             case "envmap" -> picture(p);
             case "sun", "sky", "sunsky" -> sky(p);
             case "point" -> point(p);
@@ -49,7 +49,7 @@ final class EmitterReader {
         scene.noteUnused(p);
     }
 
-    private void background(XmlElement e, Background background) {
+    private void background(XmlElement e, Shading.Background background) {
         if (hasBackground) {
             scene.note(e, e.described() + " is left out: another light comes from everywhere");
             return;
@@ -74,7 +74,7 @@ final class EmitterReader {
                     TextureReader.isOfFloats(file) ? Texture.Encoding.LINEAR : Texture.Encoding.SRGB;
             background(
                     e,
-                    new Background.Picture(
+                    new Shading.Background.Picture(
                             new Texture.File(file, Texture.Filter.BILINEAR, encoding), Rgb.gray(scale), azimuth));
         } catch (IOException problem) {
             scene.note(e, "the picture around the scene is left out: " + problem.getMessage());
@@ -95,15 +95,15 @@ final class EmitterReader {
         double elevation = StrictMath.toDegrees(StrictMath.asin(StrictMath.min(StrictMath.max(d.y(), 0), 1)));
         double azimuth = StrictMath.toDegrees(StrictMath.atan2(d.x(), d.z()));
         double turbidity = StrictMath.min(
-                StrictMath.max(p.number("turbidity", 3), Background.Sky.LEAST_TURBIDITY),
-                Background.Sky.GREATEST_TURBIDITY);
+                StrictMath.max(p.number("turbidity", 3), Shading.Background.Sky.LEAST_TURBIDITY),
+                Shading.Background.Sky.GREATEST_TURBIDITY);
         double albedo = StrictMath.min(new TextureReader(scene).number(p, "albedo", 0.3), 1);
         double scale = StrictMath.max(p.number(e.type().equals("sun") ? "sun_scale" : "sky_scale", 1), 0);
         p.ignore("sun_scale", "sky_scale", "scale");
         scene.note(e, e.described() + " becomes a sky by another model: it is not of equal brightness");
         background(
                 e,
-                new Background.Sky(
+                new Shading.Background.Sky(
                         elevation,
                         azimuth,
                         turbidity,

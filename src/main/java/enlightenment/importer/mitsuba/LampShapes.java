@@ -8,7 +8,6 @@ import enlightenment.importer.support.Fronts;
 import enlightenment.importer.support.GlowingMaterial;
 import enlightenment.importer.support.PlacedShapes;
 import enlightenment.importer.support.UvMap;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import java.io.IOException;
@@ -32,7 +31,7 @@ final class LampShapes {
 
     /** A surface that emits besides. */
     Surface glowing(XmlElement e, Surface surface, AreaEmission emission) {
-        EmissionPattern pattern = EmissionPattern.of(emission.texture());
+        Material.EmissionPattern pattern = Material.EmissionPattern.of(emission.texture());
         UvMap uv = emission.texture().isPresent() ? emission.uv() : surface.map();
         Material plain = surface.material().orElse(null);
         Optional<Material> both =
@@ -77,7 +76,8 @@ final class LampShapes {
             facing = Fronts.turned(
                     isMapped ? Mesh.of(TexturedRectangle.mesh((Rectangle) shape, UvMap.IDENTITY)) : shape);
         }
-        EmissionPattern.Side side = isInwards ? EmissionPattern.Side.BACK : EmissionPattern.Side.FRONT;
+        Material.EmissionPattern.Side side =
+                isInwards ? Material.EmissionPattern.Side.BACK : Material.EmissionPattern.Side.FRONT;
         scene.draft().object(e.attribute("id"), facing, GlowingMaterial.withSide(m, side));
     }
 

@@ -2,9 +2,7 @@ package enlightenment.importer.mitsuba;
 
 import enlightenment.color.Color;
 import enlightenment.color.Rgb;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
@@ -31,8 +29,8 @@ final class PrincipledReader {
         Texture color = textures.reflectance(p, "base_color", 0.5);
         double transmission = share(textures.number(p, "spec_trans", 0));
         p.ignore("main_specular_sampling_rate", "clearcoat_sampling_rate", "diffuse_reflectance_sampling_rate");
-        Amount metallic = amount(p, "metallic", 0);
-        if (metallic.equals(Amount.of(1))) {
+        Texture.Amount metallic = amount(p, "metallic", 0);
+        if (metallic.equals(Texture.Amount.of(1))) {
             return metal(p, color);
         }
         LEFT_OUT.forEach(name -> leaveOut(p, name));
@@ -50,11 +48,17 @@ final class PrincipledReader {
         LEFT_OUT.forEach(p::ignore);
         p.ignore("eta", "specular", "sheen", "sheen_tint");
         if (share(textures.number(p, "clearcoat", 0)) > 0) {
-            return opaque(p, color, Amount.of(1), Coated.USUAL_INDEX);
+            return opaque(p, color, Texture.Amount.of(1), Coated.USUAL_INDEX);
         }
         p.ignore("clearcoat_gloss");
         return new Glossy(
-                color, amount(p, "roughness", 0.5), Optional.empty(), false, Rgb.BLACK, 0, EmissionPattern.EVEN);
+                color,
+                amount(p, "roughness", 0.5),
+                Optional.empty(),
+                false,
+                Rgb.BLACK,
+                0,
+                Material.EmissionPattern.EVEN);
     }
 
     private void leaveOut(Properties p, String name) {
@@ -81,15 +85,15 @@ final class PrincipledReader {
      * is Burley's (2012, section 5.3): nowhere Lambert's, and not dimmed by the coat. Measured with Mitsuba 3.9: within 2 % of Lambert's up to 50° from the
      * normal, at 70° from 12 % darker to 40 % brighter.
      */
-    private Material opaque(Properties p, Texture color, Amount metallic, double index) {
-        Amount roughness = amount(p, "roughness", 0.5);
+    private Material opaque(Properties p, Texture color, Texture.Amount metallic, double index) {
+        Texture.Amount roughness = amount(p, "roughness", 0.5);
         double clearcoat = share(textures.number(p, "clearcoat", 0));
         double gloss = share(textures.number(p, "clearcoat_gloss", 0));
         List<String> differences = new ArrayList<>();
-        if (!metallic.equals(Amount.of(1)) && !isBlack(color)) {
+        if (!metallic.equals(Texture.Amount.of(1)) && !isBlack(color)) {
             differences.add("another matte base");
         }
-        if (!metallic.equals(Amount.of(0))) {
+        if (!metallic.equals(Texture.Amount.of(0))) {
             differences.add("light between facets");
         }
         if (clearcoat > 0) {
@@ -102,7 +106,7 @@ final class PrincipledReader {
         if (!differences.isEmpty()) {
             scene.note(p.element(), p.element().described() + " has " + String.join(", and ", differences));
         }
-        if (metallic.equals(Amount.of(0)) && index == 1 && clearcoat == 0 && sheen.share() == 0) {
+        if (metallic.equals(Texture.Amount.of(0)) && index == 1 && clearcoat == 0 && sheen.share() == 0) {
             return Material.Matte.of(color);
         }
         // The clear coat's alpha is 0.1 without gloss and 0.001 with all of it.
@@ -113,7 +117,8 @@ final class PrincipledReader {
                 roughness,
                 index,
                 1,
-                new Principled.Clearcoat(clearcoat, Amount.of(clearcoat > 0 ? RoughnessReader.ofAlpha(alpha) : 0)),
+                new Principled.Clearcoat(
+                        clearcoat, Texture.Amount.of(clearcoat > 0 ? RoughnessReader.ofAlpha(alpha) : 0)),
                 sheen,
                 Rgb.BLACK,
                 0);
@@ -131,12 +136,12 @@ final class PrincipledReader {
     }
 
     /** Each crossing of the surface filters by the root of the base colour. */
-    private Material glass(Properties p, Texture color, double transmission, Amount metallic, double index) {
-        double metal = metallic instanceof Amount.Constant constant ? constant.value() : 0;
-        if (metallic instanceof Amount.Textured) {
+    private Material glass(Properties p, Texture color, double transmission, Texture.Amount metallic, double index) {
+        double metal = metallic instanceof Texture.Amount.Constant constant ? constant.value() : 0;
+        if (metallic instanceof Texture.Amount.Textured) {
             scene.note(p.element(), "the metal of a surface that transmits light is left out");
         }
-        Amount roughness = amount(p, "roughness", 0.5);
+        Texture.Amount roughness = amount(p, "roughness", 0.5);
         Glass clear = new Glass(root(p, color), index, transmission * (1 - metal), 0, true)
                 .withRoughness(roughness)
                 .withMultipleScattering(false);
@@ -144,7 +149,7 @@ final class PrincipledReader {
             scene.note(
                     p.element(), p.element().described() + " has an opaque share that light inside of it meets, too");
             double rest = Math.min(metal / (1 - clear.transparency()), 1);
-            return clear.withOpaque(opaque(p, color, Amount.of(rest), index));
+            return clear.withOpaque(opaque(p, color, Texture.Amount.of(rest), index));
         }
         if (p.has("clearcoat")) {
             leaveOut(p, "clearcoat");
@@ -175,18 +180,18 @@ final class PrincipledReader {
         return new Rgb(StrictMath.sqrt(c.r()), StrictMath.sqrt(c.g()), StrictMath.sqrt(c.b()));
     }
 
-    private Amount amount(Properties p, String name, double otherwise) {
+    private Texture.Amount amount(Properties p, String name, double otherwise) {
         Optional<XmlElement> e = p.find(name);
         if (e.isEmpty()) {
-            return Amount.of(otherwise);
+            return Texture.Amount.of(otherwise);
         }
         Texture texture = textures.texture(e.get(), true);
         return texture instanceof Texture.Solid s
-                ? Amount.of(share((s.color().linear().r()
+                ? Texture.Amount.of(share((s.color().linear().r()
                                 + s.color().linear().g()
                                 + s.color().linear().b())
                         / 3))
-                : Amount.of(texture);
+                : Texture.Amount.of(texture);
     }
 
     private static double share(double v) {

@@ -2,7 +2,6 @@ package enlightenment.importer.mitsuba;
 
 import enlightenment.color.Color;
 import enlightenment.color.Rgb;
-import enlightenment.material.Amount;
 import enlightenment.material.Texture;
 import enlightenment.text.Plain;
 import java.io.IOException;
@@ -28,33 +27,33 @@ final class RoughnessReader {
     }
 
     /** The roughness, which may depend on the place; 0 of a smooth model. */
-    Amount amount(Properties p) {
+    Texture.Amount amount(Properties p) {
         if (!isRough(p)) {
-            return Amount.of(0);
+            return Texture.Amount.of(0);
         }
         Optional<XmlElement> alpha = p.find("alpha");
         if (isAnisotropic(p)) {
-            return Amount.of(ofAlpha(mean(p)));
+            return Texture.Amount.of(ofAlpha(mean(p)));
         }
-        return alpha.map(this::amount).orElseGet(() -> Amount.of(ofAlpha(USUAL_ALPHA)));
+        return alpha.map(this::amount).orElseGet(() -> Texture.Amount.of(ofAlpha(USUAL_ALPHA)));
     }
 
-    private Amount amount(XmlElement alpha) {
+    private Texture.Amount amount(XmlElement alpha) {
         Texture texture = textures.texture(alpha, true);
         if (texture instanceof Texture.Solid s) {
-            return Amount.of(ofAlpha(mean(s.color())));
+            return Texture.Amount.of(ofAlpha(mean(s.color())));
         }
         if (texture instanceof Texture.Checker c) {
             List<Color> roots = c.colors().stream()
                     .map(x -> (Color) Rgb.gray(ofAlpha(mean(x))))
                     .toList();
-            return Amount.of(new Texture.Checker(roots, c.scale()));
+            return Texture.Amount.of(new Texture.Checker(roots, c.scale()));
         }
         try {
-            return Amount.of(scene.pictures().root((Texture.File) texture, true));
+            return Texture.Amount.of(scene.pictures().root((Texture.File) texture, true));
         } catch (IOException problem) {
             scene.note(alpha, "a texture of alpha is left out: " + problem.getMessage());
-            return Amount.of(ofAlpha(USUAL_ALPHA));
+            return Texture.Amount.of(ofAlpha(USUAL_ALPHA));
         }
     }
 

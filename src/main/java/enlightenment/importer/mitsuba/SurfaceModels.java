@@ -1,7 +1,6 @@
 package enlightenment.importer.mitsuba;
 
 import enlightenment.color.Rgb;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
@@ -54,7 +53,7 @@ final class SurfaceModels {
 
     private Material dielectric(Properties p) {
         double index = IndexOfRefraction.relative(p, "bk7");
-        Amount roughness = roughnesses.amount(p);
+        Texture.Amount roughness = roughnesses.amount(p);
         noteIfNotWhite(p, "specular_reflectance");
         Texture through = textures.reflectance(p, "specular_transmittance", 1);
         return Glass.of(through, index).withRoughness(roughness).withMultipleScattering(false);
@@ -68,7 +67,7 @@ final class SurfaceModels {
     }
 
     private Material conductor(Properties p) {
-        Amount roughness = roughnesses.amount(p);
+        Texture.Amount roughness = roughnesses.amount(p);
         Texture color = textures.reflectance(p, "specular_reflectance", 1);
         String name = p.text("material", scene.isOld() ? "Cu" : "none");
         Optional<XmlElement> eta = p.find("eta");
@@ -80,7 +79,7 @@ final class SurfaceModels {
                     ? PERFECT
                     : new Glossy.Conductor(divided(n, outside), divided(textures.color(p, "k", 1), outside));
         } else if (name.equalsIgnoreCase("none")) {
-            if (roughness.equals(Amount.of(0))) {
+            if (roughness.equals(Texture.Amount.of(0))) {
                 return Material.Mirror.of(color);
             }
             conductor = PERFECT;
@@ -106,7 +105,7 @@ final class SurfaceModels {
 
     private Material plastic(Properties p) {
         double index = IndexOfRefraction.relative(p, "polypropylene");
-        Amount roughness = roughnesses.amount(p);
+        Texture.Amount roughness = roughnesses.amount(p);
         Texture color = textures.reflectance(p, "diffuse_reflectance", 0.5);
         noteIfNotWhite(p, "specular_reflectance");
         if (index < 1 || index > Coated.LARGEST_INDEX) {

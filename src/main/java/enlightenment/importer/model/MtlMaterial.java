@@ -3,11 +3,9 @@ package enlightenment.importer.model;
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
 import enlightenment.importer.support.InputFolder;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
-import enlightenment.material.EmissionPattern;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
@@ -65,13 +63,19 @@ final class MtlMaterial {
                 && mtl.ns().orElse(0) > 0
                 && mtl.illum().orElse(2) >= 2;
         if (!isShiny) {
-            return new Material.Matte(color, true, 0, radiance, 0, EmissionPattern.of(map));
+            return new Material.Matte(color, true, 0, radiance, 0, Material.EmissionPattern.of(map));
         }
         // Blinn's exponent n has the width of the distribution of alpha² = 2 / (n + 2) (Walter et al. 2007); roughness
         // is the root of alpha.
         double alpha = StrictMath.sqrt(2 / (mtl.ns().getAsDouble() + 2));
         return new Coated(
-                color, Amount.of(StrictMath.sqrt(alpha)), USUAL_INDEX, false, radiance, 0, EmissionPattern.of(map));
+                color,
+                Texture.Amount.of(StrictMath.sqrt(alpha)),
+                USUAL_INDEX,
+                false,
+                radiance,
+                0,
+                Material.EmissionPattern.of(map));
     }
 
     private boolean isTint(Vec3 kd) {
@@ -88,7 +92,7 @@ final class MtlMaterial {
             notes.add("", "the opacity of what glows is left out: " + Plain.quoted(mtl.name()));
             return opaque;
         }
-        return new Mask(opaque, map.orElseGet(() -> Texture.of(new Rgb(d, d, d))));
+        return new Composite.Mask(opaque, map.orElseGet(() -> Texture.of(new Rgb(d, d, d))));
     }
 
     private Optional<Texture> texture(String name, Texture.Encoding encoding) {

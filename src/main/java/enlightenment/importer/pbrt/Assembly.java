@@ -4,9 +4,8 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Shape;
 import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ImportDraft;
-import enlightenment.material.Amount;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
@@ -90,7 +89,7 @@ final class Assembly {
             uv.take(surface.uv());
         }
         Texture share = uv.share(alpha);
-        return new Surface(new Mask(m, share), uv.chosen(), false);
+        return new Surface(new Composite.Mask(m, share), uv.chosen(), false);
     }
 
     /** The surface as it can stand on a shape that encloses a volume, or does not. */
@@ -125,7 +124,7 @@ final class Assembly {
         if (inside.scattering().max() == 0) {
             return glass.withAbsorption(inside.absorption());
         }
-        if (glass.roughness() instanceof Amount.Constant roughness) {
+        if (glass.roughness() instanceof Texture.Amount.Constant roughness) {
             return new Material.Scattering(inside, glass.indexOfRefraction(), roughness.value(), 0);
         }
         note(shape, "the texture of the roughness around a medium that scatters is left out: the border is smooth");

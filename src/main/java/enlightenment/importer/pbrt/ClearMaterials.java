@@ -2,7 +2,6 @@ package enlightenment.importer.pbrt;
 
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
-import enlightenment.material.Amount;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
@@ -35,11 +34,11 @@ final class ClearMaterials {
 
     void addTo(Map<String, Materials.SurfaceMaker> makers) {
         makers.put("dielectric", (source, uv) -> glass(source, roughness.amount(source.parameters(), "", uv)));
-        makers.put("thindielectric", (source, uv) -> glass(source, Amount.of(0)));
+        makers.put("thindielectric", (source, uv) -> glass(source, Texture.Amount.of(0)));
         makers.put("subsurface", this::subsurface);
     }
 
-    private Material glass(MaterialSource source, Amount rough) {
+    private Material glass(MaterialSource source, Texture.Amount rough) {
         Optional<NamedSpectra.GlassType> named = source.parameters()
                 .find("eta")
                 .filter(p -> p.type().equals("spectrum") && p.words().size() == 1)

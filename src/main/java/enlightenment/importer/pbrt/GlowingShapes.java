@@ -11,7 +11,6 @@ import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.UvMap;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -84,9 +83,10 @@ final class GlowingShapes {
         }
         boolean isTurned = !isTwoSided && isTurned(form, placed, map, shape.isReversed());
         boolean isInwards = isTurned && !Fronts.isTurnable(placed);
-        EmissionPattern.Side oneSide = isInwards ? EmissionPattern.Side.BACK : EmissionPattern.Side.FRONT;
-        EmissionPattern pattern = new EmissionPattern(
-                picture.flatMap(LampPicture::texture), isTwoSided ? EmissionPattern.Side.BOTH : oneSide);
+        Material.EmissionPattern.Side oneSide =
+                isInwards ? Material.EmissionPattern.Side.BACK : Material.EmissionPattern.Side.FRONT;
+        Material.EmissionPattern pattern = new Material.EmissionPattern(
+                picture.flatMap(LampPicture::texture), isTwoSided ? Material.EmissionPattern.Side.BOTH : oneSide);
         draft.object(
                 "",
                 isTurned && !isInwards ? Fronts.turned(placed) : placed,
@@ -125,7 +125,7 @@ final class GlowingShapes {
         return surface.isInterface() || GlowingMaterial.isBlack(surface.material());
     }
 
-    private Material glowing(Surface surface, Rgb radiance, EmissionPattern pattern, String place) {
+    private Material glowing(Surface surface, Rgb radiance, Material.EmissionPattern pattern, String place) {
         Optional<Material> both =
                 surface.isInterface() ? Optional.empty() : GlowingMaterial.of(surface.material(), radiance, pattern);
         if (both.isEmpty() && !surface.isInterface()) {

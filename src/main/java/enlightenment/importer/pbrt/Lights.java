@@ -11,7 +11,7 @@ import enlightenment.light.Light;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
+import enlightenment.scene.Shading;
 import enlightenment.text.Plain;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -115,7 +115,7 @@ final class Lights {
         } else {
             Rgb color = spectra.rgb(p, "L", Spectra.Kind.LIGHT, space, Rgb.WHITE);
             double factor = scale(p) * (illuminance > 0 ? illuminance / StrictMath.PI : 1);
-            draft.background(new Background.Constant(color.times(Rgb.gray(factor))));
+            draft.background(new Shading.Background.Constant(color.times(Rgb.gray(factor))));
         }
     }
 
@@ -136,7 +136,7 @@ final class Lights {
             Image turned = map.byLongitude(toWorld);
             Path written = extracted.write("pfm", out -> ImageFiles.toPfm(turned, out));
             Texture.File texture = new Texture.File(written, Texture.Filter.BILINEAR, Texture.Encoding.LINEAR);
-            draft.background(new Background.Picture(texture, Rgb.gray(factor), 0));
+            draft.background(new Shading.Background.Picture(texture, Rgb.gray(factor), 0));
         } catch (IOException e) {
             throw p.place().failure(e.getMessage());
         }

@@ -2,11 +2,9 @@ package enlightenment.importer.pbrt;
 
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
-import enlightenment.material.Bump;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.text.Plain;
 import java.util.HashMap;
@@ -121,7 +119,8 @@ final class Materials {
             if (second.isTextured()) {
                 uv.take(second.uv());
             }
-            return new Surface(new Mix(first.material(), second.material(), uv.share(amount)), uv.chosen(), false);
+            return new Surface(
+                    new Composite.Mix(first.material(), second.material(), uv.share(amount)), uv.chosen(), false);
         }
         notes.add(p.place().shown(), "of a mixed material that is not opaque the part with more weight stays");
         return textures.mean(amount, p.place(), "the amount of a mixed material") > 0.5 ? second : first;
@@ -141,7 +140,7 @@ final class Materials {
             return material;
         }
         if (p.has("normalmap")) {
-            return new NormalMap(
+            return new Composite.NormalMap(
                     material,
                     textures.linearImage(
                             p.string("normalmap", ""),
@@ -151,7 +150,7 @@ final class Materials {
         if (height.texture() instanceof Texture.File file) {
             uv.take(height.uv());
             Rgb factor = height.factor();
-            return new Bump(material, file, factor.r());
+            return new Composite.Bump(material, file, factor.r());
         }
         if (!height.isSolid()) {
             notes.add(p.place().shown(), "a displacement that is no image is left out");

@@ -2,7 +2,6 @@ package enlightenment.importer.pbrt;
 
 import enlightenment.color.Rgb;
 import enlightenment.importer.support.ImportNotes;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
@@ -97,7 +96,7 @@ final class OpaqueMaterials {
         return metal(new Glossy.Conductor(eta, k), roughness.amount(p, prefix, uv));
     }
 
-    private static Material metal(Glossy.Conductor conductor, Amount rough) {
+    private static Material metal(Glossy.Conductor conductor, Texture.Amount rough) {
         return new Glossy(Texture.of(Rgb.WHITE), rough, Optional.of(conductor), false, Rgb.BLACK, 0);
     }
 

@@ -1,7 +1,7 @@
 package enlightenment.importer.pbrt;
 
 import enlightenment.importer.support.ImportNotes;
-import enlightenment.material.Amount;
+import enlightenment.material.Texture;
 
 /** The roughness of microscopic facets: pbrt's parameters as one number of ours, the root of the parameter alpha of the distribution GGX. */
 final class Roughness {
@@ -22,19 +22,20 @@ final class Roughness {
      * @param prefix of the parameters' names, such as {@code "conductor."}
      * @param uv where the map of texture coordinates is left
      */
-    Amount amount(Parameters p, String prefix, UvChoice uv) {
+    Texture.Amount amount(Parameters p, String prefix, UvChoice uv) {
         String u = source(p, prefix, "u");
         String v = source(p, prefix, "v");
         if (!p.isTexture(u) || !p.isTexture(v) || !p.string(u, "").equals(p.string(v, ""))) {
-            return Amount.of(of(p, prefix));
+            return Texture.Amount.of(of(p, prefix));
         }
         ResolvedTexture t = textures.number(p, u, 0);
         if (t.isSolid()) {
-            return Amount.of(of(p, prefix));
+            return Texture.Amount.of(of(p, prefix));
         }
         boolean isRemapped = p.isTrue("remaproughness", true);
         String what = "roughness of " + (isRemapped ? "sqrt alpha" : "alpha");
-        return new Amount.Textured(uv.number(t, what, x -> ofAlpha(alpha(x, isRemapped))), Amount.Channel.RED, 1);
+        return new Texture.Amount.Textured(
+                uv.number(t, what, x -> ofAlpha(alpha(x, isRemapped))), Texture.Amount.Channel.RED, 1);
     }
 
     /** The parameter that has the roughness along a direction. */

@@ -8,7 +8,7 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.util.Optional;
 
-/** The fronts of rectangles, disks and meshes: the sides that {@link enlightenment.material.EmissionPattern.Side#FRONT} means. */
+/** The fronts of rectangles, disks and meshes: the sides that {@link enlightenment.material.Material.EmissionPattern.Side#FRONT} means. */
 public final class Fronts {
     private Fronts() {}
 

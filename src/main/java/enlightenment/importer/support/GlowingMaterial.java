@@ -2,7 +2,6 @@ package enlightenment.importer.support;
 
 import enlightenment.color.Rgb;
 import enlightenment.material.Coated;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
@@ -16,7 +15,7 @@ public final class GlowingMaterial {
     private GlowingMaterial() {}
 
     /** A surface that emits and reflects nothing. */
-    public static Material black(Rgb radiance, EmissionPattern pattern) {
+    public static Material black(Rgb radiance, Material.EmissionPattern pattern) {
         return of(BLACK, radiance, pattern).orElseThrow();
     }
 
@@ -32,7 +31,7 @@ public final class GlowingMaterial {
      *
      * @return empty if surfaces of this kind cannot emit: glass, media, and what is made of other materials
      */
-    public static Optional<Material> of(Material m, Rgb radiance, EmissionPattern pattern) {
+    public static Optional<Material> of(Material m, Rgb radiance, Material.EmissionPattern pattern) {
         if (m instanceof Material.Matte d) {
             return Optional.of(new Material.Matte(
                     d.color(), d.receivesShadows(), d.roughness(), radiance, d.ultraviolet(), pattern));
@@ -73,7 +72,7 @@ public final class GlowingMaterial {
     }
 
     /** A material that emits, to other sides. */
-    public static Material withSide(Material glowing, EmissionPattern.Side side) {
+    public static Material withSide(Material glowing, Material.EmissionPattern.Side side) {
         return of(glowing, glowing.radiance(), glowing.pattern().withSide(side)).orElseThrow();
     }
 }

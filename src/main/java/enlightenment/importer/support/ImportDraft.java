@@ -6,8 +6,8 @@ import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.scene.Animation;
-import enlightenment.scene.Background;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.Shading;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -34,7 +34,7 @@ public final class ImportDraft {
     private int width;
     private int height;
     private Camera camera;
-    private Background background = new Background.Constant(Rgb.BLACK);
+    private Shading.Background background = new Shading.Background.Constant(Rgb.BLACK);
     private boolean hasBackground;
     private double exposure;
     private OptionalInt maxBounces = OptionalInt.empty();
@@ -64,7 +64,7 @@ public final class ImportDraft {
     }
 
     /** Says what shines from everywhere. */
-    public void background(Background value) {
+    public void background(Shading.Background value) {
         background = value;
         hasBackground = true;
     }
@@ -142,7 +142,7 @@ public final class ImportDraft {
     }
 
     /** What shines from everywhere; black if the file does not say. */
-    public Background background() {
+    public Shading.Background background() {
         return background;
     }
 

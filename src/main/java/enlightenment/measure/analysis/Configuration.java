@@ -2,7 +2,6 @@ package enlightenment.measure.analysis;
 
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -72,8 +71,8 @@ public record Configuration(String method, int lightSamples, boolean grid) {
             own = own.with(BuiltInMethod.RayTraceSettings.SHADOW_SAMPLES, lightSamples);
         }
         return grid
-                ? own.withAntialias(side(samples)).withBudget(Budget.NONE)
-                : own.withBudget(Budget.NONE.withSamples(samples));
+                ? own.withAntialias(side(samples)).withBudget(RenderSettings.Budget.NONE)
+                : own.withBudget(RenderSettings.Budget.NONE.withSamples(samples));
     }
 
     private static int side(double samples) {

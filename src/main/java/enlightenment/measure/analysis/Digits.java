@@ -1,6 +1,6 @@
 package enlightenment.measure.analysis;
 
-import enlightenment.scene.Budget;
+import enlightenment.scene.RenderSettings;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
@@ -15,7 +15,7 @@ public final class Digits {
                 .round(new MathContext(9, RoundingMode.HALF_EVEN))
                 .round(new MathContext(2, RoundingMode.UP))
                 .doubleValue();
-        return Math.min(Math.max(rounded, 1), Budget.MAX_SAMPLES);
+        return Math.min(Math.max(rounded, 1), RenderSettings.Budget.MAX_SAMPLES);
     }
 
     /** A number rounded up to two significant digits. */
@@ -31,7 +31,7 @@ public final class Digits {
         double rounded = new BigDecimal(samples)
                 .round(new MathContext(2, RoundingMode.HALF_EVEN))
                 .doubleValue();
-        return Math.min(Math.max(rounded, 1), Budget.MAX_SAMPLES);
+        return Math.min(Math.max(rounded, 1), RenderSettings.Budget.MAX_SAMPLES);
     }
 
     /** A number with this many significant digits, without an exponent. */

@@ -3,7 +3,7 @@ package enlightenment.render.aov;
 import enlightenment.color.DisplayCurve;
 import enlightenment.image.Image;
 import enlightenment.picture.HeatMap;
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Something to look at, made of the raw numbers of an {@link RenderRequest.Auxiliary}.
+ * Something to look at, made of the raw numbers of an {@link RenderResult.Auxiliary}.
  *
  * @param image the picture: as large as the numbers, but for the scale below the heat maps of error and samples
  * @param explanation what its colours mean, in one line
@@ -41,16 +41,16 @@ public record AuxiliaryPicture(Image image, String explanation, List<String> mar
     }
 
     /** The picture of these numbers. */
-    public static AuxiliaryPicture of(RenderRequest.Auxiliary kind, Image numbers) {
+    public static AuxiliaryPicture of(RenderResult.Auxiliary kind, Image numbers) {
         return of(kind, numbers, true);
     }
 
     /** As {@link #of}, but without a scale below it: as large as the numbers, for programs that draw a scale of their own. */
-    public static AuxiliaryPicture withoutScale(RenderRequest.Auxiliary kind, Image numbers) {
+    public static AuxiliaryPicture withoutScale(RenderResult.Auxiliary kind, Image numbers) {
         return of(kind, numbers, false);
     }
 
-    private static AuxiliaryPicture of(RenderRequest.Auxiliary kind, Image numbers, boolean hasScale) {
+    private static AuxiliaryPicture of(RenderResult.Auxiliary kind, Image numbers, boolean hasScale) {
         return switch (kind) {
             case ERROR -> error(numbers, hasScale);
             case SAMPLES -> samples(numbers, hasScale);

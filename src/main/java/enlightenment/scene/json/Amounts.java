@@ -1,6 +1,5 @@
 package enlightenment.scene.json;
 
-import enlightenment.material.Amount;
 import enlightenment.material.Texture;
 
 /** Numbers in 0..1 that may come from a texture. */
@@ -10,7 +9,7 @@ final class Amounts {
     private Amounts() {}
 
     /** An amount that must be there; null where it is missing, and after a problem. */
-    static Amount read(Fields f, String key) {
+    static Texture.Amount read(Fields f, String key) {
         if (!f.has(key)) {
             return null;
         }
@@ -26,22 +25,22 @@ final class Amounts {
             f.problem(key, "must lie in 0.0..1.0, not " + value);
             return null;
         }
-        return Amount.of(value);
+        return Texture.Amount.of(value);
     }
 
     /** An amount that may be missing; null after a problem. */
-    static Amount read(Fields f, String key, double unlessGiven) {
-        return f.has(key) ? read(f, key) : Amount.of(unlessGiven);
+    static Texture.Amount read(Fields f, String key, double unlessGiven) {
+        return f.has(key) ? read(f, key) : Texture.Amount.of(unlessGiven);
     }
 
-    private static Amount textured(Fields f, String key) {
+    private static Texture.Amount textured(Fields f, String key) {
         Fields reference = Fields.of(f.get(key), f.at(key), PartKeys.AMOUNT_REFERENCE, f.values());
         if (reference == null || !reference.has("texture")) {
             return null;
         }
         Texture texture = Textures.ofSurface(reference);
-        Amount.Channel channel = reference.word("channel", Amount.Channel.MEAN);
+        Texture.Amount.Channel channel = reference.word("channel", Texture.Amount.Channel.MEAN);
         double factor = reference.number("factor", 1);
-        return texture == null ? null : reference.make(() -> new Amount.Textured(texture, channel, factor));
+        return texture == null ? null : reference.make(() -> new Texture.Amount.Textured(texture, channel, factor));
     }
 }

@@ -2,16 +2,16 @@ package enlightenment.scene.json;
 
 import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
-import enlightenment.scene.Background;
+import enlightenment.scene.Shading;
 import java.util.List;
 import java.util.Map;
 
 /** The light of surroundings: a colour, a picture or a sky. */
 final class Backgrounds {
-    static final Family<Background> FAMILY = new Family<Background>(
+    static final Family<Shading.Background> FAMILY = new Family<Shading.Background>(
                     "background", "surroundings", "picture", Map.of(), Backgrounds::read, Backgrounds::put)
-            .with("picture", Background.Picture.class, "texture | radiance rotation")
-            .with("sky", Background.Sky.class, "elevation | azimuth turbidity groundAlbedo radiance sun");
+            .with("picture", Shading.Background.Picture.class, "texture | radiance rotation")
+            .with("sky", Shading.Background.Sky.class, "elevation | azimuth turbidity groundAlbedo radiance sun");
 
     /** All that a background may be. */
     private static final String EXPECTED = Values.COLOR + ", [r, g, b] with components in 0..1, " + Values.LINEAR
@@ -23,14 +23,14 @@ final class Backgrounds {
     private Backgrounds() {}
 
     /** Null after a problem, here or where a texture has its name. */
-    static Background read(JsonValue v, JsonPointer place, Values values) {
+    static Shading.Background read(JsonValue v, JsonPointer place, Values values) {
         if (v instanceof JsonValue.Obj o && KINDS.stream().allMatch(key -> o.get(key) == null)) {
             values.problems().add(v, place, "must be " + EXPECTED + ", not " + Values.describe(o, KINDS));
             return null;
         }
         if (!isMoreThanColor(v)) {
             Rgb radiance = values.color(v, place, EXPECTED).linear();
-            return values.make(v, place, () -> new Background.Constant(radiance));
+            return values.make(v, place, () -> new Shading.Background.Constant(radiance));
         }
         Fields f = Fields.of(v, place, FAMILY, values);
         return f == null ? null : FAMILY.read(f);
@@ -41,7 +41,7 @@ final class Backgrounds {
         return v instanceof JsonValue.Obj o && (o.get("texture") != null || o.get("type") != null);
     }
 
-    private static Background read(String type, Fields f) {
+    private static Shading.Background read(String type, Fields f) {
         return switch (type) {
             case "picture" -> picture(f);
             case "sky" -> sky(f);
@@ -49,7 +49,7 @@ final class Backgrounds {
         };
     }
 
-    private static Background picture(Fields f) {
+    private static Shading.Background picture(Fields f) {
         Texture texture = f.has("texture") ? Textures.named(f) : null;
         Rgb radiance = f.bands("radiance", Rgb.WHITE);
         double rotation = f.number("rotation", 0);
@@ -60,37 +60,37 @@ final class Backgrounds {
             f.problem("texture", "must name an image file: surroundings have no other textures");
             return null;
         }
-        return f.make(() -> new Background.Picture(file, radiance, rotation));
+        return f.make(() -> new Shading.Background.Picture(file, radiance, rotation));
     }
 
-    private static Background sky(Fields f) {
+    private static Shading.Background sky(Fields f) {
         double elevation = f.number("elevation");
         double azimuth = f.number("azimuth", 0);
-        double turbidity = f.number("turbidity", Background.Sky.USUAL_TURBIDITY);
-        Rgb ground = f.bands("groundAlbedo", Background.Sky.USUAL_GROUND);
+        double turbidity = f.number("turbidity", Shading.Background.Sky.USUAL_TURBIDITY);
+        Rgb ground = f.bands("groundAlbedo", Shading.Background.Sky.USUAL_GROUND);
         Rgb radiance = f.bands("radiance", Rgb.WHITE);
         boolean sun = f.flag("sun", true);
-        return f.make(() -> new Background.Sky(elevation, azimuth, turbidity, ground, radiance, sun));
+        return f.make(() -> new Shading.Background.Sky(elevation, azimuth, turbidity, ground, radiance, sun));
     }
 
-    static JsonValue write(Background background, JsonObjectBuilder p) {
-        if (background instanceof Background.Constant c) {
+    static JsonValue write(Shading.Background background, JsonObjectBuilder p) {
+        if (background instanceof Shading.Background.Constant c) {
             return p.linear("linear", c.radiance()).json();
         }
         FAMILY.write(background, p);
         return p.json();
     }
 
-    private static void put(Background value, JsonObjectBuilder p) {
-        if (value instanceof Background.Picture s) {
+    private static void put(Shading.Background value, JsonObjectBuilder p) {
+        if (value instanceof Shading.Background.Picture s) {
             p.textureName("texture", s.picture())
                     .bandsUnless(Rgb.WHITE, "radiance", s.radiance())
                     .numberUnless(0, "rotation", s.rotation());
-        } else if (value instanceof Background.Sky s) {
+        } else if (value instanceof Shading.Background.Sky s) {
             p.number("elevation", s.elevation())
                     .numberUnless(0, "azimuth", s.azimuth())
-                    .numberUnless(Background.Sky.USUAL_TURBIDITY, "turbidity", s.turbidity())
-                    .bandsUnless(Background.Sky.USUAL_GROUND, "groundAlbedo", s.groundAlbedo())
+                    .numberUnless(Shading.Background.Sky.USUAL_TURBIDITY, "turbidity", s.turbidity())
+                    .bandsUnless(Shading.Background.Sky.USUAL_GROUND, "groundAlbedo", s.groundAlbedo())
                     .bandsUnless(Rgb.WHITE, "radiance", s.radiance())
                     .flagUnless(true, "sun", s.hasSun());
         } else {

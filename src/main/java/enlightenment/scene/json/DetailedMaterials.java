@@ -1,11 +1,7 @@
 package enlightenment.scene.json;
 
-import enlightenment.material.Amount;
-import enlightenment.material.Bump;
-import enlightenment.material.Mask;
+import enlightenment.material.Composite;
 import enlightenment.material.Material;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,8 +16,8 @@ final class DetailedMaterials {
         }
         Material of = f.has("of") ? Materials.use(f.get("of"), f.at("of"), f.values()) : null;
         if (type.equals("mask")) {
-            Amount map = Amounts.read(f, "map");
-            return of == null || map == null ? null : f.make(() -> new Mask(of, map));
+            Texture.Amount map = Amounts.read(f, "map");
+            return of == null || map == null ? null : f.make(() -> new Composite.Mask(of, map));
         }
         Texture map = texture(f, "map");
         double height = f.number("height", 0);
@@ -29,8 +25,8 @@ final class DetailedMaterials {
             return null;
         }
         return f.make(() -> switch (type) {
-            case "normalMap" -> new NormalMap(of, map);
-            case "bump" -> new Bump(of, map, height);
+            case "normalMap" -> new Composite.NormalMap(of, map);
+            case "bump" -> new Composite.Bump(of, map, height);
             default -> throw Family.unknown(type);
         });
     }
@@ -42,10 +38,10 @@ final class DetailedMaterials {
         for (int i = 0; a != null && i < 2; i++) {
             parts.add(Materials.use(a.get(i), f.at("materials").child(i), f.values()));
         }
-        Amount weight = Amounts.read(f, "weight");
+        Texture.Amount weight = Amounts.read(f, "weight");
         return a == null || parts.contains(null) || weight == null
                 ? null
-                : f.make(() -> new Mix(parts.get(0), parts.get(1), weight));
+                : f.make(() -> new Composite.Mix(parts.get(0), parts.get(1), weight));
     }
 
     private static Texture texture(Fields f, String key) {
@@ -71,15 +67,15 @@ final class DetailedMaterials {
     }
 
     static void write(Material value, JsonObjectBuilder p) {
-        if (value instanceof Mix mix) {
+        if (value instanceof Composite.Mix mix) {
             List<JsonValue> parts = new ArrayList<>();
             mix.parts().forEach(m -> parts.add(json(m, p.child("materials", parts.size()))));
             p.put("materials", JsonValue.Arr.of(parts)).amount("weight", mix.weight());
-        } else if (value instanceof Mask mask) {
+        } else if (value instanceof Composite.Mask mask) {
             p.put("of", json(mask.of(), p.child("of"))).amount("map", mask.map());
-        } else if (value instanceof NormalMap normals) {
+        } else if (value instanceof Composite.NormalMap normals) {
             p.put("of", json(normals.of(), p.child("of"))).texture("map", normals.map());
-        } else if (value instanceof Bump bump) {
+        } else if (value instanceof Composite.Bump bump) {
             p.put("of", json(bump.of(), p.child("of")))
                     .texture("map", bump.map())
                     .number("height", bump.height());

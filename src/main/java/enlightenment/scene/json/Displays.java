@@ -1,25 +1,25 @@
 package enlightenment.scene.json;
 
 import enlightenment.color.DisplayCurve;
-import enlightenment.scene.Display;
+import enlightenment.scene.Scene;
 
 /** Reads and writes the display part. */
 final class Displays {
     private Displays() {}
 
     /** Null after a problem. */
-    static Display read(JsonValue v, JsonPointer place, Values values) {
+    static Scene.Display read(JsonValue v, JsonPointer place, Values values) {
         Fields f = Fields.of(v, place, PartKeys.DISPLAY, values);
         if (f == null) {
             return null;
         }
-        double exposure = f.number("exposure", Display.DEFAULT.exposure());
-        DisplayCurve.Tone tone = f.word("tone", Display.DEFAULT.tone());
-        return f.make(() -> new Display(exposure, tone));
+        double exposure = f.number("exposure", Scene.Display.DEFAULT.exposure());
+        DisplayCurve.Tone tone = f.word("tone", Scene.Display.DEFAULT.tone());
+        return f.make(() -> new Scene.Display(exposure, tone));
     }
 
-    static JsonObjectBuilder write(Display display, JsonObjectBuilder p) {
-        return p.numberUnless(Display.DEFAULT.exposure(), "exposure", display.exposure())
-                .wordUnless(Display.DEFAULT.tone(), "tone", display.tone());
+    static JsonObjectBuilder write(Scene.Display display, JsonObjectBuilder p) {
+        return p.numberUnless(Scene.Display.DEFAULT.exposure(), "exposure", display.exposure())
+                .wordUnless(Scene.Display.DEFAULT.tone(), "tone", display.tone());
     }
 }

@@ -5,7 +5,6 @@ import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Transform;
-import enlightenment.material.Amount;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -130,19 +129,19 @@ final class JsonObjectBuilder {
     }
 
     /** A number, or the texture that it comes from. */
-    JsonObjectBuilder amount(String key, Amount amount) {
-        if (!(amount instanceof Amount.Textured t)) {
-            return number(key, ((Amount.Constant) amount).value());
+    JsonObjectBuilder amount(String key, Texture.Amount amount) {
+        if (!(amount instanceof Texture.Amount.Textured t)) {
+            return number(key, ((Texture.Amount.Constant) amount).value());
         }
         JsonObjectBuilder reference = child(key)
                 .textureName("texture", t.texture())
-                .wordUnless(Amount.Channel.MEAN, "channel", t.channel())
+                .wordUnless(Texture.Amount.Channel.MEAN, "channel", t.channel())
                 .numberUnless(1, "factor", t.factor());
         return put(key, reference.json());
     }
 
-    JsonObjectBuilder amountUnless(double usual, String key, Amount amount) {
-        return amount instanceof Amount.Constant c ? numberUnless(usual, key, c.value()) : amount(key, amount);
+    JsonObjectBuilder amountUnless(double usual, String key, Texture.Amount amount) {
+        return amount instanceof Texture.Amount.Constant c ? numberUnless(usual, key, c.value()) : amount(key, amount);
     }
 
     JsonObjectBuilder file(String key, Path file) {

@@ -2,17 +2,12 @@ package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
-import enlightenment.material.Amount;
-import enlightenment.material.Bump;
 import enlightenment.material.Coated;
-import enlightenment.material.EmissionPattern;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.text.Plain;
@@ -91,10 +86,10 @@ final class Materials {
 
     static {
         String why = "belongs to classic shading, which has no materials made of others";
-        FAMILY.with("mix", Mix.class, "materials weight |", Map.of("receivesShadows", why))
-                .with("mask", Mask.class, "of map |", Map.of("receivesShadows", why))
-                .with("normalMap", NormalMap.class, "of map |", Map.of("receivesShadows", why))
-                .with("bump", Bump.class, "of map height |", Map.of("receivesShadows", why));
+        FAMILY.with("mix", Composite.Mix.class, "materials weight |", Map.of("receivesShadows", why))
+                .with("mask", Composite.Mask.class, "of map |", Map.of("receivesShadows", why))
+                .with("normalMap", Composite.NormalMap.class, "of map |", Map.of("receivesShadows", why))
+                .with("bump", Composite.Bump.class, "of map height |", Map.of("receivesShadows", why));
     }
 
     private Materials() {}
@@ -121,7 +116,7 @@ final class Materials {
                     .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
                     .textureIfPresent("radianceMap", m.radianceMap())
                     .wordUnless(
-                            EmissionPattern.Side.BOTH,
+                            Material.EmissionPattern.Side.BOTH,
                             "radianceSide",
                             m.pattern().side())
                     .numberUnless(0, "ultraviolet", m.ultraviolet())
@@ -131,7 +126,7 @@ final class Materials {
                     .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
                     .textureIfPresent("radianceMap", m.radianceMap())
                     .wordUnless(
-                            EmissionPattern.Side.BOTH,
+                            Material.EmissionPattern.Side.BOTH,
                             "radianceSide",
                             m.pattern().side())
                     .numberUnless(0, "ultraviolet", m.ultraviolet())
@@ -143,7 +138,7 @@ final class Materials {
                     .bandsUnless(Rgb.BLACK, "radiance", g.radiance())
                     .textureIfPresent("radianceMap", g.radianceMap())
                     .wordUnless(
-                            EmissionPattern.Side.BOTH,
+                            Material.EmissionPattern.Side.BOTH,
                             "radianceSide",
                             g.pattern().side())
                     .numberUnless(0, "ultraviolet", g.ultraviolet());
@@ -155,7 +150,7 @@ final class Materials {
                     .bandsUnless(Rgb.BLACK, "radiance", c.radiance())
                     .textureIfPresent("radianceMap", c.radianceMap())
                     .wordUnless(
-                            EmissionPattern.Side.BOTH,
+                            Material.EmissionPattern.Side.BOTH,
                             "radianceSide",
                             c.pattern().side())
                     .numberUnless(0, "ultraviolet", c.ultraviolet());
@@ -184,7 +179,7 @@ final class Materials {
                     .bandsUnless(Rgb.BLACK, "radiance", d.radiance())
                     .textureIfPresent("radianceMap", d.radianceMap())
                     .wordUnless(
-                            EmissionPattern.Side.BOTH,
+                            Material.EmissionPattern.Side.BOTH,
                             "radianceSide",
                             d.pattern().side())
                     .numberUnless(0, "ultraviolet", d.ultraviolet());
@@ -239,7 +234,7 @@ final class Materials {
         boolean shadows = receivesShadows(f);
         double roughness = f.number("roughness", 0);
         Rgb radiance = radiance(f);
-        EmissionPattern pattern = pattern(f);
+        Material.EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         return color == null
                 ? null
@@ -250,7 +245,7 @@ final class Materials {
         Texture color = Textures.color(f, "color");
         boolean shadows = receivesShadows(f);
         Rgb radiance = radiance(f);
-        EmissionPattern pattern = pattern(f);
+        Material.EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         return color == null ? null : f.make(() -> new Material.Mirror(color, shadows, radiance, ultraviolet, pattern));
     }
@@ -261,10 +256,10 @@ final class Materials {
             f.problem("color", "missing; a glossy material needs it, or a \"metal\"");
         }
         Texture color = f.has("color") ? Textures.color(f, "color") : Texture.of(DisplayRgb.WHITE);
-        Amount roughness = Amounts.read(f, "roughness");
+        Texture.Amount roughness = Amounts.read(f, "roughness");
         boolean several = f.flag("multipleScattering", true);
         Rgb radiance = radiance(f);
-        EmissionPattern pattern = pattern(f);
+        Material.EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         Rgb eta = constant(f, "eta", hasConstants);
         Rgb k = constant(f, "k", hasConstants);
@@ -314,11 +309,11 @@ final class Materials {
 
     private static Material coated(Fields f) {
         Texture color = Textures.color(f, "color");
-        Amount roughness = Amounts.read(f, "roughness", 0);
+        Texture.Amount roughness = Amounts.read(f, "roughness", 0);
         double index = f.number("indexOfRefraction", Coated.USUAL_INDEX);
         boolean nonlinear = f.flag("nonlinear", false);
         Rgb radiance = radiance(f);
-        EmissionPattern pattern = pattern(f);
+        Material.EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         return color == null || roughness == null
                 ? null
@@ -331,7 +326,7 @@ final class Materials {
         double index = f.number("indexOfRefraction");
         double transparency = f.number("transparency", 1);
         int priority = f.integer("priority", Integer.MIN_VALUE, Integer.MAX_VALUE, 0);
-        Amount roughness = Amounts.read(f, "roughness", 0);
+        Texture.Amount roughness = Amounts.read(f, "roughness", 0);
         Rgb absorption = f.bands("absorption", Rgb.BLACK);
         boolean several = f.flag("multipleScattering", true);
         OptionalDouble abbe = f.has("dispersion") ? OptionalDouble.of(f.number("dispersion")) : OptionalDouble.empty();
@@ -368,7 +363,7 @@ final class Materials {
         Material.WavelengthBand emission = f.wavelengths("emission");
         double yield = f.number("yield");
         Rgb radiance = radiance(f);
-        EmissionPattern pattern = pattern(f);
+        Material.EmissionPattern pattern = pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         if (color == null) {
             return null;
@@ -386,9 +381,9 @@ final class Materials {
     }
 
     /** The points and sides that glow; evenly and to both sides after a problem. */
-    static EmissionPattern pattern(Fields f) {
+    static Material.EmissionPattern pattern(Fields f) {
         Optional<Texture> map =
                 f.has("radianceMap") ? Optional.ofNullable(Textures.color(f, "radianceMap")) : Optional.empty();
-        return new EmissionPattern(map, f.word("radianceSide", EmissionPattern.Side.BOTH));
+        return new Material.EmissionPattern(map, f.word("radianceSide", Material.EmissionPattern.Side.BOTH));
     }
 }

@@ -4,7 +4,6 @@ import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.mesh.TriangleMesh;
-import enlightenment.scene.Background;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
@@ -46,7 +45,7 @@ final class Names {
             }
         }
         if (scene.shading() instanceof Shading.Physical shading
-                && shading.background() instanceof Background.Picture surroundings) {
+                && shading.background() instanceof Shading.Background.Picture surroundings) {
             nameTexture(surroundings.picture());
         }
     }

@@ -1,9 +1,7 @@
 package enlightenment.scene.json;
 
 import enlightenment.color.Rgb;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
@@ -19,16 +17,16 @@ final class PrincipledMaterials {
     /** The material; null after a problem. */
     static Material read(Fields f) {
         Texture color = Textures.color(f, "color");
-        Amount metallic = Amounts.read(f, "metallic", 0);
-        Amount roughness = Amounts.read(f, "roughness", Principled.USUAL_ROUGHNESS);
+        Texture.Amount metallic = Amounts.read(f, "metallic", 0);
+        Texture.Amount roughness = Amounts.read(f, "roughness", Principled.USUAL_ROUGHNESS);
         double index = f.number("indexOfRefraction", Coated.USUAL_INDEX);
         double specular = f.number("specular", 1);
         double clearcoat = f.number("clearcoat", 0);
-        Amount clearcoatRoughness = Amounts.read(f, "clearcoatRoughness", 0);
+        Texture.Amount clearcoatRoughness = Amounts.read(f, "clearcoatRoughness", 0);
         double sheen = f.number("sheen", 0);
         double sheenTint = f.number("sheenTint", 0);
         Rgb radiance = Materials.radiance(f);
-        EmissionPattern pattern = Materials.pattern(f);
+        Material.EmissionPattern pattern = Materials.pattern(f);
         double ultraviolet = f.number("ultraviolet", 0);
         if (color == null || metallic == null || roughness == null || clearcoatRoughness == null) {
             return null;
@@ -59,7 +57,9 @@ final class PrincipledMaterials {
                 .bandsUnless(Rgb.BLACK, "radiance", m.radiance())
                 .textureIfPresent("radianceMap", m.radianceMap())
                 .wordUnless(
-                        EmissionPattern.Side.BOTH, "radianceSide", m.pattern().side())
+                        Material.EmissionPattern.Side.BOTH,
+                        "radianceSide",
+                        m.pattern().side())
                 .numberUnless(0, "ultraviolet", m.ultraviolet());
     }
 }

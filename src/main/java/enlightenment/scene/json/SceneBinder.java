@@ -3,7 +3,6 @@ package enlightenment.scene.json;
 import enlightenment.camera.Camera;
 import enlightenment.light.Light;
 import enlightenment.scene.Animation;
-import enlightenment.scene.Display;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
@@ -79,7 +78,8 @@ final class SceneBinder {
         Camera camera = f.has("camera") ? Cameras.read(f.get("camera"), f.at("camera"), values) : null;
         Shading shading =
                 f.has("shading") ? Shadings.read(f.get("shading"), f.at("shading"), values) : Shading.Classic.DEFAULT;
-        Display display = f.has("display") ? Displays.read(f.get("display"), f.at("display"), values) : Display.DEFAULT;
+        Scene.Display display =
+                f.has("display") ? Displays.read(f.get("display"), f.at("display"), values) : Scene.Display.DEFAULT;
         stream.tellLibrary();
         List<Light> lights = f.has("lights") ? Lights.read(f.get("lights"), f.at("lights"), values) : List.of();
         List<SceneObject> objects = f.has("objects") ? stream.objects(f.get("objects"), f.at("objects")) : List.of();

@@ -1,7 +1,7 @@
 package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
-import enlightenment.scene.Display;
+import enlightenment.scene.Scene;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -42,7 +42,7 @@ final class SceneEdit {
      * Sets the exposure of the part {@code display}, which is added if there is none.
      *
      * @param text a scene file that {@link SceneReader} reads
-     * @param exposure in stops, −{@link Display#MAX_EXPOSURE}..{@link Display#MAX_EXPOSURE}
+     * @param exposure in stops, −{@link Scene.Display#MAX_EXPOSURE}..{@link Scene.Display#MAX_EXPOSURE}
      * @return the new text
      * @throws IllegalArgumentException if the text is no JSON object
      */

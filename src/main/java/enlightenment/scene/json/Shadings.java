@@ -2,7 +2,6 @@ package enlightenment.scene.json;
 
 import enlightenment.color.DisplayRgb;
 import enlightenment.material.Medium;
-import enlightenment.scene.Background;
 import enlightenment.scene.Shading;
 import java.util.List;
 import java.util.Map;
@@ -71,7 +70,7 @@ final class Shadings {
         OptionalInt maxBounces = f.has("maxBounces")
                 ? OptionalInt.of(f.integer("maxBounces", 0, Shading.Physical.MAX_BOUNCES, 0))
                 : Shading.Physical.DEFAULT.maxBounces();
-        Background background = f.has("background")
+        Shading.Background background = f.has("background")
                 ? Backgrounds.read(f.get("background"), f.at("background"), values)
                 : Shading.Physical.DEFAULT.background();
         Medium medium = f.has("medium") ? Media.read(f.get("medium"), f.at("medium"), values) : null;

@@ -4,7 +4,6 @@ import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
-import enlightenment.scene.Background;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -78,8 +77,8 @@ public final class SceneProblems {
     }
 
     private void readImages() {
-        Background background = scene.shading() instanceof Shading.Physical p ? p.background() : null;
-        Texture.File around = background instanceof Background.Picture p ? p.picture() : null;
+        Shading.Background background = scene.shading() instanceof Shading.Physical p ? p.background() : null;
+        Texture.File around = background instanceof Shading.Background.Picture p ? p.picture() : null;
         Set<Texture> needed = needed();
         scene.textures().forEach((name, texture) -> {
             if (!(texture instanceof Texture.File file)) {

@@ -4,7 +4,6 @@ import enlightenment.color.Rgb;
 import enlightenment.light.Light;
 import enlightenment.material.Texture;
 import enlightenment.math.InvalidValueException;
-import enlightenment.scene.Background;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.Shading;
@@ -26,7 +25,7 @@ public final class CompiledSurroundings {
      * @param files returns the content of an image file, or null if it must be read from the disk
      * @throws SceneException if the file of a picture cannot be used, or its light or that of a sky is too much
      */
-    static Surroundings of(Background background, Function<Path, byte[]> files) {
+    static Surroundings of(Shading.Background background, Function<Path, byte[]> files) {
         try {
             return made(background, files);
         } catch (InvalidValueException e) {
@@ -39,12 +38,13 @@ public final class CompiledSurroundings {
      * or made.
      */
     public static void check(Scene scene, SceneImages images) {
-        Background background = scene.shading() instanceof Shading.Physical p ? p.background() : null;
-        if (background instanceof Background.Picture p && p.radiance().max() > 1) {
-            images.around(new Background.Picture(p.picture(), p.radiance(), 0));
-        } else if (background instanceof Background.Sky s && s.radiance().max() > 1) {
-            images.around(
-                    new Background.Sky(s.elevation(), 0, s.turbidity(), s.groundAlbedo(), s.radiance(), s.hasSun()));
+        Shading.Background background = scene.shading() instanceof Shading.Physical p ? p.background() : null;
+        if (background instanceof Shading.Background.Picture p && p.radiance().max() > 1) {
+            images.around(new Shading.Background.Picture(p.picture(), p.radiance(), 0));
+        } else if (background instanceof Shading.Background.Sky s
+                && s.radiance().max() > 1) {
+            images.around(new Shading.Background.Sky(
+                    s.elevation(), 0, s.turbidity(), s.groundAlbedo(), s.radiance(), s.hasSun()));
         }
     }
 
@@ -54,7 +54,8 @@ public final class CompiledSurroundings {
      * @param around what the background becomes; null if it is constant
      * @return null without distant lights that shine, if {@code around} is
      */
-    public static Surroundings withDistantLights(Surroundings around, Background background, List<Light> lights) {
+    public static Surroundings withDistantLights(
+            Surroundings around, Shading.Background background, List<Light> lights) {
         List<Sun> suns = lights.stream()
                 .filter(light ->
                         light instanceof Light.Distant && light.emitted().max() > 0)
@@ -71,22 +72,22 @@ public final class CompiledSurroundings {
         if (suns.isEmpty()) {
             return around;
         }
-        Rgb even = background instanceof Background.Constant c ? c.radiance() : Rgb.BLACK;
+        Rgb even = background instanceof Shading.Background.Constant c ? c.radiance() : Rgb.BLACK;
         return (around == null ? Surroundings.constant(even) : around).with(suns);
     }
 
-    private static Surroundings made(Background background, Function<Path, byte[]> files) {
-        if (background instanceof Background.Picture p) {
+    private static Surroundings made(Shading.Background background, Function<Path, byte[]> files) {
+        if (background instanceof Shading.Background.Picture p) {
             return picture(p, files.apply(p.picture().file()));
         }
-        if (background instanceof Background.Sky s) {
+        if (background instanceof Shading.Background.Sky s) {
             return Surroundings.sky(
                     s.elevation(), s.azimuth(), s.turbidity(), s.groundAlbedo(), s.hasSun(), s.radiance());
         }
         return null;
     }
 
-    private static Surroundings picture(Background.Picture p, byte[] content) {
+    private static Surroundings picture(Shading.Background.Picture p, byte[] content) {
         Surroundings.Texels texels = new Surroundings.Texels(
                 p.picture().encoding() == Texture.Encoding.LINEAR, p.picture().filter() == Texture.Filter.NEAREST);
         try {

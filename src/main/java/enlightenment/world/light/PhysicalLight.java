@@ -6,7 +6,7 @@ import enlightenment.emitter.AreaLights;
 import enlightenment.emitter.IntensityProfile;
 import enlightenment.emitter.LightSides;
 import enlightenment.emitter.SphereLight;
-import enlightenment.material.EmissionPattern;
+import enlightenment.material.Material;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.EndFaces;
 import enlightenment.primitive.Primitive;
@@ -171,12 +171,12 @@ public final class PhysicalLight extends LightBody {
             int face,
             Rgb radiance,
             double ultraviolet,
-            EmissionPattern.Side sides,
+            Material.EmissionPattern.Side sides,
             boolean isInsideSeen,
             RadianceMap map) {
         AreaLight form = AreaLights.of(p, face, ofForm(sides));
-        boolean shinesOutside = sides != EmissionPattern.Side.BACK;
-        boolean shinesInside = sides != EmissionPattern.Side.FRONT && isInsideSeen;
+        boolean shinesOutside = sides != Material.EmissionPattern.Side.BACK;
+        boolean shinesInside = sides != Material.EmissionPattern.Side.FRONT && isInsideSeen;
         if (form == null || !shinesOutside && !shinesInside) {
             return null;
         }
@@ -195,7 +195,7 @@ public final class PhysicalLight extends LightBody {
                 texture);
     }
 
-    private static LightSides ofForm(EmissionPattern.Side sides) {
+    private static LightSides ofForm(Material.EmissionPattern.Side sides) {
         return switch (sides) {
             case BOTH -> LightSides.BOTH;
             case FRONT -> LightSides.FRONT;

@@ -4,9 +4,9 @@ import enlightenment.light.Light;
 import enlightenment.material.Texture;
 import enlightenment.photometry.IesFile;
 import enlightenment.photometry.IntensityTable;
-import enlightenment.scene.Background;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
+import enlightenment.scene.Shading;
 import enlightenment.surroundings.Surroundings;
 import enlightenment.texture.ImageTexture;
 import enlightenment.world.material.MaterialBsdfs;
@@ -29,7 +29,7 @@ public final class SceneImages {
     /** The last surroundings, and what they were made of. */
     private Surroundings surroundings;
 
-    private Background background;
+    private Shading.Background background;
 
     /** Those of the last scene. */
     private MaterialBsdfs bsdfs = new MaterialBsdfs();
@@ -109,7 +109,7 @@ public final class SceneImages {
      *
      * @throws SceneException if the file of a picture cannot be used
      */
-    public synchronized Surroundings around(Background of) {
+    public synchronized Surroundings around(Shading.Background of) {
         if (!of.equals(background)) {
             surroundings = CompiledSurroundings.of(of, files);
             background = of;

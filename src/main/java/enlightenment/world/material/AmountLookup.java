@@ -1,7 +1,6 @@
 package enlightenment.world.material;
 
 import enlightenment.color.Rgb;
-import enlightenment.material.Amount;
 import enlightenment.material.Texture;
 
 /**
@@ -11,16 +10,16 @@ import enlightenment.material.Texture;
  * @param channel which component of its colours
  * @param factor what that is multiplied by
  */
-public record AmountLookup(TextureLookup map, Amount.Channel channel, double factor) {
+public record AmountLookup(TextureLookup map, Texture.Amount.Channel channel, double factor) {
 
     /** One number everywhere. */
-    public static AmountLookup of(Amount.Constant amount) {
+    public static AmountLookup of(Texture.Amount.Constant amount) {
         return mean(new TextureLookup(Texture.of(Rgb.gray(amount.value())), null, true));
     }
 
     /** The mean of a texture's components. */
     static AmountLookup mean(TextureLookup map) {
-        return new AmountLookup(map, Amount.Channel.MEAN, 1);
+        return new AmountLookup(map, Texture.Amount.Channel.MEAN, 1);
     }
 
     /** The amount of a colour. */
@@ -36,6 +35,6 @@ public record AmountLookup(TextureLookup map, Amount.Channel channel, double fac
 
     /** A text that is equal for amounts that are the same everywhere. */
     String look() {
-        return map.look() + (channel == Amount.Channel.MEAN && factor == 1 ? "" : " " + channel + " " + factor);
+        return map.look() + (channel == Texture.Amount.Channel.MEAN && factor == 1 ? "" : " " + channel + " " + factor);
     }
 }

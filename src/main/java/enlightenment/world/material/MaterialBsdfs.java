@@ -15,12 +15,12 @@ import enlightenment.bsdf.SmoothConductor;
 import enlightenment.bsdf.SmoothDielectric;
 import enlightenment.bsdf.SmoothRefraction;
 import enlightenment.bsdf.SpecularReflection;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Principled;
+import enlightenment.material.Texture;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -68,24 +68,24 @@ public final class MaterialBsdfs {
             return SpecularReflection.INSTANCE;
         }
         if (material instanceof Glossy g) {
-            return g.roughness() instanceof Amount.Constant roughness
+            return g.roughness() instanceof Texture.Amount.Constant roughness
                     ? metal(roughness.value(), g.conductor(), g.multipleScattering())
                     : Lambert.INSTANCE;
         }
         if (material instanceof Coated c) {
-            return c.roughness() instanceof Amount.Constant roughness
+            return c.roughness() instanceof Texture.Amount.Constant roughness
                     ? coating(roughness.value(), c.indexOfRefraction(), c.nonlinear())
                     : Lambert.INSTANCE;
         }
         if (material instanceof Principled p) {
-            return p.metallic() instanceof Amount.Constant metallic
-                            && p.roughness() instanceof Amount.Constant roughness
-                            && p.clearcoat().roughness() instanceof Amount.Constant clear
+            return p.metallic() instanceof Texture.Amount.Constant metallic
+                            && p.roughness() instanceof Texture.Amount.Constant roughness
+                            && p.clearcoat().roughness() instanceof Texture.Amount.Constant clear
                     ? principled(metallic.value(), roughness.value(), clear.value(), p)
                     : Lambert.INSTANCE;
         }
         if (material instanceof Material.Scattering scattering) {
-            return border(Amount.of(scattering.roughness()), true);
+            return border(Texture.Amount.of(scattering.roughness()), true);
         }
         throw new AssertionError("no physical form of the material " + material.type());
     }
@@ -169,8 +169,8 @@ public final class MaterialBsdfs {
     }
 
     /** Of a roughness by a texture, a rough border that stands for those of its levels where nothing asks for the place. */
-    private Bsdf border(Amount roughness, boolean losesNothing) {
-        double value = roughness instanceof Amount.Constant constant ? constant.value() : 1;
+    private Bsdf border(Texture.Amount roughness, boolean losesNothing) {
+        double value = roughness instanceof Texture.Amount.Constant constant ? constant.value() : 1;
         double alpha = value * value;
         return Microfacets.isSmooth(alpha)
                 ? SmoothDielectric.INSTANCE

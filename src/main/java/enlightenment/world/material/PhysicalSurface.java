@@ -6,9 +6,7 @@ import enlightenment.bsdf.Reradiation;
 import enlightenment.color.Rgb;
 import enlightenment.colorimetry.CauchyFormula;
 import enlightenment.frame.SceneFrame;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
@@ -32,7 +30,7 @@ import enlightenment.numeric.Scale;
 public record PhysicalSurface(
         Bsdf bsdf,
         Rgb glow,
-        EmissionPattern.Side sides,
+        Material.EmissionPattern.Side sides,
         Rgb absorption,
         double dispersion,
         double ultraviolet,
@@ -41,7 +39,7 @@ public record PhysicalSurface(
         String look) {
     /** That of a material of classic shading. */
     static final PhysicalSurface NONE =
-            new PhysicalSurface(null, Rgb.BLACK, EmissionPattern.Side.FRONT, Rgb.BLACK, 0, 0, null, null, "");
+            new PhysicalSurface(null, Rgb.BLACK, Material.EmissionPattern.Side.FRONT, Rgb.BLACK, 0, 0, null, null, "");
 
     /** @param bsdfs makes how it scatters light */
     public static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes, MaterialBsdfs bsdfs) {
@@ -54,7 +52,7 @@ public record PhysicalSurface(
                 : Rgb.WHITE;
         Rgb glow = material.radiance().times(factor);
         double ultraviolet = material.ultraviolet() * factor.b();
-        EmissionPattern.Side sides = material.pattern().side();
+        Material.EmissionPattern.Side sides = material.pattern().side();
         String look = text(glow, ultraviolet) + ofSides(sides);
         if (material instanceof Glass glass) {
             absorption = scaled(glass.absorption(), frame.exponent());
@@ -92,17 +90,18 @@ public record PhysicalSurface(
 
     /** The surface of a light: black, and opaque. */
     public static PhysicalSurface light(Rgb radiance, double ultraviolet, boolean isTwoSided) {
-        EmissionPattern.Side sides = isTwoSided ? EmissionPattern.Side.BOTH : EmissionPattern.Side.FRONT;
+        Material.EmissionPattern.Side sides =
+                isTwoSided ? Material.EmissionPattern.Side.BOTH : Material.EmissionPattern.Side.FRONT;
         return new PhysicalSurface(Lambert.INSTANCE, radiance, sides, Rgb.BLACK, 0, ultraviolet, null, null, null);
     }
 
     /** That of a light is made when it is asked for: of thousands of lights hardly one is. */
     @Override
     public String look() {
-        return look == null ? text(glow, ultraviolet) + " " + (sides == EmissionPattern.Side.BOTH) : look;
+        return look == null ? text(glow, ultraviolet) + " " + (sides == Material.EmissionPattern.Side.BOTH) : look;
     }
 
-    private static String ofSides(EmissionPattern.Side sides) {
+    private static String ofSides(Material.EmissionPattern.Side sides) {
         return switch (sides) {
             case BOTH -> "";
             case FRONT -> " front";
@@ -115,8 +114,10 @@ public record PhysicalSurface(
         return c.r() + "," + c.g() + "," + c.b();
     }
 
-    private static String text(Amount amount) {
-        return amount instanceof Amount.Constant constant ? Double.toString(constant.value()) : amount.toString();
+    private static String text(Texture.Amount amount) {
+        return amount instanceof Texture.Amount.Constant constant
+                ? Double.toString(constant.value())
+                : amount.toString();
     }
 
     private static String text(Rgb c, double ultraviolet) {

@@ -7,7 +7,6 @@ import enlightenment.bsdf.Reradiation;
 import enlightenment.bsdf.SmoothShading;
 import enlightenment.bsdf.SpecularReflection;
 import enlightenment.color.Rgb;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
 import enlightenment.primitive.Ray;
@@ -54,7 +53,7 @@ public final class SurfaceMaterial {
     public final boolean glows;
 
     /** The sides that emit. */
-    public final EmissionPattern.Side sides;
+    public final Material.EmissionPattern.Side sides;
 
     /** The radiance that it emits, before it is multiplied by {@link #radianceMap}: linear, by band. */
     public final double glowR;

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.Renderer;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -17,7 +16,8 @@ class FilmReportTest {
     /** The report of a picture with so many rays of each of two kinds. */
     private static RenderReport report(long rays) {
         Scene scene = SceneReader.read(Path.of("src/test/resources/physical/cornell.json"));
-        RenderSettings settings = RenderSettings.of(scene).withSize(1, 1).withBudget(Budget.NONE.withSamples(1));
+        RenderSettings settings =
+                RenderSettings.of(scene).withSize(1, 1).withBudget(RenderSettings.Budget.NONE.withSamples(1));
         RenderReport r = Renderer.render(scene, settings, RenderProgress.NONE, () -> false)
                 .report();
         return new RenderReport(

@@ -15,7 +15,6 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.report.RenderReport;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -30,7 +29,8 @@ class LightNotesTest {
     /** A finished render whose report says that some samples were no numbers. */
     private static RenderResult result(long lost) throws Exception {
         Scene scene = SceneReader.read(Path.of("src/test/resources/physical/cornell.json"));
-        RenderSettings settings = RenderSettings.of(scene).withSize(8, 8).withBudget(Budget.NONE.withSamples(4));
+        RenderSettings settings =
+                RenderSettings.of(scene).withSize(8, 8).withBudget(RenderSettings.Budget.NONE.withSamples(4));
         RenderResult r = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
         RenderReport p = r.report();
         RenderReport.Sampling s = p.sampling();
@@ -131,7 +131,7 @@ class LightNotesTest {
         Scene scene = SceneReader.read(Path.of("src/test/resources/physical/cornell.json"));
         for (double samples : new double[] {1, 4}) {
             RenderSettings settings =
-                    RenderSettings.of(scene).withSize(8, 8).withBudget(Budget.NONE.withSamples(samples));
+                    RenderSettings.of(scene).withSize(8, 8).withBudget(RenderSettings.Budget.NONE.withSamples(samples));
             String stats = StatsTable.of(Renderer.render(scene, settings, RenderProgress.NONE, () -> false)
                     .report());
             assertEquals(samples > 1, stats.contains("of linear light"), stats);
@@ -144,7 +144,7 @@ class LightNotesTest {
         Scene scene = SceneReader.read(Path.of("src/test/resources/physical/cornell.json"));
         for (int samples = 1; samples <= 4; samples++) {
             RenderSettings settings =
-                    RenderSettings.of(scene).withSize(8, 8).withBudget(Budget.NONE.withSamples(samples));
+                    RenderSettings.of(scene).withSize(8, 8).withBudget(RenderSettings.Budget.NONE.withSamples(samples));
             RenderResult r = Renderer.render(scene, settings, RenderProgress.NONE, () -> false);
             assertEquals(samples < 4, StatsTable.of(r.report()).contains("a guess"), samples + " samples per pixel");
         }

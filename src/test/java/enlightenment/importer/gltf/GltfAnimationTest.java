@@ -6,14 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.cli.CliRun;
 import enlightenment.geometry.Mesh;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.SceneFrames;
+import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -43,17 +42,20 @@ class GltfAnimationTest {
         motion.move(node, path, interpolation, times, values);
     }
 
-    private SceneImporter.Result imported(ImportOptions options) throws IOException {
+    private SceneImporter.Result imported(SceneImporter.Options options) throws IOException {
         return motion.read(folder, options);
     }
 
     private Scene scene() throws IOException {
-        return imported(ImportOptions.DEFAULT.withFramesPerSecond(8)).scene();
+        return imported(SceneImporter.Options.DEFAULT.withFramesPerSecond(8)).scene();
     }
 
     private static Vec3 moved(Scene scene, int frame, double x, double y, double z) {
-        Mesh mesh = (Mesh)
-                SceneFrames.of(scene, "moving").read(frame).objects().get(0).shape();
+        Mesh mesh = (Mesh) SceneReader.Frames.of(scene, "moving")
+                .read(frame)
+                .objects()
+                .get(0)
+                .shape();
         return mesh.transform().apply(ExactPoint.of(x, y, z)).toVec3();
     }
 
@@ -211,7 +213,7 @@ class GltfAnimationTest {
         other.folder = folder;
         other.file.add("nodes", "{'mesh':0,'scale':[3,3,3]}");
         other.move(0, "scale", "LINEAR", new float[] {0, 1}, 1, 1, 1, 0, 0, 0);
-        SceneImporter.Result still = other.imported(ImportOptions.DEFAULT);
+        SceneImporter.Result still = other.imported(SceneImporter.Options.DEFAULT);
         assertTrue(
                 still.notes().toString().contains("keeps that of its rest"),
                 still.notes().toString());
@@ -245,13 +247,13 @@ class GltfAnimationTest {
         move(0, "translation", "LINEAR", new float[] {0, 1}, 0, 0, 0, 1, 0, 0);
         motion.addChannel("{'sampler':0,'target':{'node':0,'path':'weights'}}");
         motion.add("");
-        String notes = imported(ImportOptions.DEFAULT).notes().toString();
+        String notes = imported(SceneImporter.Options.DEFAULT).notes().toString();
         assertTrue(notes.contains("morph targets"), notes);
         assertTrue(notes.contains("animations: of 2, the first is taken: 0"), notes);
     }
 
     private String problem() {
-        SceneException e = assertThrows(SceneException.class, () -> imported(ImportOptions.DEFAULT));
+        SceneException e = assertThrows(SceneException.class, () -> imported(SceneImporter.Options.DEFAULT));
         assertEquals(1, e.problems().size());
         assertEquals(1, e.problems().get(0).toString().lines().count());
         return e.problems().get(0).message();
@@ -323,7 +325,7 @@ class GltfAnimationTest {
     void aFilmOfTheFileIsThatOfTheConvertedScene() throws IOException {
         file.add("nodes", "{'mesh':0}");
         move(0, "rotation", "LINEAR", new float[] {0, 1}, 0, 0, 0, 1, 0, ROOT, 0, ROOT);
-        imported(ImportOptions.DEFAULT);
+        imported(SceneImporter.Options.DEFAULT);
         Path glb = folder.resolve("moving.glb");
         Path json = folder.resolve("moving.json");
         CliRun converted = CliRun.of("convert", glb, json, "--fps", "4");
@@ -365,7 +367,7 @@ class GltfAnimationTest {
         Path glb = folder.resolve("three.glb");
         Files.write(glb, file.glb());
         SceneImporter.Result imported = SceneImporter.read(
-                glb, ImportOptions.DEFAULT.withFramesPerSecond(8).withAnimation(animation));
+                glb, SceneImporter.Options.DEFAULT.withFramesPerSecond(8).withAnimation(animation));
         assertEquals("[]", imported.notes().toString(), "what was chosen needs no note");
         return 8 * moved(imported.scene(), 1, 0, 0, 0).x();
     }

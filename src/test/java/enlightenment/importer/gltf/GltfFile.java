@@ -1,6 +1,5 @@
 package enlightenment.importer.gltf;
 
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -162,6 +161,6 @@ final class GltfFile {
         Path file = folder.resolve("model.glb");
         Files.write(file, glb);
         Path extracted = folder.resolve("extracted" + System.nanoTime());
-        return SceneImporter.read(file, ImportOptions.DEFAULT.withExtracted(extracted));
+        return SceneImporter.read(file, SceneImporter.Options.DEFAULT.withExtracted(extracted));
     }
 }

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
@@ -33,7 +32,8 @@ class GltfHostileTest {
 
     private String problem(byte[] content, String name) throws IOException {
         Path file = Files.write(folder.resolve(name), content);
-        SceneException e = assertThrows(SceneException.class, () -> SceneImporter.read(file, ImportOptions.DEFAULT));
+        SceneException e =
+                assertThrows(SceneException.class, () -> SceneImporter.read(file, SceneImporter.Options.DEFAULT));
         assertEquals(1, e.problems().size());
         return e.problems().get(0).message();
     }
@@ -150,7 +150,7 @@ class GltfHostileTest {
         for (String uri : new String[] {"../secret.bin", "%2e%2e/secret.bin", "http://example.org/a.bin"}) {
             Path file = Files.writeString(inner.resolve("model.gltf"), square().gltf(uri));
             SceneException e =
-                    assertThrows(SceneException.class, () -> SceneImporter.read(file, ImportOptions.DEFAULT));
+                    assertThrows(SceneException.class, () -> SceneImporter.read(file, SceneImporter.Options.DEFAULT));
             assertSays("buffers/0: ", e.problems().get(0).message());
         }
         assertSays("no base64", problem(square().gltf("data:application/octet-stream;base64,#!")));
@@ -170,7 +170,7 @@ class GltfHostileTest {
             byte[] mutant = mutated(whole, random);
             Path path = Files.write(folder.resolve("mutant.glb"), mutant);
             try {
-                SceneImporter.read(path, ImportOptions.DEFAULT);
+                SceneImporter.read(path, SceneImporter.Options.DEFAULT);
             } catch (SceneException e) {
                 refused++;
                 assertEquals(1, e.problems().size());

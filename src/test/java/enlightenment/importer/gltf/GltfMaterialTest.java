@@ -9,11 +9,9 @@ import enlightenment.geometry.Mesh;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.SceneImporter;
-import enlightenment.material.Amount;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import java.awt.image.BufferedImage;
@@ -82,11 +80,11 @@ class GltfMaterialTest {
         assertEquals(
                 new Principled(
                         Texture.of(Rgb.WHITE),
-                        Amount.of(0),
-                        Amount.of(1),
+                        Texture.Amount.of(0),
+                        Texture.Amount.of(1),
                         1.25,
                         0.5,
-                        new Principled.Clearcoat(0.75, Amount.of(0.125)),
+                        new Principled.Clearcoat(0.75, Texture.Amount.of(0.125)),
                         new Principled.Sheen(0.5, 0),
                         new Rgb(4, 2, 0),
                         0),
@@ -108,11 +106,11 @@ class GltfMaterialTest {
         Principled p = (Principled) material(file.read(folder));
         assertEquals(Texture.Encoding.SRGB, ((Texture.File) p.color()).encoding());
         assertTrue(Arrays.equals(picture, Files.readAllBytes(file(p.color()))), "the picture keeps its bytes");
-        Amount.Textured roughness = (Amount.Textured) p.roughness();
-        Amount.Textured metallic = (Amount.Textured) p.metallic();
-        assertEquals(Amount.Channel.GREEN, roughness.channel());
+        Texture.Amount.Textured roughness = (Texture.Amount.Textured) p.roughness();
+        Texture.Amount.Textured metallic = (Texture.Amount.Textured) p.metallic();
+        assertEquals(Texture.Amount.Channel.GREEN, roughness.channel());
         assertEquals(0.5, roughness.factor());
-        assertEquals(Amount.Channel.BLUE, metallic.channel());
+        assertEquals(Texture.Amount.Channel.BLUE, metallic.channel());
         assertEquals(1, metallic.factor());
         assertEquals(Texture.Encoding.LINEAR, ((Texture.File) roughness.texture()).encoding());
         assertEquals(roughness.texture(), metallic.texture());
@@ -140,8 +138,11 @@ class GltfMaterialTest {
         String color = "'pbrMetallicRoughness':{'baseColorFactor':[1,1,1,0.25]}";
         Material plain = Principled.of(Texture.of(Rgb.WHITE), 1, 1);
         assertEquals(plain, material(read("{" + color + "}")));
-        assertEquals(new Mask(plain, Amount.of(0.25)), material(read("{'alphaMode':'BLEND'," + color + "}")));
-        assertEquals(new Mask(plain, Amount.of(0)), material(read("{'alphaMode':'MASK'," + color + "}")));
+        assertEquals(
+                new Composite.Mask(plain, Texture.Amount.of(0.25)),
+                material(read("{'alphaMode':'BLEND'," + color + "}")));
+        assertEquals(
+                new Composite.Mask(plain, Texture.Amount.of(0)), material(read("{'alphaMode':'MASK'," + color + "}")));
         assertEquals(plain, material(read("{'alphaMode':'MASK','alphaCutoff':0.25," + color + "}")));
     }
 
@@ -151,8 +152,8 @@ class GltfMaterialTest {
             GltfFile file = GltfFile.ofMaterial("{'alphaMode':'" + (isCut ? "MASK" : "BLEND")
                     + "','pbrMetallicRoughness':{'baseColorTexture':{'index':0},'baseColorFactor':[1,1,1,0.75]}}");
             file.texture(png(0xff804020, 0x00804020, 0xb0804020, 0xa0804020));
-            Mask mask = (Mask) material(file.read(folder));
-            Amount.Textured map = (Amount.Textured) mask.map();
+            Composite.Mask mask = (Composite.Mask) material(file.read(folder));
+            Texture.Amount.Textured map = (Texture.Amount.Textured) mask.map();
             Image image = ImageFiles.read(file(map.texture()));
             // 0.75 · 0xb0 / 255 is 0.518, 0.75 · 0xa0 / 255 is 0.471.
             double[] expected = isCut ? new double[] {1, 0, 1, 0} : new double[] {1, 0, 0xb0 / 255.0, 0xa0 / 255.0};
@@ -168,7 +169,7 @@ class GltfMaterialTest {
         for (double scale : new double[] {1, 0.5}) {
             GltfFile file = GltfFile.ofMaterial("{'normalTexture':{'index':0,'scale':" + scale + "}}");
             file.texture(png(0xffff80ff));
-            NormalMap map = (NormalMap) material(file.read(folder));
+            Composite.NormalMap map = (Composite.NormalMap) material(file.read(folder));
             Image image = ImageFiles.read(file(map.map()));
             // The red component stands for 1 along u, the blue one for 1 outwards: the tangent of the tilt is their
             // ratio.
@@ -223,8 +224,8 @@ class GltfMaterialTest {
             GltfFile file = tetrahedron(rough.formatted(metallic));
             file.texture(png(0xff00ff00, 0xff008000));
             SceneImporter.Result imported = file.read(folder);
-            Amount.Textured roughness = (Amount.Textured) ((Glass) material(imported)).roughness();
-            assertEquals(Amount.Channel.GREEN, roughness.channel());
+            Texture.Amount.Textured roughness = (Texture.Amount.Textured) ((Glass) material(imported)).roughness();
+            assertEquals(Texture.Amount.Channel.GREEN, roughness.channel());
             assertEquals(0.5, roughness.factor());
             List<String> metal =
                     List.of("materials/0: the metal of metallicRoughnessTexture is left out of what transmits light");
@@ -240,9 +241,9 @@ class GltfMaterialTest {
                 + "'clearcoatRoughnessFactor':0.25,'clearcoatRoughnessTexture':{'index':0}}}}");
         file.texture(png(0xff00ff00, 0xff008000));
         SceneImporter.Result imported = file.read(folder);
-        Amount.Textured roughness =
-                (Amount.Textured) ((Principled) material(imported)).clearcoat().roughness();
-        assertEquals(Amount.Channel.GREEN, roughness.channel());
+        Texture.Amount.Textured roughness = (Texture.Amount.Textured)
+                ((Principled) material(imported)).clearcoat().roughness();
+        assertEquals(Texture.Amount.Channel.GREEN, roughness.channel());
         assertEquals(0.25, roughness.factor());
         assertEquals(Texture.Encoding.LINEAR, ((Texture.File) roughness.texture()).encoding());
         assertEquals(List.of(), imported.notes());
@@ -265,8 +266,8 @@ class GltfMaterialTest {
                 + "'extensions':{'KHR_materials_transmission':{'transmissionFactor':0.25}}}"));
         assertEquals(0.2, glass.transparency(), 1e-15);
         Principled rest = (Principled) glass.opaque().orElseThrow();
-        assertEquals(0.25, ((Amount.Constant) rest.metallic()).value(), 1e-15);
-        assertEquals(Amount.of(0.5), rest.roughness());
+        assertEquals(0.25, ((Texture.Amount.Constant) rest.metallic()).value(), 1e-15);
+        assertEquals(Texture.Amount.of(0.5), rest.roughness());
     }
 
     @Test

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.geometry.Mesh;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TriangleMesh;
@@ -55,8 +54,8 @@ class GltfMeshTest {
         TriangleMesh expected = SQUARE.withUv(new float[] {0, 0, 1, 0, 1, 1, 0, 1});
         assertEquals(Mesh.of(expected), mesh(first, 0));
         assertEquals("a square", first.scene().objects().get(0).name());
-        assertEquals(first, SceneImporter.read(external, ImportOptions.DEFAULT));
-        assertEquals(first, SceneImporter.read(inline, ImportOptions.DEFAULT));
+        assertEquals(first, SceneImporter.read(external, SceneImporter.Options.DEFAULT));
+        assertEquals(first, SceneImporter.read(inline, SceneImporter.Options.DEFAULT));
     }
 
     /** The trap "uv origin": the picture's top, v = 0 in glTF, is v = 1 in our meshes. */

@@ -1,6 +1,5 @@
 package enlightenment.importer.gltf;
 
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -42,7 +41,7 @@ final class GltfMotion {
     }
 
     /** Writes the file with the animation to {@code moving.glb} and reads it. */
-    SceneImporter.Result read(Path folder, ImportOptions options) throws IOException {
+    SceneImporter.Result read(Path folder, SceneImporter.Options options) throws IOException {
         add("");
         Path glb = folder.resolve("moving.glb");
         Files.write(glb, file.glb());

@@ -6,13 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.cli.CliRun;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.light.Light;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
-import enlightenment.scene.json.SceneFrames;
+import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -27,7 +26,7 @@ class GltfMovingViewTest {
     private static final double CLOSE = 1e-6;
 
     private static final float ROOT = (float) StrictMath.sqrt(0.5);
-    private static final ImportOptions EIGHT = ImportOptions.DEFAULT.withFramesPerSecond(8);
+    private static final SceneImporter.Options EIGHT = SceneImporter.Options.DEFAULT.withFramesPerSecond(8);
     private static final float[] A_SECOND = {0, 1};
 
     @TempDir
@@ -65,7 +64,7 @@ class GltfMovingViewTest {
         return targets;
     }
 
-    private static Camera.Perspective camera(SceneFrames frames, int frame) {
+    private static Camera.Perspective camera(SceneReader.Frames frames, int frame) {
         return (Camera.Perspective) frames.read(frame).camera();
     }
 
@@ -79,7 +78,7 @@ class GltfMovingViewTest {
         file.add("nodes", "{'camera':0,'translation':[9,9,9]}");
         motion.move(1, "translation", "LINEAR", new float[] {0.5f, 1, 2}, 0, 1, 5, 4, 1, 5, 0, 1, 9);
         Scene scene = scene();
-        SceneFrames frames = SceneFrames.of(scene, "rails");
+        SceneReader.Frames frames = SceneReader.Frames.of(scene, "rails");
         double[] x = {0, 0, 0, 0, 0, 1, 2, 3, 4, 3.5, 3, 2.5};
         for (int n = 0; n < x.length; n++) {
             Camera.Perspective camera = camera(frames, n);
@@ -101,7 +100,7 @@ class GltfMovingViewTest {
         file.add("nodes", "{'camera':0,'translation':[2,0,0]}");
         motion.move(1, "rotation", "LINEAR", A_SECOND, 0, 0, 0, 1, 0, 1, 0, 0);
         motion.move(1, "translation", "LINEAR", A_SECOND, 0, 1, 0, 0, 9, 0);
-        SceneFrames frames = SceneFrames.of(scene(), "arm");
+        SceneReader.Frames frames = SceneReader.Frames.of(scene(), "arm");
         for (int n = 0; n < 8; n++) {
             double a = n * StrictMath.PI / 8;
             Camera.Perspective camera = camera(frames, n);
@@ -120,7 +119,7 @@ class GltfMovingViewTest {
         file.add("nodes", "{'camera':0,'translation':[0,0,5]}");
         motion.move(1, "rotation", "LINEAR", A_SECOND, 0, 0, 0, 1, 0, 0, 1, 0);
         Scene scene = scene();
-        SceneFrames frames = SceneFrames.of(scene, "roll");
+        SceneReader.Frames frames = SceneReader.Frames.of(scene, "roll");
         for (int n = 0; n < 8; n++) {
             double a = n * StrictMath.PI / 8;
             assertNear(
@@ -135,7 +134,7 @@ class GltfMovingViewTest {
         file.add("nodes", "{'camera':1,'translation':[0,0,5]}");
         motion.move(1, "scale", "LINEAR", A_SECOND, 1, 1, 1, 3, 3, 3);
         SceneImporter.Result imported = motion.read(folder, EIGHT.withCamera("1"));
-        SceneFrames frames = SceneFrames.of(imported.scene(), "zoom");
+        SceneReader.Frames frames = SceneReader.Frames.of(imported.scene(), "zoom");
         for (int n = 0; n < 8; n++) {
             Camera.Orthographic camera = (Camera.Orthographic) frames.read(n).camera();
             assertEquals(2 * (1 + n / 4.0), camera.height(), CLOSE);
@@ -172,7 +171,7 @@ class GltfMovingViewTest {
                 7,
                 7);
         motion.move(3, "translation", "STEP", new float[] {0, 0.7f}, 1, 2, 3, 4, 5, 6);
-        SceneFrames frames = SceneFrames.of(scene(), "lamps");
+        SceneReader.Frames frames = SceneReader.Frames.of(scene(), "lamps");
         Light.Point spline = (Light.Point) frames.read(8).lights().get(0);
         assertNear(
                 (1 + 3) / 2.0 + 2 * (4 + 2) / 8.0,
@@ -194,7 +193,7 @@ class GltfMovingViewTest {
             motion.move(node, "rotation", "LINEAR", A_SECOND, 0, 0, 0, 1, 0, ROOT, 0, ROOT);
         }
         Scene scene = scene();
-        SceneFrames frames = SceneFrames.of(scene, "sun");
+        SceneReader.Frames frames = SceneReader.Frames.of(scene, "sun");
         for (int n = 0; n < 8; n++) {
             double a = n * StrictMath.PI / 16;
             Light.Spot spot = (Light.Spot) frames.read(n).lights().get(0);
@@ -223,7 +222,7 @@ class GltfMovingViewTest {
     void aViewFromOutsideStandsStill() throws IOException {
         file.add("nodes", "{'camera':0,'translation':[0,0,5]}");
         motion.move(1, "translation", "LINEAR", A_SECOND, 0, 0, 5, 0, 0, 9);
-        SceneImporter.Result imported = motion.read(folder, EIGHT.withOrbit(ImportOptions.Orbit.USUAL));
+        SceneImporter.Result imported = motion.read(folder, EIGHT.withOrbit(SceneImporter.Options.Orbit.USUAL));
         assertTrue(imported.scene().animation().isEmpty());
     }
 

@@ -7,13 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.Shading;
@@ -58,7 +56,7 @@ class GltfViewTest {
     }
 
     private static double fieldOfView(Path glb, String camera) throws IOException {
-        Scene scene = SceneImporter.read(glb, ImportOptions.DEFAULT.withCamera(camera))
+        Scene scene = SceneImporter.read(glb, SceneImporter.Options.DEFAULT.withCamera(camera))
                 .scene();
         return ((Camera.Perspective) scene.camera()).fieldOfView();
     }
@@ -111,7 +109,8 @@ class GltfViewTest {
                 List.of(new Light.Point(ExactPoint.of(1, 2, 3), Rgb.WHITE, Emission.intensity(new Rgb(40, 20, 10)))),
                 imported.scene().lights());
         Shading.Physical shading = (Shading.Physical) imported.scene().shading();
-        assertEquals(new Background.Constant(Rgb.BLACK), shading.background(), "a file with a light has no studio");
+        assertEquals(
+                new Shading.Background.Constant(Rgb.BLACK), shading.background(), "a file with a light has no studio");
     }
 
     @Test

@@ -5,10 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -25,9 +23,9 @@ class ThumbnailTest {
     Path folder;
 
     private static void makeThumbnail(Path file, Path picture) throws IOException {
-        SceneImporter.Result model = SceneImporter.read(file, ImportOptions.DEFAULT);
+        SceneImporter.Result model = SceneImporter.read(file, SceneImporter.Options.DEFAULT);
         RenderSettings small =
-                RenderSettings.of(model.scene()).withSize(160, 120).withBudget(Budget.NONE.withSamples(8));
+                RenderSettings.of(model.scene()).withSize(160, 120).withSamples(8);
         ImageFiles.writePng(Renderer.render(model.scene(), small), picture);
     }
 

@@ -9,15 +9,11 @@ import enlightenment.color.Rgb;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.importer.support.ImportDraft;
-import enlightenment.material.Amount;
-import enlightenment.material.Bump;
 import enlightenment.material.Coated;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import java.io.IOException;
@@ -60,7 +56,7 @@ class MitsubaBsdfTest {
                 "roughconductor",
                 "<float name=\"alpha\" value=\"0.09\"/><string name=\"distribution\" value=\"ggx\"/>"
                         + "<string name=\"material\" value=\"Au\"/>"));
-        assertEquals(0.3, ((Amount.Constant) m.roughness()).value(), 1e-15);
+        assertEquals(0.3, ((Texture.Amount.Constant) m.roughness()).value(), 1e-15);
         assertEquals(Glossy.Metal.GOLD.conductor(), m.conductor().orElseThrow());
     }
 
@@ -79,7 +75,7 @@ class MitsubaBsdfTest {
                         "<float name=\"alpha_u\" value=\"0.04\"/><float name=\"alpha_v\" value=\"0.25\"/>")
                 + "</shape>");
         Glossy m = (Glossy) draft.objects().get(0).material();
-        assertEquals(0.1, StrictMath.pow(((Amount.Constant) m.roughness()).value(), 2), 1e-15);
+        assertEquals(0.1, StrictMath.pow(((Texture.Amount.Constant) m.roughness()).value(), 2), 1e-15);
         String notes = String.join("\n", draft.notes().list());
         assertTrue(notes.contains("beckmann") && notes.contains("anisotropic"), notes);
     }
@@ -95,7 +91,7 @@ class MitsubaBsdfTest {
                 bsdf("conductor", "<rgb name=\"eta\" value=\"1, 2, 3\"/><rgb name=\"k\" value=\"4, 5, 6\"/>"));
         assertEquals(new Rgb(1, 2, 3), m.conductor().orElseThrow().eta());
         assertEquals(new Rgb(4, 5, 6), m.conductor().orElseThrow().k());
-        assertEquals(Amount.of(0), m.roughness());
+        assertEquals(Texture.Amount.of(0), m.roughness());
     }
 
     @Test
@@ -121,7 +117,7 @@ class MitsubaBsdfTest {
     @Test
     void smoothPlasticHasASmoothCoat() throws IOException {
         Coated m = (Coated) scenes.material(bsdf("plastic", ""));
-        assertEquals(Amount.of(0), m.roughness());
+        assertEquals(Texture.Amount.of(0), m.roughness());
         assertEquals(1.49 / 1.000277, m.indexOfRefraction(), 1e-15);
     }
 
@@ -139,14 +135,14 @@ class MitsubaBsdfTest {
 
     @Test
     void maskAndBlendBecomeMaskAndMix() throws IOException {
-        Mask mask =
-                (Mask) scenes.material(bsdf("mask", "<float name=\"opacity\" value=\"0.25\"/>" + bsdf("diffuse", "")));
-        assertEquals(Amount.of(0.25), mask.map());
-        Mix mix = (Mix) scenes.material(bsdf(
+        Composite.Mask mask = (Composite.Mask)
+                scenes.material(bsdf("mask", "<float name=\"opacity\" value=\"0.25\"/>" + bsdf("diffuse", "")));
+        assertEquals(Texture.Amount.of(0.25), mask.map());
+        Composite.Mix mix = (Composite.Mix) scenes.material(bsdf(
                 "blendbsdf", "<float name=\"weight\" value=\"0.75\"/>" + bsdf("plastic", "") + bsdf("diffuse", "")));
         assertInstanceOf(Coated.class, mix.first());
         assertInstanceOf(Material.Matte.class, mix.second());
-        assertEquals(Amount.of(0.75), mix.weight());
+        assertEquals(Texture.Amount.of(0.75), mix.weight());
     }
 
     @Test
@@ -154,12 +150,12 @@ class MitsubaBsdfTest {
         scenes.write("h.png", "");
         String texture = "<texture type=\"bitmap\" name=\"%s\"><string name=\"filename\" value=\"h.png\"/>"
                 + "<boolean name=\"raw\" value=\"true\"/></texture>";
-        Bump bump = (Bump) scenes.material(bsdf(
+        Composite.Bump bump = (Composite.Bump) scenes.material(bsdf(
                 "bumpmap",
                 texture.formatted("arbitrary") + "<float name=\"scale\" value=\"2\"/>" + bsdf("diffuse", "")));
         assertEquals(2, bump.height());
-        NormalMap normals =
-                (NormalMap) scenes.material(bsdf("normalmap", texture.formatted("normalmap") + bsdf("diffuse", "")));
+        Composite.NormalMap normals = (Composite.NormalMap)
+                scenes.material(bsdf("normalmap", texture.formatted("normalmap") + bsdf("diffuse", "")));
         assertEquals(Texture.Encoding.LINEAR, ((Texture.File) normals.map()).encoding());
     }
 
@@ -253,7 +249,7 @@ class MitsubaBsdfTest {
         assertEquals(StrictMath.sqrt(51 / 255.0), ImageFiles.read(made.file()).component(0, 0, 1), 1e-4);
         Glass burley = (Glass) scenes.material(
                 bsdf("principled", "<float name=\"spec_trans\" value=\"1\"/>" + raw("roughness", "r.png")));
-        assertEquals(Amount.of(r), burley.roughness());
+        assertEquals(Texture.Amount.of(r), burley.roughness());
     }
 
     @Test
@@ -264,11 +260,11 @@ class MitsubaBsdfTest {
                         + "<float name=\"roughness\" value=\"0.3\"/><float name=\"eta\" value=\"1.7\"/>"
                         + "<float name=\"clearcoat\" value=\"0.5\"/><float name=\"clearcoat_gloss\" value=\"1\"/>"));
         assertEquals(Texture.of(new Rgb(0.2, 0.4, 0.6)), m.color());
-        assertEquals(Amount.of(0.25), m.metallic());
-        assertEquals(Amount.of(0.3), m.roughness());
+        assertEquals(Texture.Amount.of(0.25), m.metallic());
+        assertEquals(Texture.Amount.of(0.3), m.roughness());
         assertEquals(1.7, m.indexOfRefraction());
         assertEquals(0.5, m.clearcoat().share());
-        double clear = ((Amount.Constant) m.clearcoat().roughness()).value();
+        double clear = ((Texture.Amount.Constant) m.clearcoat().roughness()).value();
         assertEquals(0.001, clear * clear, 1e-15);
     }
 
@@ -307,7 +303,7 @@ class MitsubaBsdfTest {
         Rgb c = ((Texture.Solid) m.color()).color().linear();
         assertEquals(0.5, c.r(), 1e-15);
         assertEquals(0.6, c.g(), 1e-15);
-        assertEquals(0.2, ((Amount.Constant) m.roughness()).value(), 1e-15);
+        assertEquals(0.2, ((Texture.Amount.Constant) m.roughness()).value(), 1e-15);
         assertEquals(1.5, m.indexOfRefraction());
     }
 
@@ -320,7 +316,7 @@ class MitsubaBsdfTest {
                         + "<float name=\"metallic\" value=\"0.2\"/><float name=\"roughness\" value=\"0.4\"/>"));
         assertEquals(0.4, m.transparency(), 1e-15);
         Principled rest = (Principled) m.opaque().orElseThrow();
-        assertEquals(1.0 / 3, ((Amount.Constant) rest.metallic()).value(), 1e-15);
+        assertEquals(1.0 / 3, ((Texture.Amount.Constant) rest.metallic()).value(), 1e-15);
         assertEquals(0.25, ((Texture.Solid) rest.color()).color().linear().r(), 1e-15);
     }
 

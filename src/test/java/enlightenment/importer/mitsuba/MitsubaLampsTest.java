@@ -15,7 +15,6 @@ import enlightenment.image.ImageFiles;
 import enlightenment.importer.support.Fronts;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.light.Light;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -67,7 +66,7 @@ class MitsubaLampsTest {
                     .normalized();
         }
         SceneObject o = draft.objects().get(0);
-        assertEquals(EmissionPattern.Side.FRONT, o.material().pattern().side());
+        assertEquals(Material.EmissionPattern.Side.FRONT, o.material().pattern().side());
         assertEquals(Rgb.gray(3), o.material().radiance());
         return Fronts.normal(o.shape()).normalized();
     }
@@ -140,7 +139,9 @@ class MitsubaLampsTest {
         for (String axis : new String[] {"", "x", "z"}) {
             SceneObject tube = lamp("cylinder", scaled(axis)).objects().get(0);
             assertInstanceOf(Cylinder.class, tube.shape());
-            assertEquals(EmissionPattern.Side.FRONT, tube.material().pattern().side());
+            assertEquals(
+                    Material.EmissionPattern.Side.FRONT,
+                    tube.material().pattern().side());
         }
         String turned =
                 "<transform name=\"to_world\"><scale x=\"%s\"/><rotate x=\"1\" y=\"2\" angle=\"30\"/></transform>";
@@ -149,7 +150,9 @@ class MitsubaLampsTest {
             assertEquals(6, faces.objects().size());
             for (SceneObject o : faces.objects()) {
                 assertTrue(Fronts.normal(o.shape()).dot(Fronts.point(o.shape())) > 0);
-                assertEquals(EmissionPattern.Side.FRONT, o.material().pattern().side());
+                assertEquals(
+                        Material.EmissionPattern.Side.FRONT,
+                        o.material().pattern().side());
             }
         }
     }
@@ -157,16 +160,16 @@ class MitsubaLampsTest {
     @Test
     void ballsAndTubesThatAreFlippedEmitInwards() throws IOException {
         for (String type : new String[] {"sphere", "cylinder"}) {
-            assertEquals(EmissionPattern.Side.BACK, side(lamp(type, FLIP)));
-            assertEquals(EmissionPattern.Side.FRONT, side(lamp(type, "")));
+            assertEquals(Material.EmissionPattern.Side.BACK, side(lamp(type, FLIP)));
+            assertEquals(Material.EmissionPattern.Side.FRONT, side(lamp(type, "")));
         }
         assertInstanceOf(Sphere.class, lamp("sphere", FLIP).objects().get(0).shape());
         // A ball that is mirrored emits inwards, one that is flipped besides outwards.
-        assertEquals(EmissionPattern.Side.BACK, side(lamp("sphere", scaled("x"))));
-        assertEquals(EmissionPattern.Side.FRONT, side(lamp("sphere", FLIP + scaled("x"))));
+        assertEquals(Material.EmissionPattern.Side.BACK, side(lamp("sphere", scaled("x"))));
+        assertEquals(Material.EmissionPattern.Side.FRONT, side(lamp("sphere", FLIP + scaled("x"))));
     }
 
-    private static EmissionPattern.Side side(ImportDraft draft) {
+    private static Material.EmissionPattern.Side side(ImportDraft draft) {
         assertEquals(List.of(), draft.notes().list());
         return draft.objects().get(0).material().pattern().side();
     }

@@ -15,7 +15,7 @@ import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
+import enlightenment.scene.Shading;
 import enlightenment.surroundings.Surroundings;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -308,7 +308,7 @@ class MitsubaTrapsTest {
         ImportDraft draft = scenes.read("<emitter type=\"envmap\"><string name=\"filename\" value=\"sky.pfm\"/>"
                 + transform + "</emitter><emitter type=\"point\"><point name=\"position\" value=\"" + local + "\"/>"
                 + transform + "</emitter>" + BALL);
-        Background.Picture sky = (Background.Picture) draft.background();
+        Shading.Background.Picture sky = (Shading.Background.Picture) draft.background();
         Surroundings around =
                 Surroundings.read(picture, sky.radiance(), sky.rotation(), new Surroundings.Texels(true, true));
         Vec3 d = ((Light.Point) draft.lights().get(0)).position().toVec3();

@@ -9,15 +9,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.camera.Camera;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Disk;
-import enlightenment.importer.ImportOptions;
-import enlightenment.importer.ImportOptions.Orbit;
-import enlightenment.importer.ImportOptions.Up;
 import enlightenment.importer.SceneImporter;
+import enlightenment.importer.SceneImporter.Options.Orbit;
+import enlightenment.importer.SceneImporter.Options.Up;
 import enlightenment.light.Light;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
@@ -25,8 +23,6 @@ import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.render.Renderer;
-import enlightenment.scene.Background;
-import enlightenment.scene.Budget;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
@@ -105,19 +101,19 @@ class ModelReaderTest {
     void materialsOfAnObjFileBecomeOurs() throws IOException {
         Files.writeString(folder.resolve("model.mtl"), MATERIALS);
         Path file = Files.writeString(folder.resolve("model.obj"), TRIANGLES);
-        SceneImporter.Result read = SceneImporter.read(file, ImportOptions.DEFAULT);
+        SceneImporter.Result read = SceneImporter.read(file, SceneImporter.Options.DEFAULT);
         Map<String, Material> by =
                 read.scene().objects().stream().collect(Collectors.toMap(SceneObject::name, SceneObject::material));
         assertEquals(Material.Matte.of(Texture.of(new Rgb(0.5, 0.25, 0.125))), by.get("clay"));
         // alpha² = 2 / (198 + 2): alpha is 0.1, the roughness its root.
-        Amount.Constant rough = (Amount.Constant)
+        Texture.Amount.Constant rough = (Texture.Amount.Constant)
                 assertInstanceOf(Coated.class, by.get("shiny")).roughness();
         assertEquals(0.1, rough.value() * rough.value(), 1e-15);
         assertEquals(1.45, assertInstanceOf(Glass.class, by.get("window")).indexOfRefraction());
         assertEquals(Material.Mirror.of(Texture.of(new Rgb(0.75, 0.5, 0.25))), by.get("looking"));
         assertEquals(
-                Amount.of(Texture.of(Rgb.gray(0.25))),
-                assertInstanceOf(Mask.class, by.get("veil")).map());
+                Texture.Amount.of(Texture.of(Rgb.gray(0.25))),
+                assertInstanceOf(Composite.Mask.class, by.get("veil")).map());
         assertEquals(new Rgb(3, 2, 1), by.get("lamp").radiance());
         assertTrue(read.notes().stream().anyMatch(n -> n.contains("leads out of the folder")), "" + read.notes());
         assertTrue(read.notes().stream().anyMatch(n -> n.contains("\"unknown\"")), "" + read.notes());
@@ -130,7 +126,8 @@ class ModelReaderTest {
         for (UnaryOperator<Vec3> stretch : forms) {
             TriangleMesh mesh = TestMeshes.moved(
                     TestMeshes.icosphere(2), false, v -> stretch.apply(v).plus(new Vec3(100, -7, 3)));
-            Scene scene = SceneImporter.read(ply(mesh), ImportOptions.DEFAULT).scene();
+            Scene scene =
+                    SceneImporter.read(ply(mesh), SceneImporter.Options.DEFAULT).scene();
             Camera.Perspective camera = (Camera.Perspective) scene.camera();
             assertEquals(Camera.Handedness.RIGHT, camera.handedness());
             Vec3 forward = camera.eye().directionTo(camera.lookAt()).normalized();
@@ -153,7 +150,7 @@ class ModelReaderTest {
 
     @Test
     void upIsWhatTheOptionsSay() throws IOException {
-        ImportOptions z = ImportOptions.DEFAULT.withUp(ImportOptions.Up.Z);
+        SceneImporter.Options z = SceneImporter.Options.DEFAULT.withUp(SceneImporter.Options.Up.Z);
         Scene scene = SceneImporter.read(ply(TestMeshes.icosphere(1)), z).scene();
         assertEquals(Vec3.Z, ((Camera.Perspective) scene.camera()).up());
         assertEquals(Vec3.Z, ((Disk) scene.objects().get(1).shape()).normal());
@@ -165,8 +162,10 @@ class ModelReaderTest {
         float[] picture = null;
         for (double factor : new double[] {1, 1024, 1.0 / 1024}) {
             TriangleMesh mesh = TestMeshes.times(TestMeshes.icosphere(1), factor);
-            Scene scene = SceneImporter.read(ply(mesh), ImportOptions.DEFAULT).scene();
-            RenderSettings small = RenderSettings.of(scene).withSize(24, 18).withBudget(Budget.NONE.withSamples(8));
+            Scene scene =
+                    SceneImporter.read(ply(mesh), SceneImporter.Options.DEFAULT).scene();
+            RenderSettings small =
+                    RenderSettings.of(scene).withSize(24, 18).withBudget(RenderSettings.Budget.NONE.withSamples(8));
             float[] now = Renderer.render(scene, small).toArray();
             if (picture != null) {
                 assertArrayEquals(picture, now, "times " + factor);
@@ -183,10 +182,11 @@ class ModelReaderTest {
     void theStudioShowsWhiteThatFacesUpwardsAsNearlyWhite() throws IOException {
         for (double factor : new double[] {1e-3, 1, 1e3}) {
             TriangleMesh mesh = TestMeshes.times(TestMeshes.icosphere(2), factor);
-            Scene scene = SceneImporter.read(ply(mesh), ImportOptions.DEFAULT).scene();
+            Scene scene =
+                    SceneImporter.read(ply(mesh), SceneImporter.Options.DEFAULT).scene();
             assertEquals(0, scene.display().exposure());
             Light.Rectangle lamp = (Light.Rectangle) scene.lights().get(0);
-            Rgb sky = ((Background.Constant) background(scene)).radiance();
+            Rgb sky = ((Shading.Background.Constant) background(scene)).radiance();
             double shown = sky.g() + lamp.emission().value().g() * irradianceOfOne(lamp) / StrictMath.PI;
             assertEquals(0.94, shown, 0.01, "times " + factor);
         }
@@ -212,7 +212,8 @@ class ModelReaderTest {
     @Test
     void theEyeStandsAtItsAzimuthAndElevation() throws IOException {
         for (Up up : Up.values()) {
-            ImportOptions options = ImportOptions.DEFAULT.withUp(up).withOrbit(new Orbit(-120, 30));
+            SceneImporter.Options options =
+                    SceneImporter.Options.DEFAULT.withUp(up).withOrbit(new Orbit(-120, 30));
             Scene scene =
                     SceneImporter.read(ply(TestMeshes.icosphere(1)), options).scene();
             Camera.Perspective camera = (Camera.Perspective) scene.camera();
@@ -231,13 +232,13 @@ class ModelReaderTest {
 
     @Test
     void aViewFromAboveHasTheFrontBelowAndOneFromBelowHasNoGround() throws IOException {
-        ImportOptions above = ImportOptions.DEFAULT.withOrbit(new Orbit(0, 90));
+        SceneImporter.Options above = SceneImporter.Options.DEFAULT.withOrbit(new Orbit(0, 90));
         Camera.Perspective camera = (Camera.Perspective)
                 SceneImporter.read(ply(TestMeshes.icosphere(1)), above).scene().camera();
         Vec3 away = camera.lookAt().directionTo(camera.eye()).normalized();
         assertEquals(0, away.minus(Vec3.Y).length(), 1e-15);
         assertEquals(0, camera.up().plus(Vec3.Z).length(), 1e-15, "the front, +z, is at the lower edge");
-        ImportOptions below = ImportOptions.DEFAULT.withOrbit(new Orbit(0, -10));
+        SceneImporter.Options below = SceneImporter.Options.DEFAULT.withOrbit(new Orbit(0, -10));
         assertEquals(
                 1,
                 SceneImporter.read(ply(TestMeshes.icosphere(1)), below)
@@ -251,35 +252,40 @@ class ModelReaderTest {
         Path ball = ply(TestMeshes.icosphere(1));
         Rgb blue = new Rgb(0.1, 0.2, 0.9);
         Scene plain = SceneImporter.read(
-                        ball, ImportOptions.DEFAULT.withBackdrop(new ImportOptions.Backdrop.Constant(blue)))
+                        ball,
+                        SceneImporter.Options.DEFAULT.withBackdrop(new SceneImporter.Options.Backdrop.Constant(blue)))
                 .scene();
-        assertEquals(new Background.Constant(blue), background(plain));
+        assertEquals(new Shading.Background.Constant(blue), background(plain));
         assertEquals(1, plain.lights().size(), "the lamp");
         assertEquals(1, plain.objects().size(), "no ground");
-        Scene sky = SceneImporter.read(ball, ImportOptions.DEFAULT.withBackdrop(new ImportOptions.Backdrop.Sky()))
+        Scene sky = SceneImporter.read(
+                        ball, SceneImporter.Options.DEFAULT.withBackdrop(new SceneImporter.Options.Backdrop.Sky()))
                 .scene();
-        assertInstanceOf(Background.Sky.class, background(sky));
+        assertInstanceOf(Shading.Background.Sky.class, background(sky));
         assertEquals(0, sky.lights().size(), "the sun is its light");
         assertEquals(2, sky.objects().size(), "with a ground");
         assertEquals(
-                SceneImporter.read(ball, ImportOptions.DEFAULT),
-                SceneImporter.read(ball, ImportOptions.DEFAULT.withBackdrop(new ImportOptions.Backdrop.Studio())));
-        ImportOptions tilted = ImportOptions.DEFAULT.withUp(Up.X).withBackdrop(new ImportOptions.Backdrop.Sky());
+                SceneImporter.read(ball, SceneImporter.Options.DEFAULT),
+                SceneImporter.read(
+                        ball, SceneImporter.Options.DEFAULT.withBackdrop(new SceneImporter.Options.Backdrop.Studio())));
+        SceneImporter.Options tilted =
+                SceneImporter.Options.DEFAULT.withUp(Up.X).withBackdrop(new SceneImporter.Options.Backdrop.Sky());
         SceneException e = assertThrows(SceneException.class, () -> SceneImporter.read(ball, tilted));
         assertTrue(e.getMessage().contains("y axis points upwards"), e.getMessage());
     }
 
-    private static Background background(Scene scene) {
+    private static Shading.Background background(Scene scene) {
         return ((Shading.Physical) scene.shading()).background();
     }
 
     @Test
     void aBackgroundTakesThePlaceOfTheFilesAndLeavesItsLamps() throws IOException {
         String text = "<scene version=\"3.0.0\"><emitter type=\"constant\"/>%s<shape type=\"sphere\"/></scene>";
-        ImportOptions black = ImportOptions.DEFAULT.withBackdrop(new ImportOptions.Backdrop.Constant(Rgb.BLACK));
+        SceneImporter.Options black =
+                SceneImporter.Options.DEFAULT.withBackdrop(new SceneImporter.Options.Backdrop.Constant(Rgb.BLACK));
         Path lamp = Files.writeString(folder.resolve("a.xml"), text.formatted("<emitter type=\"point\"/>"));
         Scene lit = SceneImporter.read(lamp, black).scene();
-        assertEquals(Background.Constant.BLACK, background(lit));
+        assertEquals(Shading.Background.Constant.BLACK, background(lit));
         assertInstanceOf(Light.Point.class, lit.lights().get(0));
         assertEquals(1, lit.lights().size());
         Path none = Files.writeString(folder.resolve("b.xml"), text.formatted(""));
@@ -300,14 +306,15 @@ class ModelReaderTest {
         for (String name : List.of("1", "side")) {
             assertEquals(
                     200,
-                    SceneImporter.read(file, ImportOptions.DEFAULT.withCamera(name))
+                    SceneImporter.read(file, SceneImporter.Options.DEFAULT.withCamera(name))
                             .scene()
                             .width());
         }
         assertEquals(
-                100, SceneImporter.read(file, ImportOptions.DEFAULT).scene().width());
+                100,
+                SceneImporter.read(file, SceneImporter.Options.DEFAULT).scene().width());
         SceneException e = assertThrows(
-                SceneException.class, () -> SceneImporter.read(file, ImportOptions.DEFAULT.withCamera("2")));
+                SceneException.class, () -> SceneImporter.read(file, SceneImporter.Options.DEFAULT.withCamera("2")));
         assertEquals(
                 file + ": has no camera \"2\"; its cameras are 0 \"front\", 1 \"side\"",
                 e.problems().get(0).toString());
@@ -317,12 +324,12 @@ class ModelReaderTest {
     void aFileWhoseLightsAreAllLeftOutIsLitAndSaysSo() throws IOException {
         String text = "<scene version=\"3.0.0\"><emitter type=\"moonlight\"/>%s<shape type=\"sphere\"/></scene>";
         SceneImporter.Result dark = SceneImporter.read(
-                Files.writeString(folder.resolve("dark.xml"), text.formatted("")), ImportOptions.DEFAULT);
+                Files.writeString(folder.resolve("dark.xml"), text.formatted("")), SceneImporter.Options.DEFAULT);
         assertEquals(1, dark.scene().lights().size());
         assertTrue(dark.notes().stream().anyMatch(n -> n.contains("a soft light stands in")), "" + dark.notes());
         SceneImporter.Result lit = SceneImporter.read(
                 Files.writeString(folder.resolve("lit.xml"), text.formatted("<emitter type=\"constant\"/>")),
-                ImportOptions.DEFAULT);
+                SceneImporter.Options.DEFAULT);
         assertEquals(0, lit.scene().lights().size());
         assertTrue(lit.notes().stream().noneMatch(n -> n.contains("a soft light stands in")), "" + lit.notes());
     }
@@ -330,7 +337,8 @@ class ModelReaderTest {
     @Test
     void aBrokenModelIsToldByItsNameInOneLine() throws IOException {
         Path file = Files.writeString(folder.resolve("broken.ply"), "ply\nformat ascii 1.0\nelement vertex 9999\n");
-        SceneException e = assertThrows(SceneException.class, () -> SceneImporter.read(file, ImportOptions.DEFAULT));
+        SceneException e =
+                assertThrows(SceneException.class, () -> SceneImporter.read(file, SceneImporter.Options.DEFAULT));
         assertEquals(1, e.problems().size());
         assertTrue(e.problems().get(0).toString().startsWith(file.toString()), e.getMessage());
         assertEquals(1, e.problems().get(0).toString().lines().count());

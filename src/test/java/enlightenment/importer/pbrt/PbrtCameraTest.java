@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.camera.Camera;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneException;
@@ -24,7 +23,7 @@ class PbrtCameraTest {
     private SceneImporter.Result read(String text) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(file, text);
-        return SceneImporter.read(file, ImportOptions.DEFAULT);
+        return SceneImporter.read(file, SceneImporter.Options.DEFAULT);
     }
 
     private static final String END = "\nWorldBegin Shape \"sphere\"";

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
@@ -43,7 +42,8 @@ class PbrtHostileTest {
 
     private String refusal() {
         SceneException e = assertThrows(
-                SceneException.class, () -> SceneImporter.read(folder.resolve("scene.pbrt"), ImportOptions.DEFAULT));
+                SceneException.class,
+                () -> SceneImporter.read(folder.resolve("scene.pbrt"), SceneImporter.Options.DEFAULT));
         assertEquals(1, e.problems().size());
         String text = e.problems().get(0).toString();
         assertFalse(text.contains("\n"), text);
@@ -113,7 +113,7 @@ class PbrtHostileTest {
         write("scene.pbrt", text + "Shape \"sphere\" \"texture alpha\" \"t60\"");
         assertEquals(
                 1,
-                SceneImporter.read(folder.resolve("scene.pbrt"), ImportOptions.DEFAULT)
+                SceneImporter.read(folder.resolve("scene.pbrt"), SceneImporter.Options.DEFAULT)
                         .scene()
                         .objects()
                         .size());
@@ -143,7 +143,7 @@ class PbrtHostileTest {
             }
             Files.write(folder.resolve("scene.pbrt"), bytes);
             try {
-                SceneImporter.read(folder.resolve("scene.pbrt"), ImportOptions.DEFAULT);
+                SceneImporter.read(folder.resolve("scene.pbrt"), SceneImporter.Options.DEFAULT);
             } catch (SceneException e) {
                 refused++;
                 assertEquals(1, e.problems().size());

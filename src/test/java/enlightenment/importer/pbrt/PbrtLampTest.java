@@ -10,10 +10,8 @@ import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Sphere;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.importer.support.Fronts;
-import enlightenment.material.EmissionPattern;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
@@ -42,7 +40,7 @@ class PbrtLampTest {
                 file,
                 "WorldBegin\nMaterial \"diffuse\" \"rgb reflectance\" [.25 .25 .25] AreaLightSource \"diffuse\" "
                         + light + " " + shape);
-        return SceneImporter.read(file, ImportOptions.DEFAULT.withExtracted(folder.resolve("made")));
+        return SceneImporter.read(file, SceneImporter.Options.DEFAULT.withExtracted(folder.resolve("made")));
     }
 
     private SceneObject object(String light, String shape) throws IOException {
@@ -53,7 +51,7 @@ class PbrtLampTest {
         SceneImporter.Result s = lamp("\"rgb L\" [1 2 3]", shape);
         assertEquals(List.of(), s.notes());
         SceneObject o = s.scene().objects().get(0);
-        assertEquals(EmissionPattern.Side.FRONT, o.material().pattern().side());
+        assertEquals(Material.EmissionPattern.Side.FRONT, o.material().pattern().side());
         assertEquals(new Rgb(1, 2, 3), o.material().radiance());
         assertEquals(Texture.of(Rgb.gray(0.25)), o.material().color());
         return Fronts.normal(o.shape()).normalized();
@@ -83,7 +81,8 @@ class PbrtLampTest {
             SceneObject o = object("\"rgb L\" [1 2 3]", reversed + cap);
             double outwards = Fronts.normal(o.shape()).dot(Fronts.point(o.shape()));
             assertEquals(reversed.isEmpty(), outwards > 0);
-            assertEquals(EmissionPattern.Side.FRONT, o.material().pattern().side());
+            assertEquals(
+                    Material.EmissionPattern.Side.FRONT, o.material().pattern().side());
         }
     }
 
@@ -95,23 +94,24 @@ class PbrtLampTest {
             SceneImporter.Result inwards = lamp(light, "ReverseOrientation " + shape);
             assertEquals(List.of(), inwards.notes());
             assertEquals(
-                    EmissionPattern.Side.BACK, side(inwards.scene().objects().get(0)));
+                    Material.EmissionPattern.Side.BACK,
+                    side(inwards.scene().objects().get(0)));
             assertEquals(List.of(), lamp(light, shape).notes());
         }
         assertInstanceOf(Sphere.class, object(light, "Shape \"sphere\"").shape());
         SceneObject tube = object(light, "Shape \"cylinder\"");
         assertInstanceOf(Cylinder.class, tube.shape());
-        assertEquals(EmissionPattern.Side.FRONT, side(tube));
+        assertEquals(Material.EmissionPattern.Side.FRONT, side(tube));
     }
 
-    private static EmissionPattern.Side side(SceneObject o) {
+    private static Material.EmissionPattern.Side side(SceneObject o) {
         return o.material().pattern().side();
     }
 
     @Test
     void twoSidedLampsEmitToBothSides() throws IOException {
         SceneObject o = object("\"rgb L\" [1 2 3] \"bool twosided\" true", "ReverseOrientation " + QUAD);
-        assertEquals(EmissionPattern.Side.BOTH, side(o));
+        assertEquals(Material.EmissionPattern.Side.BOTH, side(o));
         assertEquals(1, Fronts.normal(o.shape()).normalized().z());
     }
 

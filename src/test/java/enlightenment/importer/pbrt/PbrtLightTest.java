@@ -8,14 +8,12 @@ import enlightenment.color.Rgb;
 import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
 import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -32,7 +30,7 @@ class PbrtLightTest {
     private SceneImporter.Result read(String text) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(file, text);
-        return SceneImporter.read(file, ImportOptions.DEFAULT.withExtracted(folder.resolve("made")));
+        return SceneImporter.read(file, SceneImporter.Options.DEFAULT.withExtracted(folder.resolve("made")));
     }
 
     private Light light(String text) throws IOException {
@@ -132,7 +130,7 @@ class PbrtLightTest {
         assertEquals(0, s.notes().size(), s.notes().toString());
         assertTrue(s.scene().lights().get(0) instanceof Light.Distant);
         assertEquals(
-                new Background.Constant(Rgb.BLACK),
+                new Shading.Background.Constant(Rgb.BLACK),
                 ((Shading.Physical) s.scene().shading()).background());
     }
 }

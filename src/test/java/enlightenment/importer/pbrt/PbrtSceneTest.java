@@ -10,22 +10,18 @@ import enlightenment.geometry.Disk;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Mix;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import java.io.IOException;
@@ -47,7 +43,7 @@ class PbrtSceneTest {
     private SceneImporter.Result read(String text) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(file, text);
-        return SceneImporter.read(file, ImportOptions.DEFAULT);
+        return SceneImporter.read(file, SceneImporter.Options.DEFAULT);
     }
 
     private SceneImporter.Result world(String text) throws IOException {
@@ -182,12 +178,12 @@ class PbrtSceneTest {
     @Test
     void roughnessIsTheFourthRootWhereItIsRemapped() throws IOException {
         Coated c = (Coated) material("Material \"coateddiffuse\" \"float roughness\" .0625");
-        assertEquals(0.5, ((Amount.Constant) c.roughness()).value(), 1e-12);
+        assertEquals(0.5, ((Texture.Amount.Constant) c.roughness()).value(), 1e-12);
         Glass g = (Glass) material("Material \"dielectric\" \"float roughness\" .25 \"bool remaproughness\" false");
-        assertEquals(0.5, ((Amount.Constant) g.roughness()).value(), 1e-12);
+        assertEquals(0.5, ((Texture.Amount.Constant) g.roughness()).value(), 1e-12);
         Coated two = (Coated) material("Material \"coateddiffuse\" \"float uroughness\" .01"
                 + " \"float vroughness\" .09 \"bool remaproughness\" false");
-        assertEquals(StrictMath.pow(0.01 * 0.09, 0.25), ((Amount.Constant) two.roughness()).value(), 1e-12);
+        assertEquals(StrictMath.pow(0.01 * 0.09, 0.25), ((Texture.Amount.Constant) two.roughness()).value(), 1e-12);
     }
 
     @Test
@@ -225,20 +221,20 @@ class PbrtSceneTest {
         Material m = material("MakeNamedMaterial \"a\" \"string type\" \"diffuse\" \"rgb reflectance\" [1 0 0]"
                 + " MakeNamedMaterial \"b\" \"string type\" \"coateddiffuse\""
                 + " Material \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .25");
-        Mix mix = (Mix) m;
+        Composite.Mix mix = (Composite.Mix) m;
         assertInstanceOf(Material.Matte.class, mix.first());
         assertInstanceOf(Coated.class, mix.second());
-        assertEquals(Amount.of(0.25), mix.weight());
+        assertEquals(Texture.Amount.of(0.25), mix.weight());
     }
 
     @Test
     void opacityBecomesAMask() throws IOException {
-        Mask m = (Mask) world("Shape \"sphere\" \"float alpha\" .25")
+        Composite.Mask m = (Composite.Mask) world("Shape \"sphere\" \"float alpha\" .25")
                 .scene()
                 .objects()
                 .get(0)
                 .material();
-        assertEquals(Amount.of(0.25), m.map());
+        assertEquals(Texture.Amount.of(0.25), m.map());
     }
 
     @Test
@@ -312,7 +308,7 @@ class PbrtSceneTest {
         Scene scene = world("LightSource \"infinite\" " + parameters + " Shape \"sphere\"")
                 .scene();
         Shading.Physical shading = (Shading.Physical) scene.shading();
-        return ((Background.Constant) shading.background()).radiance();
+        return ((Shading.Background.Constant) shading.background()).radiance();
     }
 
     @Test

@@ -5,9 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import enlightenment.colorimetry.TransferCurve;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
-import enlightenment.importer.ImportOptions;
 import enlightenment.importer.SceneImporter;
-import enlightenment.material.Amount;
 import enlightenment.material.Coated;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
@@ -28,7 +26,7 @@ class PbrtTextureTest {
     private SceneImporter.Result read(String text) throws IOException {
         Path file = folder.resolve("scene.pbrt");
         Files.writeString(file, text);
-        return SceneImporter.read(file, ImportOptions.DEFAULT.withExtracted(folder.resolve("made")));
+        return SceneImporter.read(file, SceneImporter.Options.DEFAULT.withExtracted(folder.resolve("made")));
     }
 
     private static final double STEP = 1.0 / 65535;
@@ -85,13 +83,16 @@ class PbrtTextureTest {
         for (boolean isRemapped : List.of(false, true)) {
             String p = " \"texture roughness\" \"t\" \"bool remaproughness\" " + isRemapped;
             double expected = StrictMath.pow(mean, isRemapped ? 0.25 : 0.5);
-            Amount.Textured coat = (Amount.Textured) ((Coated) material(NUMBERS, "\"coateddiffuse\"" + p)).roughness();
+            Texture.Amount.Textured coat =
+                    (Texture.Amount.Textured) ((Coated) material(NUMBERS, "\"coateddiffuse\"" + p)).roughness();
             assertPixel(expected, expected, expected, coat.texture());
             Files.delete(((Texture.File) coat.texture()).file());
-            Amount.Textured metal = (Amount.Textured) ((Glossy) material(NUMBERS, "\"conductor\"" + p)).roughness();
+            Texture.Amount.Textured metal =
+                    (Texture.Amount.Textured) ((Glossy) material(NUMBERS, "\"conductor\"" + p)).roughness();
             assertPixel(expected, expected, expected, metal.texture());
             Files.delete(((Texture.File) metal.texture()).file());
-            Amount.Textured glass = (Amount.Textured) ((Glass) material(NUMBERS, "\"dielectric\"" + p)).roughness();
+            Texture.Amount.Textured glass =
+                    (Texture.Amount.Textured) ((Glass) material(NUMBERS, "\"dielectric\"" + p)).roughness();
             assertPixel(expected, expected, expected, glass.texture());
             Files.delete(((Texture.File) glass.texture()).file());
         }

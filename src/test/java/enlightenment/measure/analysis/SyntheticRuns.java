@@ -4,7 +4,6 @@ import enlightenment.measure.trade.Reference;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeRun;
 import enlightenment.measure.trade.TradeSettings;
-import enlightenment.scene.Budget;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
@@ -100,7 +99,7 @@ public final class SyntheticRuns {
                 8,
                 Optional.empty(),
                 4,
-                Budget.NONE,
+                RenderSettings.Budget.NONE,
                 ChosenSettings.of(new BuiltInMethod.RayTraceSettings(LIGHT_SAMPLES)),
                 2,
                 8);

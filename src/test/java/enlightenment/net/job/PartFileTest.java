@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.file.ContentHash;
-import enlightenment.net.RenderParts;
+import enlightenment.net.parts.RenderParts;
 import enlightenment.render.RenderProgress;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;

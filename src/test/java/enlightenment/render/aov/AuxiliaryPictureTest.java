@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
-import enlightenment.render.RenderRequest;
+import enlightenment.render.RenderResult;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -26,18 +26,18 @@ class AuxiliaryPictureTest {
 
     @Test
     void nearIsBrightAndNothingIsBlack() {
-        AuxiliaryPicture picture = AuxiliaryPicture.of(RenderRequest.Auxiliary.DEPTH, grey(4, 2, 4, 3, INFINITE));
+        AuxiliaryPicture picture = AuxiliaryPicture.of(RenderResult.Auxiliary.DEPTH, grey(4, 2, 4, 3, INFINITE));
         assertEquals(1, picture.image().component(0, 0, 0));
         assertEquals(0.1f, picture.image().component(1, 0, 1));
         assertEquals(0.55f, picture.image().component(2, 0, 2), 1e-6f);
         assertEquals(0, picture.image().component(3, 0, 0));
         assertTrue(picture.explanation().contains("white 2.0 .. dark grey (0.1) 4.0"), picture.explanation());
-        assertTrue(AuxiliaryPicture.of(RenderRequest.Auxiliary.DEPTH, grey(1, INFINITE))
+        assertTrue(AuxiliaryPicture.of(RenderResult.Auxiliary.DEPTH, grey(1, INFINITE))
                 .explanation()
                 .contains("nothing is seen"));
         assertEquals(
                 1,
-                AuxiliaryPicture.of(RenderRequest.Auxiliary.DEPTH, grey(2, 5, 5))
+                AuxiliaryPicture.of(RenderResult.Auxiliary.DEPTH, grey(2, 5, 5))
                         .image()
                         .component(1, 0, 0));
     }
@@ -46,7 +46,7 @@ class AuxiliaryPictureTest {
     void aNormalIsAColorAndNoneIsBlack() {
         Image normals = new Image(2, 1, new float[] {0, -1, 0, 0, 0, 0});
         Image picture =
-                AuxiliaryPicture.of(RenderRequest.Auxiliary.NORMAL, normals).image();
+                AuxiliaryPicture.of(RenderResult.Auxiliary.NORMAL, normals).image();
         assertEquals(0.5f, picture.component(0, 0, 0));
         assertEquals(0, picture.component(0, 0, 1));
         assertEquals(0, picture.component(1, 0, 0));
@@ -58,7 +58,7 @@ class AuxiliaryPictureTest {
         for (int i = 0; i < ids.length; i++) {
             ids[i] = i - 1;
         }
-        Image picture = AuxiliaryPicture.of(RenderRequest.Auxiliary.OBJECT, grey(101, ids))
+        Image picture = AuxiliaryPicture.of(RenderResult.Auxiliary.OBJECT, grey(101, ids))
                 .image();
         Set<List<Integer>> colors = new HashSet<>();
         for (int x = 0; x < ids.length; x++) {
@@ -81,25 +81,25 @@ class AuxiliaryPictureTest {
     @Test
     void theScaleOfErrorsEndsAtARoundNumber() {
         AuxiliaryPicture picture =
-                AuxiliaryPicture.of(RenderRequest.Auxiliary.ERROR, grey(2, 0.013f, 0.013f, 0.5f, INFINITE));
+                AuxiliaryPicture.of(RenderResult.Auxiliary.ERROR, grey(2, 0.013f, 0.013f, 0.5f, INFINITE));
         assertTrue(picture.explanation().contains("0..0.02; largest 0.5"), picture.explanation());
         // Above the scale is its end: magma's pale yellow.
         assertEquals(252 / 255f, picture.image().component(0, 1, 0));
         assertEquals(252 / 255f, picture.image().component(1, 1, 0));
-        assertTrue(AuxiliaryPicture.of(RenderRequest.Auxiliary.ERROR, grey(1, 0))
+        assertTrue(AuxiliaryPicture.of(RenderResult.Auxiliary.ERROR, grey(1, 0))
                 .explanation()
                 .contains("0..0.000001"));
     }
 
     @Test
     void theScaleOfSamplesGoesUpInDoublings() {
-        AuxiliaryPicture picture = AuxiliaryPicture.of(RenderRequest.Auxiliary.SAMPLES, grey(4, 1, 16, 4, 0));
+        AuxiliaryPicture picture = AuxiliaryPicture.of(RenderResult.Auxiliary.SAMPLES, grey(4, 1, 16, 4, 0));
         assertTrue(picture.explanation().contains("1..16; most 16"), picture.explanation());
         assertEquals(0, picture.image().component(0, 0, 0));
         assertEquals(252 / 255f, picture.image().component(1, 0, 0));
         // The middle of magma.
         assertEquals(183 / 255f, picture.image().component(2, 0, 0), 2 / 255f);
-        assertTrue(AuxiliaryPicture.of(RenderRequest.Auxiliary.SAMPLES, grey(1, 33))
+        assertTrue(AuxiliaryPicture.of(RenderResult.Auxiliary.SAMPLES, grey(1, 33))
                 .explanation()
                 .contains("1..64; most 33"));
     }
@@ -107,7 +107,7 @@ class AuxiliaryPictureTest {
     @Test
     void positionsAreShownAsPlacesInTheBoxOfAllThatIsSeen() {
         Image numbers = new Image(3, 1, new float[] {-1, 5, 0, 3, 5, 8, 0, 0, 0});
-        AuxiliaryPicture picture = AuxiliaryPicture.of(RenderRequest.Auxiliary.POSITION, numbers);
+        AuxiliaryPicture picture = AuxiliaryPicture.of(RenderResult.Auxiliary.POSITION, numbers);
         assertArrayEquals(
                 new float[] {0, 0, 0, 1, 0, 1, 0, 0, 0}, picture.image().toArray());
         assertTrue(picture.explanation().contains("from (-1.0, 5.0, 0.0) to (3.0, 5.0, 8.0)"));
@@ -117,9 +117,9 @@ class AuxiliaryPictureTest {
     void theWordsAreTheNamesInSmallLetters() {
         assertEquals(
                 List.of("error", "samples", "depth", "normal", "position", "object", "albedo", "direct", "indirect"),
-                RenderRequest.Auxiliary.words());
-        assertEquals(Optional.of(RenderRequest.Auxiliary.DEPTH), RenderRequest.Auxiliary.of("depth"));
-        assertEquals(Optional.empty(), RenderRequest.Auxiliary.of("DEPTH"));
+                RenderResult.Auxiliary.words());
+        assertEquals(Optional.of(RenderResult.Auxiliary.DEPTH), RenderResult.Auxiliary.of("depth"));
+        assertEquals(Optional.empty(), RenderResult.Auxiliary.of("DEPTH"));
     }
 
     @Test
@@ -127,23 +127,23 @@ class AuxiliaryPictureTest {
         float[] values = new float[64];
         Arrays.fill(values, 0.013f);
         Image numbers = grey(64, values);
-        AuxiliaryPicture scaled = AuxiliaryPicture.of(RenderRequest.Auxiliary.ERROR, numbers);
-        AuxiliaryPicture plain = AuxiliaryPicture.withoutScale(RenderRequest.Auxiliary.ERROR, numbers);
+        AuxiliaryPicture scaled = AuxiliaryPicture.of(RenderResult.Auxiliary.ERROR, numbers);
+        AuxiliaryPicture plain = AuxiliaryPicture.withoutScale(RenderResult.Auxiliary.ERROR, numbers);
         assertTrue(scaled.image().height() > 1);
         assertEquals(1, plain.image().height());
         assertEquals(scaled.image().component(5, 0, 0), plain.image().component(5, 0, 0));
         assertEquals(List.of("0", "0.005", "0.01", "0.015", "0.02"), plain.marks());
         assertEquals(
                 List.of("1", "2", "4"),
-                AuxiliaryPicture.withoutScale(RenderRequest.Auxiliary.SAMPLES, grey(2, 1, 3))
+                AuxiliaryPicture.withoutScale(RenderResult.Auxiliary.SAMPLES, grey(2, 1, 3))
                         .marks());
         assertEquals(
                 List.of("2.0", "4.0"),
-                AuxiliaryPicture.withoutScale(RenderRequest.Auxiliary.DEPTH, grey(2, 4, 2))
+                AuxiliaryPicture.withoutScale(RenderResult.Auxiliary.DEPTH, grey(2, 4, 2))
                         .marks());
         assertEquals(
                 List.of(),
-                AuxiliaryPicture.withoutScale(RenderRequest.Auxiliary.OBJECT, grey(2, 4, 2))
+                AuxiliaryPicture.withoutScale(RenderResult.Auxiliary.OBJECT, grey(2, 4, 2))
                         .marks());
     }
 }

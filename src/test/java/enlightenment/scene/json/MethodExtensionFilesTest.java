@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.RenderSettings;
@@ -96,7 +95,7 @@ class MethodExtensionFilesTest {
     void aBackgroundThatAScreenShowsIsDecodedOnce() {
         Scene s = read("\"shading\": { \"model\": \"physical\", \"background\": \"#804020\" }");
         Rgb light = Rgb.of(DisplayRgb.ofBytes(0x80, 0x40, 0x20));
-        assertEquals(new Background.Constant(light), ((Shading.Physical) s.shading()).background());
+        assertEquals(new Shading.Background.Constant(light), ((Shading.Physical) s.shading()).background());
         assertEquals(s, again(s));
         Scene written = read("\"shading\": { \"model\": \"physical\", \"background\": { \"linear\": [" + light.r()
                 + ", " + light.g() + ", " + light.b() + "] } }");

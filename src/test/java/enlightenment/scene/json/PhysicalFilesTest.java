@@ -14,8 +14,6 @@ import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Texture;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
-import enlightenment.scene.Display;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException.Problem;
 import enlightenment.scene.Shading;
@@ -123,10 +121,10 @@ class PhysicalFilesTest {
     @Test
     void theDisplayPartIsLeftOutWhereItSaysNothing() {
         Scene s = read("\"display\": {}");
-        assertEquals(Display.DEFAULT, s.display());
+        assertEquals(Scene.Display.DEFAULT, s.display());
         assertFalse(SceneWriter.toJson(s, folder).contains("display"));
         s = read("\"display\": {\"exposure\": 1.5, \"tone\": \"filmic\"}");
-        assertEquals(new Display(1.5, DisplayCurve.Tone.FILMIC), s.display());
+        assertEquals(new Scene.Display(1.5, DisplayCurve.Tone.FILMIC), s.display());
         assertEquals(s, again(s));
     }
 
@@ -170,12 +168,12 @@ class PhysicalFilesTest {
         Scene s = Documents.read(scene("\"name\": \"x\"").replace("{\"model\": \"physical\"}", picture), folder);
         Shading.Physical shading = (Shading.Physical) s.shading();
         Texture.File room = (Texture.File) s.textures().get("room");
-        assertEquals(new Background.Picture(room, Rgb.WHITE, 90), shading.background());
+        assertEquals(new Shading.Background.Picture(room, Rgb.WHITE, 90), shading.background());
         assertEquals(Optional.of(Medium.Colored.of(DisplayRgb.WHITE, Rgb.gray(40))), shading.medium());
         assertEquals(s, again(s));
         String sky = "{\"model\": \"physical\", \"background\": {\"type\": \"sky\", \"elevation\": 30}}";
         s = Documents.read(scene("\"name\": \"x\"").replace("{\"model\": \"physical\"}", sky), folder);
-        assertEquals(Background.Sky.of(30, 0), ((Shading.Physical) s.shading()).background());
+        assertEquals(Shading.Background.Sky.of(30, 0), ((Shading.Physical) s.shading()).background());
         assertEquals(s, again(s));
     }
 

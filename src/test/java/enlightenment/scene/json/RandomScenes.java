@@ -19,27 +19,20 @@ import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Amount;
-import enlightenment.material.Bump;
 import enlightenment.material.Coated;
-import enlightenment.material.EmissionPattern;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.scene.Animation;
-import enlightenment.scene.Background;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
-import enlightenment.scene.Display;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -117,8 +110,9 @@ final class RandomScenes {
                 camera(shading),
                 shading,
                 random.nextBoolean()
-                        ? Display.DEFAULT
-                        : new Display(2000 * random.nextDouble() - 1000, DisplayCurve.Tone.values()[random.nextInt(2)]),
+                        ? Scene.Display.DEFAULT
+                        : new Scene.Display(
+                                2000 * random.nextDouble() - 1000, DisplayCurve.Tone.values()[random.nextInt(2)]),
                 textures,
                 materials,
                 lights,
@@ -162,10 +156,11 @@ final class RandomScenes {
                         random.nextBoolean() ? Optional.empty() : Optional.of(retry(this::medium)));
     }
 
-    private Background background() {
+    private Shading.Background background() {
         switch (random.nextInt(3)) {
             case 0:
-                return new Background.Constant(new Rgb(1e9 * unit(), random.nextDouble(), random.nextDouble() * 1e-9));
+                return new Shading.Background.Constant(
+                        new Rgb(1e9 * unit(), random.nextDouble(), random.nextDouble() * 1e-9));
             case 1:
                 List<Texture.File> named = textures.values().stream()
                         .filter(Texture.File.class::isInstance)
@@ -175,13 +170,13 @@ final class RandomScenes {
                 if (named.isEmpty()) {
                     textures.put("around", picture);
                 }
-                return new Background.Picture(
+                return new Shading.Background.Picture(
                         picture, random.nextBoolean() ? Rgb.WHITE : radiance(), random.nextBoolean() ? 0 : number());
             default:
-                return new Background.Sky(
+                return new Shading.Background.Sky(
                         90 * unit(),
                         random.nextBoolean() ? 0 : number(),
-                        random.nextBoolean() ? Background.Sky.USUAL_TURBIDITY : 2 + 8 * random.nextDouble(),
+                        random.nextBoolean() ? Shading.Background.Sky.USUAL_TURBIDITY : 2 + 8 * random.nextDouble(),
                         random.nextBoolean() ? Rgb.BLACK : new Rgb(unit(), unit(), unit()),
                         random.nextBoolean() ? Rgb.WHITE : radiance(),
                         random.nextBoolean());
@@ -247,9 +242,9 @@ final class RandomScenes {
     /** Where a shading's background has a number. */
     private String animated(Shading shading) {
         if (shading instanceof Shading.Physical physical) {
-            return physical.background() instanceof Background.Constant
+            return physical.background() instanceof Shading.Background.Constant
                     ? "linear/" + random.nextInt(3)
-                    : physical.background() instanceof Background.Picture ? "rotation" : "elevation";
+                    : physical.background() instanceof Shading.Background.Picture ? "rotation" : "elevation";
         }
         return "" + random.nextInt(3);
     }
@@ -516,7 +511,7 @@ final class RandomScenes {
             case 5:
                 return new Coated(
                         color,
-                        random.nextBoolean() ? Amount.of(0) : amount(),
+                        random.nextBoolean() ? Texture.Amount.of(0) : amount(),
                         random.nextBoolean() ? Coated.USUAL_INDEX : 1 + 9 * unit(),
                         random.nextBoolean(),
                         light,
@@ -527,12 +522,13 @@ final class RandomScenes {
             case 7:
                 return new Principled(
                         color,
-                        random.nextBoolean() ? Amount.of(0) : amount(),
-                        random.nextBoolean() ? Amount.of(Principled.USUAL_ROUGHNESS) : amount(),
+                        random.nextBoolean() ? Texture.Amount.of(0) : amount(),
+                        random.nextBoolean() ? Texture.Amount.of(Principled.USUAL_ROUGHNESS) : amount(),
                         random.nextBoolean() ? Coated.USUAL_INDEX : 1 + 9 * unit(),
                         random.nextBoolean() ? 1 : unit(),
                         new Principled.Clearcoat(
-                                random.nextBoolean() ? 0 : unit(), random.nextBoolean() ? Amount.of(0) : amount()),
+                                random.nextBoolean() ? 0 : unit(),
+                                random.nextBoolean() ? Texture.Amount.of(0) : amount()),
                         new Principled.Sheen(random.nextBoolean() ? 0 : unit(), random.nextBoolean() ? 0 : unit()),
                         light,
                         near,
@@ -547,7 +543,7 @@ final class RandomScenes {
                         random.nextBoolean() ? 1 : unit(),
                         random.nextBoolean() ? 0 : random.nextInt(),
                         shadows,
-                        random.nextBoolean() ? Amount.of(0) : amount(),
+                        random.nextBoolean() ? Texture.Amount.of(0) : amount(),
                         radiance(),
                         random.nextBoolean(),
                         hasDyes || random.nextBoolean() ? OptionalDouble.empty() : OptionalDouble.of(positive()),
@@ -567,19 +563,19 @@ final class RandomScenes {
                         true,
                         Rgb.BLACK,
                         0,
-                        EmissionPattern.EVEN));
+                        Material.EmissionPattern.EVEN));
     }
 
     /** The points and sides of a surface that glow. */
-    private EmissionPattern pattern(Rgb light, double near) {
+    private Material.EmissionPattern pattern(Rgb light, double near) {
         if (light.equals(Rgb.BLACK) && near == 0 || random.nextBoolean()) {
-            return EmissionPattern.EVEN;
+            return Material.EmissionPattern.EVEN;
         }
         List<Texture> named = new ArrayList<>(textures.values());
         Texture map = named.isEmpty() ? Texture.of(surfaceColor()) : named.get(random.nextInt(named.size()));
-        return new EmissionPattern(
+        return new Material.EmissionPattern(
                 random.nextBoolean() ? Optional.empty() : Optional.of(map),
-                EmissionPattern.Side.values()[random.nextInt(3)]);
+                Material.EmissionPattern.Side.values()[random.nextInt(3)]);
     }
 
     /** A material that is made of others. */
@@ -587,15 +583,16 @@ final class RandomScenes {
         Material of = part();
         switch (random.nextInt(4)) {
             case 0:
-                return new Mix(of, part(), amount());
+                return new Composite.Mix(of, part(), amount());
             case 1:
-                return new Mask(of, amount());
+                return new Composite.Mask(of, amount());
             case 2:
                 Texture.File file = file();
                 Texture normals = new Texture.File(file.file(), file.filter(), Texture.Encoding.LINEAR);
-                return new NormalMap(of, withName(random.nextBoolean() ? normals : Texture.of(surfaceColor())));
+                return new Composite.NormalMap(
+                        of, withName(random.nextBoolean() ? normals : Texture.of(surfaceColor())));
             default:
-                return new Bump(of, withName(file()), number());
+                return new Composite.Bump(of, withName(file()), number());
         }
     }
 
@@ -604,19 +601,19 @@ final class RandomScenes {
         while (true) {
             Material m = material();
             try {
-                return new Mask(m, Texture.of(Rgb.WHITE)).of();
+                return new Composite.Mask(m, Texture.of(Rgb.WHITE)).of();
             } catch (IllegalArgumentException e) {
                 // It glows, or is not opaque; the next one.
             }
         }
     }
 
-    private Amount amount() {
+    private Texture.Amount amount() {
         if (random.nextBoolean()) {
-            return Amount.of(unit());
+            return Texture.Amount.of(unit());
         }
-        Amount.Channel[] channels = Amount.Channel.values();
-        return retry(() -> new Amount.Textured(
+        Texture.Amount.Channel[] channels = Texture.Amount.Channel.values();
+        return retry(() -> new Texture.Amount.Textured(
                 withName(texture()), channels[random.nextInt(channels.length)], random.nextBoolean() ? 1 : unit()));
     }
 
@@ -629,8 +626,8 @@ final class RandomScenes {
     }
 
     private static boolean isTurned(Material material) {
-        return material instanceof NormalMap
-                || material instanceof Bump
+        return material instanceof Composite.NormalMap
+                || material instanceof Composite.Bump
                 || material.parts().stream().anyMatch(RandomScenes::isTurned);
     }
 

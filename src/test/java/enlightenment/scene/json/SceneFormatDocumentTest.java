@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayCurve;
-import enlightenment.material.Amount;
 import enlightenment.material.Texture;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.scene.BuiltInMethod;
@@ -227,7 +226,7 @@ class SceneFormatDocumentTest {
                         Fields.words(Texture.Filter.class),
                         Fields.words(MeshFiles.Origin.Normals.class),
                         Fields.words(DisplayCurve.Tone.class),
-                        Fields.words(Amount.Channel.class),
+                        Fields.words(Texture.Amount.Channel.class),
                         Fields.words(Texture.Encoding.class))
                 .flatMap(List::stream)
                 .forEach(w -> assertTrue(document.contains("`\"" + w + "\"`"), w));

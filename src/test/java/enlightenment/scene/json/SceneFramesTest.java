@@ -40,7 +40,7 @@ class SceneFramesTest {
             MeshFiles.writePly(TestMeshes.icosphere(1), out);
         }
         Path text = Files.writeString(folder.resolve("film.json"), TEXT);
-        SceneFrames file = SceneFrames.of(text);
+        SceneReader.Frames file = SceneReader.Frames.of(text);
         Mesh still = mesh(file.read());
         Mesh first = mesh(file.read(0));
         Mesh last = mesh(file.read(2));

@@ -9,7 +9,6 @@ import enlightenment.geometry.Shape;
 import enlightenment.light.Light;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
-import enlightenment.scene.Background;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
@@ -69,20 +68,20 @@ class SceneKindsTest {
                         .type()),
                 new Sealed(Light.class, Lights.FAMILY, s -> s.lights().stream(), v -> ((Light) v).type()),
                 new Sealed(Texture.class, Textures.FAMILY, s -> s.textures().values().stream(), v -> null),
-                new Sealed(Background.class, Backgrounds.FAMILY, SceneKindsTest::backgrounds, v -> null));
+                new Sealed(Shading.Background.class, Backgrounds.FAMILY, SceneKindsTest::backgrounds, v -> null));
     }
 
     /** Those that are not just a colour, which the format writes as one. */
     private static Stream<?> backgrounds(Scene scene) {
         return scene.shading() instanceof Shading.Physical shading
-                        && !(shading.background() instanceof Background.Constant)
+                        && !(shading.background() instanceof Shading.Background.Constant)
                 ? Stream.of(shading.background())
                 : Stream.empty();
     }
 
     private static Set<Class<?>> leaves(Class<?> type) {
         Set<Class<?>> leaves = Descriptions.kinds(type).collect(Collectors.toSet());
-        leaves.remove(Background.Constant.class);
+        leaves.remove(Shading.Background.Constant.class);
         return leaves;
     }
 

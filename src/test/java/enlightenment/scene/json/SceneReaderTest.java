@@ -22,17 +22,12 @@ import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Emission;
 import enlightenment.light.Light;
-import enlightenment.material.Amount;
-import enlightenment.material.Bump;
 import enlightenment.material.Coated;
-import enlightenment.material.EmissionPattern;
+import enlightenment.material.Composite;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
-import enlightenment.material.Mask;
 import enlightenment.material.Material;
 import enlightenment.material.Medium;
-import enlightenment.material.Mix;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -42,7 +37,6 @@ import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Animation;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
-import enlightenment.scene.Display;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -89,7 +83,7 @@ class SceneReaderTest {
         Material matte = new Material.Matte(ice, false);
         Material chrome = new Material.Mirror(Texture.of(DisplayRgb.of(0.1, 0.2, 0.3)), true, Rgb.gray(0.5));
         Material glass = new Glass(plain(254, 254, 254), 1.5, 0.875, -2, true)
-                .withRoughness(new Amount.Textured(checks, Amount.Channel.RED, 0.25))
+                .withRoughness(new Texture.Amount.Textured(checks, Texture.Amount.Channel.RED, 0.25))
                 .withAbsorption(new Rgb(0.5, 0, 2))
                 .withMultipleScattering(false)
                 .withDispersion(36.5);
@@ -100,7 +94,7 @@ class SceneReaderTest {
                 0.625,
                 new Rgb(4, 2, 0),
                 2.5,
-                new EmissionPattern(Optional.of(checks), EmissionPattern.Side.FRONT));
+                new Material.EmissionPattern(Optional.of(checks), Material.EmissionPattern.Side.FRONT));
         Material copper = new Glossy(
                 plain(255, 238, 255),
                 0.375,
@@ -111,11 +105,11 @@ class SceneReaderTest {
         Material varnish = new Coated(plain(128, 64, 32), 0.6875, 1.75, true, Rgb.gray(0.375), 0.125);
         Material enamel = new Principled(
                 plain(17, 33, 49),
-                new Amount.Textured(ice, Amount.Channel.BLUE, 1),
-                new Amount.Textured(checks, Amount.Channel.MEAN, 0.75),
+                new Texture.Amount.Textured(ice, Texture.Amount.Channel.BLUE, 1),
+                new Texture.Amount.Textured(checks, Texture.Amount.Channel.MEAN, 0.75),
                 1.625,
                 0.5,
-                new Principled.Clearcoat(0.25, new Amount.Textured(ice, Amount.Channel.GREEN, 0.125)),
+                new Principled.Clearcoat(0.25, new Texture.Amount.Textured(ice, Texture.Amount.Channel.GREEN, 0.125)),
                 new Principled.Sheen(0.4375, 0.3125),
                 Rgb.gray(0.0625),
                 3);
@@ -132,18 +126,18 @@ class SceneReaderTest {
                 0.875,
                 Rgb.gray(0.5),
                 0.75);
-        Material leaf = new Mask(Material.Matte.of(plain(0x30, 0x60, 0x20)), ice);
+        Material leaf = new Composite.Mask(Material.Matte.of(plain(0x30, 0x60, 0x20)), ice);
         Material grey = Material.Matte.of(plain(192, 192, 192));
-        Material rust = new Mix(leaf, grey, Texture.of(Rgb.gray(0.5625)));
-        Material grooves = new NormalMap(rust, plain(0, 0, 255));
-        Material hammered = new Bump(grooves, ice, -0.0625);
+        Material rust = new Composite.Mix(leaf, grey, Texture.of(Rgb.gray(0.5625)));
+        Material grooves = new Composite.NormalMap(rust, plain(0, 0, 255));
+        Material hammered = new Composite.Bump(grooves, ice, -0.0625);
         Map<String, Material> materials = new HashMap<>(Map.of(
                 "ice", matte, "chrome", chrome, "glass", glass, "lens", lens, "ember", ember, "copper", copper,
                 "varnish", varnish, "wax", wax, "milk", milk, "marker", marker));
         materials.putAll(
                 Map.of("enamel", enamel, "leaf", leaf, "rust", rust, "grooves", grooves, "hammered", hammered));
         assertEquals(materials, s.materials());
-        assertEquals(new Display(-0.5, DisplayCurve.Tone.FILMIC), s.display());
+        assertEquals(new Scene.Display(-0.5, DisplayCurve.Tone.FILMIC), s.display());
         assertEquals(new Camera.Window(p(0, 1, -3), p(-3, 0, 0), p(-3, 3, 0), p(3, 3, 0), p(3, 0, 0), 0.5), s.camera());
         assertEquals(new Shading.Classic(0.25, 0.75, DisplayRgb.ofBytes(16, 32, 48), 7), s.shading());
         ChosenSettings chosen =
@@ -238,7 +232,7 @@ class SceneReaderTest {
                 folder);
         assertEquals("", s.name());
         assertEquals(Shading.Classic.DEFAULT, s.shading());
-        assertEquals(Display.DEFAULT, s.display());
+        assertEquals(Scene.Display.DEFAULT, s.display());
         assertEquals(RenderSettings.Defaults.DEFAULT, s.render());
         assertEquals(List.of(), s.lights());
         assertEquals(Optional.empty(), s.animation());

@@ -11,9 +11,8 @@ import enlightenment.color.Rgb;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Transform;
-import enlightenment.material.Mask;
+import enlightenment.material.Composite;
 import enlightenment.material.Material;
-import enlightenment.material.NormalMap;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
@@ -131,7 +130,7 @@ class SceneWriterTest {
     void partsThatAreNamedLaterAndMapsOfOneColourAreReadBackEqual() {
         Texture red = Texture.of(DisplayRgb.of(1, 0.25, 0));
         Material wood = Material.Matte.of(Texture.of(DisplayRgb.ofBytes(1, 2, 3)));
-        Material turned = new NormalMap(new Mask(wood, red), Texture.of(Rgb.gray(0.5)));
+        Material turned = new Composite.NormalMap(new Composite.Mask(wood, red), Texture.of(Rgb.gray(0.5)));
         Scene scene = scene().shading(Shading.Physical.DEFAULT)
                 .material("turned", turned)
                 .material("wood", wood)

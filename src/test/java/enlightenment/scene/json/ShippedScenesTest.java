@@ -13,7 +13,6 @@ import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.geometry.Sphere;
 import enlightenment.light.Light;
-import enlightenment.material.Amount;
 import enlightenment.material.Glass;
 import enlightenment.material.Glossy;
 import enlightenment.material.Material;
@@ -235,7 +234,7 @@ class ShippedScenesTest {
                 Set.of(0.1, 0.3, 0.5, 0.8),
                 read("metals.json").materials().values().stream()
                         .filter(m -> m instanceof Glossy)
-                        .map(m -> ((Amount.Constant) ((Glossy) m).roughness()).value())
+                        .map(m -> ((Texture.Amount.Constant) ((Glossy) m).roughness()).value())
                         .collect(Collectors.toSet()));
         List<Glass> glass = read("glass-physical.json").materials().values().stream()
                 .filter(m -> m instanceof Glass)

@@ -8,7 +8,6 @@ import enlightenment.color.Rgb;
 import enlightenment.material.Medium;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
-import enlightenment.scene.Background;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
@@ -29,7 +28,7 @@ class FreeFlightTest {
                 .camera(new Camera.Orthographic(ExactPoint.of(0, 0, -1), ExactPoint.of(0, 0, 0), Vec3.Y, 1))
                 .shading(new Shading.Physical(
                         OptionalInt.empty(),
-                        new Background.Constant(Rgb.gray(0)),
+                        new Shading.Background.Constant(Rgb.gray(0)),
                         Optional.of(new Medium.Coefficients(scattering, absorption, 0))))
                 .build();
         return SceneCompiler.compile(scene, RenderSettings.of(scene)).physical.around.medium;

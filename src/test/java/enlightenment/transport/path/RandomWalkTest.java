@@ -16,7 +16,6 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
-import enlightenment.scene.Background;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
@@ -119,7 +118,8 @@ class RandomWalkTest {
     }
 
     private static Shading.Physical fog(Medium medium, OptionalInt bounces, double background) {
-        return new Shading.Physical(bounces, new Background.Constant(Rgb.gray(background)), Optional.of(medium));
+        return new Shading.Physical(
+                bounces, new Shading.Background.Constant(Rgb.gray(background)), Optional.of(medium));
     }
 
     @ParameterizedTest

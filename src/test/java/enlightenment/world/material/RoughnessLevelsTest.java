@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.Rgb;
-import enlightenment.material.Amount;
 import enlightenment.material.Texture;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -14,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class RoughnessLevelsTest {
     private static AmountLookup checker(double first, double second, double factor) {
         Texture texture = new Texture.Checker(List.of(new Rgb(0, first, 0), new Rgb(1, second, 0.5)), 2);
-        return new AmountLookup(new TextureLookup(texture, null, true), Amount.Channel.GREEN, factor);
+        return new AmountLookup(new TextureLookup(texture, null, true), Texture.Amount.Channel.GREEN, factor);
     }
 
     @Test

@@ -1,4 +1,4 @@
-package enlightenment.net;
+package enlightenment.net.job;
 
 import enlightenment.engine.Rendered;
 import enlightenment.render.RenderResult;
@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Map;
 
 /** Pictures of many machines as those of one. */
-final class Results {
+public final class Results {
     private Results() {}
 
-    static RenderResult of(Rendered rendered) {
+    public static RenderResult of(Rendered rendered) {
         return new RenderResult(
                 rendered.image(), rendered.report(), rendered.complete(), rendered.shownPixels(), Map.of(), List.of());
     }

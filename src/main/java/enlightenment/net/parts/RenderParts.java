@@ -1,4 +1,4 @@
-package enlightenment.net;
+package enlightenment.net.parts;
 
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
@@ -6,6 +6,7 @@ import enlightenment.file.ContentHash;
 import enlightenment.job.Build;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.job.PartFile;
+import enlightenment.net.job.Results;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;

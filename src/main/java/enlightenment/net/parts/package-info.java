@@ -1,0 +1,2 @@
+/** Renders in parts that know nothing of each other, for job arrays. */
+package enlightenment.net.parts;

@@ -14,6 +14,7 @@ import enlightenment.math.InvalidValueException;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /** Finds the camera and the materials of objects that have no meaning in a scene's shading; materials that nothing uses do no harm. */
@@ -173,12 +174,18 @@ final class ShadingFit {
 
     /** Where a material stands: with its name, if it has one. */
     static String placeOf(Map<String, Material> named, Material material, String place) {
+        String name = nameOf(m -> m == material, named);
+        String known = name == null ? nameOf(m -> Objects.equals(m, material), named) : name;
+        return known == null ? place : "materials/" + SceneException.escaped(known);
+    }
+
+    private static String nameOf(Predicate<Material> isMeant, Map<String, Material> named) {
         for (Map.Entry<String, Material> entry : named.entrySet()) {
-            if (Objects.equals(entry.getValue(), material)) {
-                return "materials/" + SceneException.escaped(entry.getKey());
+            if (isMeant.test(entry.getValue())) {
+                return entry.getKey();
             }
         }
-        return place;
+        return null;
     }
 
     /**

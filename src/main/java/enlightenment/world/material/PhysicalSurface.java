@@ -25,7 +25,7 @@ import enlightenment.numeric.Scale;
  * @param ultraviolet the radiance of ultraviolet that it emits
  * @param reradiation what a dye in it does; null if there is none
  * @param medium what fills a solid of it if that scatters light; else null
- * @param look all this as a text that is equal for materials that look the same; null for a light
+ * @param described what {@link #look()} tells; null for a light
  */
 public record PhysicalSurface(
         Bsdf bsdf,
@@ -36,56 +36,45 @@ public record PhysicalSurface(
         double ultraviolet,
         Reradiation reradiation,
         HomogeneousMedium medium,
-        String look) {
+        Look described) {
     /** That of a material of classic shading. */
-    static final PhysicalSurface NONE =
-            new PhysicalSurface(null, Rgb.BLACK, Material.EmissionPattern.Side.FRONT, Rgb.BLACK, 0, 0, null, null, "");
+    static final PhysicalSurface NONE = new PhysicalSurface(
+            null, Rgb.BLACK, Material.EmissionPattern.Side.FRONT, Rgb.BLACK, 0, 0, null, null, null);
 
     /** @param bsdfs makes how it scatters light */
     public static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes, MaterialBsdfs bsdfs) {
-        Rgb absorption = Rgb.BLACK;
-        double dispersion = 0;
-        Reradiation reradiation = null;
-        HomogeneousMedium medium = null;
         Rgb factor = material.radianceMap().orElse(null) instanceof Texture.Solid solid
                 ? solid.color().linear()
                 : Rgb.WHITE;
         Rgb glow = material.radiance().times(factor);
         double ultraviolet = material.ultraviolet() * factor.b();
-        Material.EmissionPattern.Side sides = material.pattern().side();
-        String look = text(glow, ultraviolet) + ofSides(sides);
+        Rgb absorption = Rgb.BLACK;
+        double dispersion = 0;
+        Reradiation reradiation = null;
+        HomogeneousMedium filling = null;
         if (material instanceof Glass glass) {
             absorption = scaled(glass.absorption(), frame.exponent());
-            look += " " + text(glass.roughness()) + " " + text(glass.absorption()) + " " + glass.multipleScattering();
-            if (glass.dispersion().isPresent()) {
-                dispersion = CauchyFormula.slope(
-                        glass.indexOfRefraction(), glass.dispersion().getAsDouble());
-                look += " " + dispersion;
-            }
-            look += glass.smoothRefraction() ? " refracting smoothly" : "";
+            dispersion = glass.dispersion().isPresent()
+                    ? CauchyFormula.slope(
+                            glass.indexOfRefraction(), glass.dispersion().getAsDouble())
+                    : 0;
         } else if (material instanceof Material.Scattering scattering) {
-            medium = HomogeneousMedium.of(scattering.medium(), frame);
-            absorption = medium.extinction();
-            look += " " + scattering.roughness() + " " + medium.look();
-            medium = medium.scatters() ? medium : null;
-        } else if (material instanceof Material.Matte matte) {
-            look += " " + matte.roughness();
-        } else if (material instanceof Glossy glossy) {
-            look += " " + glossy.roughness() + " " + glossy.conductor() + " " + glossy.multipleScattering();
-        } else if (material instanceof Coated coated) {
-            look += " " + coated.roughness() + " " + coated.indexOfRefraction() + " " + coated.nonlinear();
-        } else if (material instanceof Principled p) {
-            look += " " + p.metallic() + " " + p.roughness() + " " + p.indexOfRefraction() + " " + p.specular() + " "
-                    + p.clearcoat().share() + " " + text(p.clearcoat().roughness());
-            look += p.sheen().share() == 0
-                    ? ""
-                    : " sheen " + p.sheen().share() + " " + p.sheen().tint();
+            filling = HomogeneousMedium.of(scattering.medium(), frame);
+            absorption = filling.extinction();
         } else if (material instanceof Material.Fluorescent dye) {
             reradiation = dyes.of(dye);
-            look += " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
         }
+        String look = filling == null ? null : filling.look();
         return new PhysicalSurface(
-                bsdfs.of(material), glow, sides, absorption, dispersion, ultraviolet, reradiation, medium, look);
+                bsdfs.of(material),
+                glow,
+                material.pattern().side(),
+                absorption,
+                dispersion,
+                ultraviolet,
+                reradiation,
+                filling == null || !filling.scatters() ? null : filling,
+                new Look(material, look));
     }
 
     /** The surface of a light: black, and opaque. */
@@ -95,10 +84,47 @@ public record PhysicalSurface(
         return new PhysicalSurface(Lambert.INSTANCE, radiance, sides, Rgb.BLACK, 0, ultraviolet, null, null, null);
     }
 
-    /** That of a light is made when it is asked for: of thousands of lights hardly one is. */
-    @Override
+    /** All this as a text that is equal for materials that look the same. Made when it is asked for: of thousands of lights hardly one is. */
     public String look() {
-        return look == null ? text(glow, ultraviolet) + " " + (sides == Material.EmissionPattern.Side.BOTH) : look;
+        return text(glow, ultraviolet)
+                + (described == null
+                        ? " " + (sides == Material.EmissionPattern.Side.BOTH)
+                        : ofSides(sides) + described.text(dispersion));
+    }
+
+    /**
+     * What surfaces that look the same have in common, beside what shines.
+     *
+     * @param medium the text of the medium that is inside; null if there is none
+     */
+    record Look(Material material, String medium) {
+        String text(double dispersion) {
+            if (material instanceof Glass glass) {
+                return " " + PhysicalSurface.text(glass.roughness()) + " " + PhysicalSurface.text(glass.absorption())
+                        + " " + glass.multipleScattering()
+                        + (glass.dispersion().isPresent() ? " " + dispersion : "")
+                        + (glass.smoothRefraction() ? " refracting smoothly" : "");
+            } else if (material instanceof Material.Scattering scattering) {
+                return " " + scattering.roughness() + " " + medium;
+            } else if (material instanceof Material.Matte matte) {
+                return " " + matte.roughness();
+            } else if (material instanceof Glossy glossy) {
+                return " " + glossy.roughness() + " " + glossy.conductor() + " " + glossy.multipleScattering();
+            } else if (material instanceof Coated coated) {
+                return " " + coated.roughness() + " " + coated.indexOfRefraction() + " " + coated.nonlinear();
+            } else if (material instanceof Principled p) {
+                return " " + p.metallic() + " " + p.roughness() + " " + p.indexOfRefraction() + " " + p.specular()
+                        + " " + p.clearcoat().share() + " "
+                        + PhysicalSurface.text(p.clearcoat().roughness())
+                        + (p.sheen().share() == 0
+                                ? ""
+                                : " sheen " + p.sheen().share() + " "
+                                        + p.sheen().tint());
+            } else if (material instanceof Material.Fluorescent dye) {
+                return " " + dye.absorption() + " " + dye.emission() + " " + dye.yield();
+            }
+            return "";
+        }
     }
 
     private static String ofSides(Material.EmissionPattern.Side sides) {

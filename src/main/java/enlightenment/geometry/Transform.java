@@ -24,6 +24,12 @@ public final class Transform {
     private final List<Step> steps;
     private final ExactPoint offset;
 
+    /** The linear part, row by row: flat, since there may be a million transforms. */
+    private final double[] linear;
+
+    /** The matrices of the steps; null until other transforms go on with this one, as those of a group's members do. */
+    private List<Matrix> matrices;
+
     /** A step of a transform. */
     public sealed interface Step permits Scale, Rotate, RotateAbout, Translate, Matrix {}
 
@@ -78,29 +84,38 @@ public final class Transform {
     }
 
     private Transform(List<Step> steps) {
-        this.steps = List.copyOf(steps);
-        ExactPoint d = ExactPoint.ORIGIN;
-        for (Step step : this.steps) {
-            d = moved(matrix(step), d);
-        }
-        offset = d;
-        Vec3[] r = rows();
-        Check.that(
-                r[0].isFinite() && r[1].isFinite() && r[2].isFinite() && orientation(r[0], r[1], r[2]) != 0,
-                "transform",
-                "must have an inverse in double precision");
+        this(steps, new Vec3[] {Vec3.X, Vec3.Y, Vec3.Z}, ExactPoint.ORIGIN, matrices(List.copyOf(steps)));
     }
 
-    /** The rows of the linear part: made when they are asked for, since there may be a million transforms. */
-    private Vec3[] rows() {
-        Vec3[] r = {Vec3.X, Vec3.Y, Vec3.Z};
-        for (Step step : steps) {
-            Matrix m = matrix(step);
+    /**
+     * The steps of a transform and some more.
+     *
+     * @param steps all of them
+     * @param rows the linear part of the first steps
+     * @param offset where these take the origin
+     * @param more the matrices of the other steps
+     */
+    private Transform(List<Step> steps, Vec3[] rows, ExactPoint offset, List<Matrix> more) {
+        this.steps = List.copyOf(steps);
+        Vec3[] r = rows;
+        ExactPoint d = offset;
+        for (Matrix m : more) {
+            d = moved(m, d);
             r = new Vec3[] {
                 times(m.row0(), r[0], r[1], r[2]), times(m.row1(), r[0], r[1], r[2]), times(m.row2(), r[0], r[1], r[2])
             };
         }
-        return r;
+        Check.that(
+                r[0].isFinite() && r[1].isFinite() && r[2].isFinite() && orientation(r[0], r[1], r[2]) != 0,
+                "transform",
+                "must have an inverse in double precision");
+        this.offset = d;
+        linear =
+                new double[] {r[0].x(), r[0].y(), r[0].z(), r[1].x(), r[1].y(), r[1].z(), r[2].x(), r[2].y(), r[2].z()};
+    }
+
+    private Vec3[] rows() {
+        return new Vec3[] {row(0), row(1), row(2)};
     }
 
     /** The determinant of these rows, each times a power of two: its sign does not depend on the unit of length. */
@@ -132,7 +147,21 @@ public final class Transform {
         }
         List<Step> all = new ArrayList<>(steps);
         all.addAll(next.steps);
-        return new Transform(all);
+        return new Transform(all, rows(), offset, next.matrices());
+    }
+
+    /** Threads may make them twice, of the same numbers. */
+    private List<Matrix> matrices() {
+        List<Matrix> made = matrices;
+        if (made == null) {
+            made = matrices(steps);
+            matrices = made;
+        }
+        return made;
+    }
+
+    private static List<Matrix> matrices(List<Step> steps) {
+        return steps.stream().map(Transform::matrix).toList();
     }
 
     private static Matrix matrix(Step step) {
@@ -192,13 +221,12 @@ public final class Transform {
 
     /** A row of the linear part: 0, 1 or 2. */
     public Vec3 row(int k) {
-        return rows()[k];
+        return new Vec3(linear[3 * k], linear[3 * k + 1], linear[3 * k + 2]);
     }
 
     /** Whether it mirrors: a right hand becomes a left one. */
     public boolean isMirror() {
-        Vec3[] r = rows();
-        return orientation(r[0], r[1], r[2]) < 0;
+        return orientation(row(0), row(1), row(2)) < 0;
     }
 
     /** Whether each axis goes to an axis: moved, scaled, mirrored and turned by quarters of a turn at most. */
@@ -218,8 +246,7 @@ public final class Transform {
 
     /** The linear part times a vector, rounded. */
     public Vec3 applyLinear(Vec3 v) {
-        Vec3[] r = rows();
-        return new Vec3(r[0].dot(v), r[1].dot(v), r[2].dot(v));
+        return new Vec3(row(0).dot(v), row(1).dot(v), row(2).dot(v));
     }
 
     /** Where a point goes: the linear part is rounded, the offset is added exactly. */
@@ -229,8 +256,7 @@ public final class Transform {
 
     /** Where an exact point goes: exactly where the linear part is the identity, else kept to 60 digits. */
     public ExactPoint apply(ExactPoint p) {
-        Vec3[] r = rows();
-        return moved(new Matrix(r[0], r[1], r[2], offset), p);
+        return moved(new Matrix(row(0), row(1), row(2), offset), p);
     }
 
     @Override

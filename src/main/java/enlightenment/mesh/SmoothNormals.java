@@ -19,6 +19,9 @@ final class SmoothNormals {
 
     private final int[] place;
 
+    /** By corner: the angle of its triangle there, in radians. Each counts for all corners of its place. */
+    private final double[] angles;
+
     private SmoothNormals(TriangleMesh mesh, double crease) {
         this.mesh = mesh;
         cosine = crease >= 180 ? -2 : StrictMath.cos(Math.toRadians(crease));
@@ -44,6 +47,8 @@ final class SmoothNormals {
         for (int i = 0; i < 3 * n; i++) {
             corners[next[place[mesh.vertex(i / 3, i % 3)]]++] = i;
         }
+        angles = new double[3 * n];
+        Arrays.setAll(angles, this::angle);
     }
 
     /** The mesh with the normals of its triangles' corners; vertices are split where corners of one vertex disagree. */
@@ -79,7 +84,7 @@ final class SmoothNormals {
                     + (double) faces[own + 1] * faces[other + 1]
                     + (double) faces[own + 2] * faces[other + 2];
             if (c >= cosine || other == own) {
-                double angle = angle(corners[k]);
+                double angle = angles[corners[k]];
                 for (int axis = 0; axis < 3; axis++) {
                     sum[axis] += angle * faces[other + axis];
                 }

@@ -1,50 +1,69 @@
 #!/usr/bin/env bash
-# Renders the pictures of the gallery, after a build: docs/gallery/make.sh for all, docs/gallery/make.sh NAME... for large ones by name.
+# Renders the pictures of the gallery, after a build: docs/gallery/make.sh for all, docs/gallery/make.sh NAME... for those of these names.
+# SAMPLES=N in the environment takes N samples per pixel for each of the large ones.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+wanted=" $* "
+render() { java -jar target/enlightenment.jar render "$@" --progress none; }
+is_wanted() { [[ "$wanted" == "  " || "$wanted" == *" $1 "* ]]; }
 
-# Samples per pixel of the large pictures, some hours of one processor for all; SAMPLES=N in the environment takes N for each of them.
-declare -A samples=([watchmaker]=96 [breakfast]=256 [glass-and-prism]=512 [minerals]=32 [terrace]=32 [dandelions]=96 [serpents]=24
-    [chess]=48 [lanterns]=96 [shapes]=48 [candle]=512 [panorama]=256)
-# Chosen by `auto`, or by trial.
-declare -A method=([watchmaker]=raytrace [lanterns]=raytrace [chess]=raytrace [shapes]=cluster [serpents]=raytrace [terrace]=raytrace [minerals]=cluster)
-declare -A frame=([chess]="--frame 3")
-# The picture without grain is kept; its figures are in the report of the picture as rendered.
-large() {
-    java -jar target/enlightenment.jar render "scenes/$1.json" -o "target/$1-rendered.png" --denoised "docs/gallery/$1.png" \
-        --method "${method[$1]:-raytrace}" --samples "${SAMPLES:-${samples[$1]}}" --report "target/$1-report.json" --progress none ${frame[$1]:-}
+# clean NAME SCENE METHOD SAMPLES [OPTION...]: the picture without grain is kept; its figures are in the report of the picture as rendered.
+clean() {
+    is_wanted "$1" || return 0
+    render "$2" -o "target/$1-rendered.png" --denoised "docs/gallery/$1.png" --method "$3" --samples "${SAMPLES:-$4}" --report "target/$1-report.json" "${@:5}"
 }
-if [ $# -gt 0 ]; then
-    for scene in "$@"; do large "$scene"; done
-    exit
-fi
-for scene in "${!samples[@]}"; do large "$scene"; done
+# exact NAME SCENE [OPTION...]: the picture as rendered.
+exact() {
+    is_wanted "$1" || return 0
+    render "$2" -o "docs/gallery/$1.png" --report "target/$1-report.json" "${@:3}"
+}
+# small NAME [OPTION...]: the scene of this name.
+small() { exact "$1" "scenes/$1.json" "${@:2}"; }
 
-run() { java -jar target/enlightenment.jar render "scenes/$1.json" -o "docs/gallery/$2.png" --progress none "${@:3}"; }
-run fire-and-ice fire-and-ice --antialias 6 --shadow-samples 32
-run bounce blur --frame 5 --size 400x200 --antialias 6
-frames=$(mktemp -d)
-java -jar target/enlightenment.jar animate scenes/fire-and-ice-tween.json -o "$frames/%04d.png" --size 160x80 --antialias 3 \
-    --shadow-samples 4 --progress none --video docs/gallery/film.gif
-rm -r "$frames"
-run primitives primitives --size 400x225 --antialias 6
-run glass glass --size 400x200 --antialias 6
-run torus torus --size 400x225 --antialias 6
-run cylinders cylinders --size 400x200
-run cone cone --size 400x200
-run cube cube --size 212x300
-run cornell-box cornell-box --size 300x300 --samples 128 --method cluster
-run caustics caustics --size 400x267 --samples 256
-run sky sky --size 400x267 --samples 200 --method cluster
-run prism prism --size 400x267 --samples 1024
-run fluorescent-poster fluorescent-poster --size 400x200 --samples 256
-run wax wax --size 400x267 --method light --samples 1000
-run milk-and-glass milk-and-glass --size 400x267 --samples 256
-run fog fog --size 400x267 --samples 256
-for scene in metals glass-physical lamp-room fire-and-ice-physical; do
-    run "$scene" "$scene" --size 400x200 --samples 128
+# Methods are chosen by `auto`, or by trial.
+clean watchmaker scenes/watchmaker.json raytrace 96
+clean dandelions scenes/dandelions.json cluster 12
+clean breakfast scenes/breakfast.json cluster 24
+clean lanterns scenes/lanterns.json raytrace 96
+clean chess scenes/chess.json raytrace 48 --frame 3
+clean glass-and-prism scenes/glass-and-prism.json raytrace 96
+clean candle scenes/candle.json raytrace 40
+clean serpents scenes/serpents.json raytrace 24
+clean terrace scenes/terrace.json raytrace 32
+clean shapes scenes/shapes.json cluster 48
+clean minerals scenes/minerals.json cluster 32
+clean panorama scenes/panorama.json raytrace 256
+exact fire-and-ice scenes/fire-and-ice.json --size 1280x640 --antialias 8 --shadow-samples 64
+exact fire-and-ice-physical scenes/fire-and-ice-physical.json --size 1280x640 --method cluster --error 0.003
+
+film() {
+    is_wanted "$1" || return 0
+    local frames
+    frames=$(mktemp -d)
+    java -jar target/enlightenment.jar animate "$2" -o "$frames/%04d.png" --progress none --video "docs/gallery/$1.gif" "${@:3}"
+    rm -r "$frames"
+}
+film film scenes/fire-and-ice-tween.json --size 160x80 --antialias 3 --shadow-samples 4
+
+exact blur scenes/bounce.json --frame 5 --size 400x200 --antialias 6
+small primitives --size 400x225 --antialias 6
+small glass --size 400x200 --antialias 6
+small torus --size 400x225 --antialias 6
+small cylinders --size 400x200
+small cone --size 400x200
+small cube --size 212x300
+small cornell-box --size 300x300 --samples 128 --method cluster
+small caustics --size 400x267 --samples 256
+small sky --size 400x267 --samples 200 --method cluster
+small prism --size 400x267 --samples 1024
+small fluorescent-poster --size 400x200 --samples 256
+small wax --size 400x267 --method light --samples 1000
+small milk-and-glass --size 400x267 --samples 256
+small fog --size 400x267 --samples 256
+for scene in metals glass-physical lamp-room; do
+    small "$scene" --size 400x200 --samples 128
 done
 # The same time for each, with two threads.
 for method in raytrace bidirectional metropolis; do
-    run door-ajar "door-ajar-$method" --size 240x160 --method "$method" --time 18 --threads 2
+    exact "door-ajar-$method" scenes/door-ajar.json --size 240x160 --method "$method" --time 18 --threads 2
 done

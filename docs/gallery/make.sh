@@ -32,7 +32,7 @@ clean serpents scenes/serpents.json raytrace 24
 clean terrace scenes/terrace.json raytrace 32
 clean shapes scenes/shapes.json cluster 48
 clean minerals scenes/minerals.json cluster 32
-clean panorama scenes/panorama.json raytrace 256
+exact panorama scenes/panorama.json --method cluster --samples 64
 exact fire-and-ice scenes/fire-and-ice.json --size 1280x640 --antialias 8 --shadow-samples 64
 exact fire-and-ice-physical scenes/fire-and-ice-physical.json --size 1280x640 --method cluster --error 0.003
 

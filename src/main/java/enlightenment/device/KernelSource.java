@@ -20,6 +20,7 @@ public final class KernelSource {
             "triangles.cl",
             "meshes.cl",
             "search.cl",
+            "shafts.cl",
             "materials.cl",
             "lights.cl",
             "classic.cl");

@@ -42,6 +42,17 @@ bool isBlocked(Scene *s, const Path *path, const View *view, int hierarchy) {
     return search(s, &shadow, true, hierarchy, &best);
 }
 
+// Whether anything may be in the way of shadow rays to the light.
+bool needsRays(const Scene *s, const Path *path, const View *view, int hierarchy) {
+    Vec from = path->hit.p;
+    if (path->isSmooth) {
+        Vec o = bulgeOf(s, &path->hit);
+        from = vec(from.x + o.x, from.y + o.y, from.z + o.z);
+    }
+    Shaft shaft;
+    return !setShaft(&shaft, from, view->q + 3, path->hit.id, path->hit.side) || mayBeBlocked(s, &shaft, hierarchy);
+}
+
 // The mean over light points of (visible ? 1 : keeps) · cosθ at the hit.
 double lightMean(Scene *s, const Path *path, Vec n, int index, double keeps) {
     View view;
@@ -54,7 +65,7 @@ double lightMean(Scene *s, const Path *path, Vec n, int index, double keeps) {
         return 0;
     }
     bool known = unshadowed == unshadowed;
-    bool rays = keeps < 1;
+    bool rays = keeps < 1 && needsRays(s, path, &view, hierarchy);
     if (!rays && known) {
         return unshadowed;
     }

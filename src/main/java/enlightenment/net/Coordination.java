@@ -192,8 +192,8 @@ final class Coordination implements ServerConnection.Host {
             startLocal(Math.max(options.localThreads, 1));
         } else if (action instanceof Action.Finish) {
             isFinished = true;
-            RenderServer.AuditReport audits = RenderServer.AuditReport.ofTiles(auditsDue(), auditsMissing());
-            if (!audits.isComplete()) {
+            AuditCount audits = AuditCount.ofTiles(auditsDue(), auditsMissing());
+            if (audits.missing() > 0) {
                 log.say("warning: " + audits.sentence());
             }
             notifyAll();

@@ -27,9 +27,9 @@ final class FilmAudits {
         }
     }
 
-    RenderServer.AuditReport report() {
+    AuditCount count() {
         Count sum = byFrame.values().stream().reduce(Count.NONE, Count::plus);
-        return new RenderServer.AuditReport(
+        return new AuditCount(
                 sum.due,
                 sum.missing,
                 true,

@@ -9,6 +9,8 @@ import enlightenment.net.job.JobContent;
 import enlightenment.net.server.FrameAssemblies;
 import enlightenment.net.server.ServerJob;
 import enlightenment.net.worker.WorkerUnits;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -29,7 +31,15 @@ final class FilmQueue {
     /** The threads of a film's units are those of whoever makes them. */
     private static final int THREADS = 1;
 
-    private final IntFunction<RenderServer.OfFilm.Frame> frames;
+    /**
+     * A frame that is to be rendered.
+     *
+     * @param scene its scene
+     * @param settings how it is rendered
+     */
+    record Wish(Scene scene, RenderSettings settings) {}
+
+    private final IntFunction<Wish> frames;
     private final String build;
     private final Consumer<String> log;
     private final BooleanSupplier cancelled;
@@ -41,11 +51,7 @@ final class FilmQueue {
 
     private Round latest;
 
-    FilmQueue(
-            IntFunction<RenderServer.OfFilm.Frame> frames,
-            String build,
-            Consumer<String> log,
-            BooleanSupplier cancelled) {
+    FilmQueue(IntFunction<Wish> frames, String build, Consumer<String> log, BooleanSupplier cancelled) {
         this.frames = frames;
         this.build = build;
         this.log = log;
@@ -124,7 +130,7 @@ final class FilmQueue {
     /** Plans a frame. */
     @FunctionalInterface
     private interface Plan {
-        DividedRender render(int number, RenderServer.OfFilm.Frame frame);
+        DividedRender render(int number, Wish frame);
     }
 
     private Round round(int count, List<Integer> numbers, Plan plan) {
@@ -134,7 +140,7 @@ final class FilmQueue {
             if (cancelled.getAsBoolean()) {
                 throw new CancellationException("stopped before all frames were planned");
             }
-            RenderServer.OfFilm.Frame frame = frames.apply(number);
+            Wish frame = frames.apply(number);
             DividedRender render = plan.render(number, frame);
             tell(number, render.notes());
             PlannedFrame kept = PlannedFrame.of(render, numbers.size());

@@ -15,13 +15,11 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.Closeable;
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
-import java.util.stream.Collectors;
 
 /**
  * Renders a picture on many machines: {@link RenderWorker}s connect to this server, and may come, go and die as they please. The picture is that of
@@ -108,7 +106,7 @@ public final class RenderServer implements Closeable {
 
     /** The audits of the picture that {@link #await} returned; without meaning before it has. */
     public AuditReport audits() {
-        return rounds.audits();
+        return AuditReport.of(rounds.audits());
     }
 
     /** The first round, for tests. */
@@ -137,17 +135,13 @@ public final class RenderServer implements Closeable {
         /** Nothing was to be audited. */
         public static final AuditReport NONE = new AuditReport(0, 0, false, List.of());
 
-        /** As many numbers as a line of a log has room for. */
-        private static final int MOST_SHOWN = 20;
-
         /** {@code where} may not be null. */
         public AuditReport {
             where = List.copyOf(where);
         }
 
-        /** The report of one picture. */
-        static AuditReport ofTiles(List<Integer> due, List<Integer> missing) {
-            return new AuditReport(due.size(), missing.size(), false, missing);
+        private static AuditReport of(AuditCount c) {
+            return new AuditReport(c.due(), c.missing(), c.isOfFilm(), c.where());
         }
 
         /** Whether a second machine has rendered all that it was to. */
@@ -157,15 +151,7 @@ public final class RenderServer implements Closeable {
 
         /** What is missing, as a sentence without full stop: {@code 2 of 9 audits were not made: nobody ...}. */
         public String sentence() {
-            List<String> shown = new ArrayList<>(
-                    where.stream().limit(MOST_SHOWN).map(String::valueOf).toList());
-            if (where.size() > MOST_SHOWN) {
-                shown.add("and " + (where.size() - MOST_SHOWN) + " more");
-            }
-            String noun = (isOfFilm ? "frame" : "tile") + (where.size() == 1 ? " " : "s ");
-            return missing + " of " + due + (due == 1 ? " audit was" : " audits were")
-                    + " not made: no second machine checked " + (isOfFilm ? "tiles of " : "") + noun
-                    + shown.stream().collect(Collectors.joining(", "));
+            return new AuditCount(due, missing, isOfFilm, where).sentence();
         }
     }
 
@@ -243,9 +229,13 @@ public final class RenderServer implements Closeable {
             // Before what takes long: these files may be of no use.
             Secrets secrets = Secrets.open(options.secrets(), log::say);
             Canary.hash();
-            FilmQueue queue = new FilmQueue(frames, options.version, log::say, cancelled);
+            FilmQueue queue = new FilmQueue(number -> wish(frames.apply(number)), options.version, log::say, cancelled);
             FilmQueue.Round round = queue.first(List.copyOf(numbers));
             return new OfFilm(queue, round, ServerRound.start(options, log, secrets, round.job()));
+        }
+
+        private static FilmQueue.Wish wish(Frame frame) {
+            return new FilmQueue.Wish(frame.scene(), frame.settings());
         }
 
         /** The port that it listens at. */
@@ -305,8 +295,8 @@ public final class RenderServer implements Closeable {
         }
 
         /** The audits of the frames that {@link #await} gave to the sink; without meaning before it has returned. */
-        public RenderServer.AuditReport audits() {
-            return audits.report();
+        public AuditReport audits() {
+            return AuditReport.of(audits.count());
         }
 
         private ServerRound after(FilmQueue.Round before) {

@@ -14,7 +14,7 @@ final class ServerRounds {
     private ServedPicture picture;
 
     /** Of the picture that is the best so far. */
-    private RenderServer.AuditReport audits = RenderServer.AuditReport.NONE;
+    private AuditCount audits = AuditCount.NONE;
 
     ServerRounds(ServerRound first, ServedPicture picture) {
         chain = new RoundChain(first);
@@ -47,12 +47,12 @@ final class ServerRounds {
         return best;
     }
 
-    private static RenderServer.AuditReport audits(ServerRound round) {
-        return RenderServer.AuditReport.ofTiles(round.auditsDue(), round.auditsMissing());
+    private static AuditCount audits(ServerRound round) {
+        return AuditCount.ofTiles(round.auditsDue(), round.auditsMissing());
     }
 
     /** The audits of the picture that {@link #await} returned. */
-    RenderServer.AuditReport audits() {
+    AuditCount audits() {
         return audits;
     }
 

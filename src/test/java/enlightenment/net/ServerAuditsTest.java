@@ -85,9 +85,9 @@ class ServerAuditsTest {
     void theSentenceNamesTwentyTilesAtMost() {
         assertEquals(
                 "1 of 1 audit was not made: no second machine checked tile 7",
-                RenderServer.AuditReport.ofTiles(List.of(7), List.of(7)).sentence());
+                AuditCount.ofTiles(List.of(7), List.of(7)).sentence());
         List<Integer> many = IntStream.range(0, 25).boxed().toList();
-        assertTrue(RenderServer.AuditReport.ofTiles(many, many).sentence().endsWith("18, 19, and 5 more"));
+        assertTrue(AuditCount.ofTiles(many, many).sentence().endsWith("18, 19, and 5 more"));
         assertEquals(
                 "3 of 4 audits were not made: no second machine checked tiles of frames 2, 9",
                 new RenderServer.AuditReport(4, 3, true, List.of(2, 9)).sentence());

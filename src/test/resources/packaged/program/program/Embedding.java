@@ -32,6 +32,7 @@ public final class Embedding {
         inCode();
         fromFile(Path.of(args[0]));
         cancelled();
+        Meshes.areRendered();
         withoutTheLibraryForCbor(RenderServer.class, "start");
         withoutTheLibraryForCbor(RenderWorker.class, "run");
         for (String absent : new String[] {"java.management", "jdk.management", "jdk.httpserver", "info.picocli"}) {

@@ -56,7 +56,7 @@ public record Curve(
             Spread estimated,
             boolean judged) {}
 
-    /** The curve of a configuration from its runs of kind {@link TradeRun#SERIES}; other runs are ignored. */
+    /** The curve of a configuration from its runs of kind {@link TradeRun#BUDGET_SERIES}; other runs are ignored. */
     public static Curve of(Configuration configuration, List<TradeRun> runs, double referenceVariance) {
         List<TradeRun> series = runs.stream()
                 .filter(r -> r.kind().equals(TradeRun.BUDGET_SERIES)

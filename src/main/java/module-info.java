@@ -1,8 +1,7 @@
 /**
  * Enlightenment, a renderer for the JVM: scene descriptions, exact geometry, light transport, finished images.
  */
-@SuppressWarnings(
-        "requires-automatic") // Of the charting libraries none names itself a module; nothing exported shows them.
+@SuppressWarnings("requires-automatic") // Batik has a name, but no descriptor; nothing exported shows it.
 module enlightenment {
     requires transitive java.desktop; // javax.imageio, for JPEG and BMP textures; BufferedImage of finished pictures
     requires tools.jackson.core;
@@ -15,8 +14,7 @@ module enlightenment {
     // Only the command line needs these; whoever embeds the library does not.
     requires static info.picocli;
     requires static me.tongfei.progressbar;
-    // Only charts need these.
-    requires static xchart;
+    // Only charts need it, and XChart, which has no name as a module and is read from the class path.
     requires static org.apache.xmlgraphics.batik.svggen;
     // Charts, and scenes of Mitsuba; java.desktop brings it along.
     requires static java.xml;

@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.color.Color;
 import enlightenment.film.SampleLog;
 import enlightenment.plan.Learned;
 import enlightenment.plan.MethodDecision;
@@ -96,7 +97,7 @@ public final class DividedRender implements UnitSource {
     private static DividedRender prepare(
             Scene scene, RenderSettings asked, SharedImages images, BooleanSupplier cancelled, boolean isLast) {
         Stopwatch time = Stopwatch.started();
-        PictureMemory.check(asked, 0);
+        PictureMemory.of(scene, asked, PictureMemory.Films.TILES, 0).check();
         Phases phases = new Phases();
         BooleanSupplier stopped = Cancellation.of(cancelled);
         CompiledScene compiled =
@@ -192,7 +193,9 @@ public final class DividedRender implements UnitSource {
      */
     public Optional<Preview> preview(BooleanSupplier cancelled) {
         RenderSettings settings = outline.settings();
-        if (!units.haveTiles() || !PictureMemory.isEnough(settings, units.imagesBeside() + IMAGES_OF_PREVIEW)) {
+        boolean isLinear = outline.display().encoding() == Color.Encoding.LINEAR;
+        if (!units.haveTiles()
+                || !units.memory(settings, isLinear, IMAGES_OF_PREVIEW).isEnough()) {
             return Optional.empty();
         }
         Preview preview = new Preview(Preview.Kind.COARSE, compiled, settings);

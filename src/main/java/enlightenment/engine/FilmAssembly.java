@@ -1,10 +1,10 @@
 package enlightenment.engine;
 
+import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;
 import enlightenment.report.RenderReport;
 import enlightenment.work.Phases;
-import enlightenment.work.PictureMemory;
 import enlightenment.work.Stopwatch;
 import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
@@ -61,7 +61,8 @@ public final class FilmAssembly implements UnitAssembly {
         this.phases = phases;
         units = WorkUnits.forMachines(outline.settings(), outline.plan());
         if (place.folder().isEmpty()) {
-            PictureMemory.check(outline.settings(), units.imagesBeside());
+            units.memory(outline.settings(), outline.display().encoding() == Color.Encoding.LINEAR, 0)
+                    .check();
         }
         form = ResultForm.of(units, outline);
         film = PictureFilm.of(units, outline, canLose, place);

@@ -164,14 +164,15 @@ public final class WorkUnits {
     }
 
     /**
-     * The memory that a picture takes, beyond that of finished tiles, while units are added up that can be taken out again: in images as
-     * large as the picture.
+     * The memory that a picture takes while units are added up that can be taken out again.
+     *
+     * @param moreImages how many further images as large as the picture are needed
      */
-    int imagesBeside() {
-        int beside = passes > 1 ? IMAGES_OF_PASSES : 0;
-        return cut == null
-                ? PictureMemory.IMAGES_OF_SPLATS
-                : batches > 0 ? beside + PictureMemory.IMAGES_OF_ADDED_SPLATS : beside;
+    PictureMemory memory(RenderSettings settings, boolean isLinear, int moreImages) {
+        PictureMemory.Films films = cut == null
+                ? PictureMemory.Films.SPLATS
+                : batches > 0 ? PictureMemory.Films.BOTH : PictureMemory.Films.TILES;
+        return new PictureMemory(settings, isLinear, films, moreImages + (passes > 1 ? IMAGES_OF_PASSES : 0));
     }
 
     /** The tile that a unit belongs to, counted from 0. */

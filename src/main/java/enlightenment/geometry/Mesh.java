@@ -4,9 +4,8 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
+import enlightenment.numeric.Decimals;
 import enlightenment.numeric.Scale;
-import java.math.BigDecimal;
-import java.math.RoundingMode;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -63,11 +62,9 @@ public record Mesh(TriangleMesh triangles, Optional<MeshFiles.Origin> origin, Tr
         Vec3 m = transform.applyLinear(triangles.min().plus(triangles.max()).times(0.5));
         ExactPoint o = transform.offset();
         return new ExactPoint(
-                o.x().add(rounded(m.x(), step)), o.y().add(rounded(m.y(), step)), o.z().add(rounded(m.z(), step)));
-    }
-
-    private static BigDecimal rounded(double v, int step) {
-        return new BigDecimal(v).setScale(-step, RoundingMode.HALF_EVEN);
+                o.x().add(Decimals.near(m.x(), step)),
+                o.y().add(Decimals.near(m.y(), step)),
+                o.z().add(Decimals.near(m.z(), step)));
     }
 
     /** The exponent of ten that the middle is rounded to: a thousandth of the size. */

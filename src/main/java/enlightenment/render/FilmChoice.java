@@ -8,6 +8,7 @@ import enlightenment.plan.Integrators;
 import enlightenment.plan.RenderPlan;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import enlightenment.work.PictureMemory;
 import enlightenment.world.CompiledScene;
@@ -16,11 +17,6 @@ import java.util.Optional;
 
 /** Decides whether the pixels of a render are in memory or in a file, and refuses what fits nowhere. */
 final class FilmChoice {
-    /** Per pixel in memory: what {@link PictureMemory#bytes} leaves out, of linear light the means of quarters as well. */
-    private static final long ERROR_BYTES = 4;
-
-    private static final long LIGHT_BYTES = 12 * 4 + 13;
-
     /** The most that a written picture takes per pixel. */
     private static final long WRITTEN_BYTES = 3 * 4;
 
@@ -49,8 +45,7 @@ final class FilmChoice {
         if (isLarge() && inMemoryFor().isEmpty()) {
             checkFile(request.scratch().get().folder());
         } else {
-            int paths = Integrators.alwaysHasLightPaths(settings.method()) ? PictureMemory.IMAGES_OF_ADDED_SPLATS : 0;
-            PictureMemory.check(settings, images + paths, reason(inMemoryFor()));
+            memory(films(settings.method())).check(reason(inMemoryFor()));
         }
     }
 
@@ -67,14 +62,35 @@ final class FilmChoice {
 
     /** Whether one more image may be in memory, which the render can do without. */
     boolean hasRoom() {
-        return !isLarge() && PictureMemory.isEnough(settings, images + PictureMemory.IMAGES_OF_ADDED_SPLATS + 1);
+        PictureMemory more = PictureMemory.of(request.scene(), settings, PictureMemory.Films.BOTH, images + 1);
+        return !isLarge() && more.isEnough();
     }
 
     private void checkPaths() {
-        PictureMemory.check(
-                settings,
-                images + PictureMemory.IMAGES_OF_ADDED_SPLATS,
-                reason(inMemoryFor().or(() -> Optional.of("the pass of caustics"))));
+        memory(PictureMemory.Films.BOTH).check(reason(inMemoryFor().or(() -> Optional.of("the pass of caustics"))));
+    }
+
+    private PictureMemory memory(PictureMemory.Films films) {
+        return PictureMemory.of(request.scene(), settings, films, images);
+    }
+
+    /**
+     * The memory of a picture, in bytes.
+     *
+     * @param compiled the scene, which may need paths from lights; null if it is not compiled
+     */
+    static long memory(Scene scene, RenderSettings settings, CompiledScene compiled) {
+        boolean hasPaths = compiled != null && Integrators.hasLightPaths(settings.method(), compiled, settings);
+        PictureMemory.Films films = hasPaths ? PictureMemory.Films.BOTH : films(settings.method());
+        return PictureMemory.of(scene, settings, films, 0).bytes();
+    }
+
+    /** What a method makes pictures in, whatever the scene. */
+    private static PictureMemory.Films films(Method method) {
+        if (method.kind() == Method.Kind.SPLATS) {
+            return PictureMemory.Films.SPLATS;
+        }
+        return Integrators.alwaysHasLightPaths(method) ? PictureMemory.Films.BOTH : PictureMemory.Films.TILES;
     }
 
     /**
@@ -98,7 +114,8 @@ final class FilmChoice {
 
     /** Whether the picture is too large for the memory that it may take. */
     private boolean isLarge() {
-        long bytes = PictureMemory.bytes(settings) + pixels() * (isLinear ? LIGHT_BYTES : ERROR_BYTES);
+        long bytes = PictureMemory.of(request.scene(), settings, PictureMemory.Films.TILES, 0)
+                .bytes();
         return request.scratch().isPresent() && bytes > request.scratch().get().memory();
     }
 

@@ -14,7 +14,6 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.work.Cancellation;
 import enlightenment.work.Phases;
-import enlightenment.work.PictureMemory;
 import enlightenment.work.Stopwatch;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
@@ -183,7 +182,6 @@ public final class Renderer {
         Stopwatch time = choice.time();
         RenderSettings settings = request.settings();
         int images = (request.progressive() ? 1 : 0)
-                + (settings.method().kind() == Method.Kind.SPLATS ? PictureMemory.IMAGES_OF_SPLATS : 0)
                 + request.neededAuxiliary().size()
                 + (request.denoised() ? Denoising.IMAGES : 0)
                 // The picture that was not exact enough is kept until there is a better one.
@@ -273,7 +271,7 @@ public final class Renderer {
                 compiled.features(),
                 compiled.absent(),
                 primitives,
-                memoryFor(settings) + primitives * BYTES_PER_PRIMITIVE + meshBytes(scene),
+                FilmChoice.memory(scene, settings, compiled) + primitives * BYTES_PER_PRIMITIVE + meshBytes(scene),
                 List.copyOf(hints),
                 List.copyOf(methods));
     }
@@ -299,9 +297,9 @@ public final class Renderer {
         return Integrators.recordsSamples(method);
     }
 
-    /** The memory that the picture needs while it is rendered, in bytes. */
-    public static long memoryFor(RenderSettings settings) {
-        return PictureMemory.bytes(settings);
+    /** The memory that the picture of a scene needs while it is rendered, in bytes; more if there are caustics in it. */
+    public static long memoryFor(Scene scene, RenderSettings settings) {
+        return FilmChoice.memory(scene, settings, null);
     }
 
     /**

@@ -2,66 +2,121 @@ package enlightenment.work;
 
 import enlightenment.check.Check;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 
-/** The memory that a picture takes while it is rendered. */
-public final class PictureMemory {
-    /** A film keeps three doubles, two floats and a count per pixel, the finished picture three floats. */
-    private static final long BYTES_PER_PIXEL = 3 * (8 + 4) + 3 * 4;
+/**
+ * The memory that a picture takes while it is rendered and when it is finished. Bytes per pixel are those of the arrays of the classes
+ * that are named; what a scene takes comes on top.
+ *
+ * @param settings the picture, of which only its size and region matter
+ * @param isLinear whether pixels are linear light, as those of physical shading are
+ * @param films what the pixels are made in
+ * @param moreImages how many other images as large as the picture are needed
+ */
+public record PictureMemory(RenderSettings settings, boolean isLinear, Films films, int moreImages) {
+    /** The films of {@code enlightenment.film} that a picture is made in. */
+    public enum Films {
+        /** A film of finished tiles. */
+        TILES,
 
-    /** Another image as large as the picture. */
-    private static final long BYTES_PER_IMAGE_PIXEL = 3 * 4;
+        /** One of paths that may end anywhere. */
+        SPLATS,
 
-    /** What a film of paths that may end anywhere takes more than that of tiles, in images: four groups of three longs per pixel. */
-    public static final int IMAGES_OF_SPLATS = (4 * 3 * 8 - 3 * (8 + 4)) / (3 * 4);
+        /** One of each, and the sum of the two. */
+        BOTH
+    }
 
-    /**
-     * What paths that may end anywhere take beside a film of tiles, in images: a film of their own, and the sum of the two when somebody
-     * looks at it.
-     */
-    public static final int IMAGES_OF_ADDED_SPLATS = (4 * 3 * 8 + 3 * (8 + 4)) / (3 * 4);
+    /** Of a film of tiles: three doubles, two floats and a count. */
+    private static final int FILM = 3 * Double.BYTES + 2 * Float.BYTES + Integer.BYTES;
+
+    /** What such a film of linear light has as well: the means of the four quarters of the samples, three floats each. */
+    private static final int QUARTER_MEANS = 4 * 3 * Float.BYTES;
+
+    /** Of a film of paths that may end anywhere: four groups of three longs. */
+    private static final int SPLAT_FILM = 4 * 3 * Long.BYTES;
+
+    /** Of an image: three floats. */
+    private static final int IMAGE = 3 * Float.BYTES;
+
+    /** Of an estimated error: the variance. */
+    private static final int VARIANCE = Float.BYTES;
+
+    /** While that of linear light is estimated: two figures, and whether a pixel is rare. */
+    private static final int LINEAR_FIGURES = 2 * Float.BYTES + 1;
+
+    /** The same of splats: the variance, not rounded yet. */
+    private static final int SPLAT_FIGURES = Double.BYTES;
+
+    /** The same of splats over pixels with few samples of linear light: two figures of either. */
+    private static final int FEW_SAMPLES = 4 * Float.BYTES;
+
+    /** What the program itself takes, at least. */
+    private static final long PROGRAM = 8L << 20;
 
     /** Arrays have no more. */
     private static final long MOST_NUMBERS = Integer.MAX_VALUE - 8;
 
-    private PictureMemory() {}
+    /** Of a picture of a scene. */
+    public static PictureMemory of(Scene scene, RenderSettings settings, Films films, int moreImages) {
+        return new PictureMemory(settings, scene.shading() instanceof Shading.Physical, films, moreImages);
+    }
 
-    /** Bytes for the film and the finished picture. */
-    public static long bytes(RenderSettings settings) {
-        return pixels(settings) * BYTES_PER_PIXEL;
+    /** Bytes for films, images and the estimated error, at most at any moment. */
+    public long bytes() {
+        return pixels() * bytesPerPixel();
+    }
+
+    private int bytesPerPixel() {
+        int film = FILM + (isLinear ? QUARTER_MEANS : 0);
+        int figures = isLinear ? LINEAR_FIGURES : 0;
+        return (1 + moreImages) * IMAGE
+                + VARIANCE
+                + switch (films) {
+                    case TILES -> film + figures;
+                    case SPLATS -> SPLAT_FILM + SPLAT_FIGURES;
+                    case BOTH -> 2 * film + SPLAT_FILM + figures + (isLinear ? FEW_SAMPLES : 0);
+                };
+    }
+
+    /** Whether there is memory for it. */
+    public boolean isEnough() {
+        return bytes() <= available() && numbersPerArray() <= MOST_NUMBERS;
     }
 
     /**
      * Refuses a picture that cannot fit, before anything is allocated.
      *
-     * @param moreImages how many other images as large as the picture are needed
      * @throws enlightenment.math.InvalidValueException if there is less memory
      */
-    public static void check(RenderSettings settings, int moreImages) {
-        check(settings, moreImages, "");
+    public void check() {
+        check("");
     }
 
     /**
-     * As {@link #check(RenderSettings, int)}.
+     * As {@link #check()}.
      *
      * @param reason why the picture must be in memory, as the end of the message
      */
-    public static void check(RenderSettings settings, int moreImages, String reason) {
+    public void check(String reason) {
         RenderSettings.Crop region = settings.region();
-        long needed = bytes(settings) + moreImages * BYTES_PER_IMAGE_PIXEL * pixels(settings);
-        long available = Runtime.getRuntime().maxMemory();
-        double share = Math.min((double) available / needed, (MOST_NUMBERS / 3.0) / pixels(settings));
+        double share = Math.min((double) available() / bytes(), (double) MOST_NUMBERS / numbersPerArray());
         Check.that(
-                needed <= available && 3 * pixels(settings) <= MOST_NUMBERS,
+                isEnough(),
                 "size",
-                "a picture of " + region.width() + "x" + region.height() + " pixels needs " + needed
-                        + " bytes of memory; at most " + available + " are there (java -Xmx sets the limit), for about "
+                "a picture of " + region.width() + "x" + region.height() + " pixels needs " + bytes()
+                        + " bytes of memory; at most " + available()
+                        + " are there (java -Xmx sets the limit), for about "
                         + scaled(region.width(), share) + "x" + scaled(region.height(), share) + " pixels" + reason);
     }
 
-    /** Whether there is memory for a picture and this many other images as large. */
-    public static boolean isEnough(RenderSettings settings, int moreImages) {
-        return bytes(settings) + moreImages * BYTES_PER_IMAGE_PIXEL * pixels(settings)
-                <= Runtime.getRuntime().maxMemory();
+    private static long available() {
+        return Math.max(Runtime.getRuntime().maxMemory() - PROGRAM, 0);
+    }
+
+    /** Of the longest array. */
+    private long numbersPerArray() {
+        return pixels() * (isLinear && films != Films.SPLATS ? QUARTER_MEANS / Float.BYTES : 3);
     }
 
     /** A side of a picture with this share of the pixels. */
@@ -69,7 +124,7 @@ public final class PictureMemory {
         return Math.max((int) (side * Math.sqrt(share)), 1);
     }
 
-    private static long pixels(RenderSettings settings) {
+    private long pixels() {
         RenderSettings.Crop region = settings.region();
         return (long) region.width() * region.height();
     }

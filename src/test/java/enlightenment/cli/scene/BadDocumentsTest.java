@@ -453,11 +453,12 @@ class BadDocumentsTest {
         Path scene = Files.writeString(
                 folder.resolve("scene.json"), image("65536", "65536", "").document());
         Path picture = folder.resolve("picture.png");
-        // Without a preview the pixels may be in a file. Film and picture take 48 bytes, the coarse picture takes 12.
+        // Without a preview the pixels may be in a file. Film, picture and error take 52 bytes, the coarse picture
+        // takes 12.
         CliRun run = CliRun.of("render", scene, "-o", picture, "--preview");
         assertEquals(2, run.code());
         String start =
-                scene + ":1:12: /image: a picture of 65536x65536 pixels needs 257698037760 bytes of memory; at most ";
+                scene + ":1:12: /image: a picture of 65536x65536 pixels needs 274877906944 bytes of memory; at most ";
         assertTrue(run.err().startsWith(start), run.err());
         assertTrue(run.err().contains("; a preview needs all of it in memory"), run.err());
         assertFalse(Files.exists(picture));

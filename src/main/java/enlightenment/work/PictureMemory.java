@@ -45,10 +45,10 @@ public record PictureMemory(RenderSettings settings, boolean isLinear, Films fil
     /** While that of linear light is estimated: two figures, and whether a pixel is rare. */
     private static final int LINEAR_FIGURES = 2 * Float.BYTES + 1;
 
-    /** The same of splats: the variance, not rounded yet. */
+    /** While that of splats is estimated: the variance, not rounded yet. */
     private static final int SPLAT_FIGURES = Double.BYTES;
 
-    /** The same of splats over pixels with few samples of linear light: two figures of either. */
+    /** Of splats over pixels with few samples of linear light: two figures of either. */
     private static final int FEW_SAMPLES = 4 * Float.BYTES;
 
     /** What the program itself takes, at least. */

@@ -166,7 +166,7 @@ class ArchitectureTest {
             .whereLayer("video")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("machine")
-            .mayOnlyBeAccessedByLayers("work", "status", "net", "measure", "cli")
+            .mayOnlyBeAccessedByLayers("device", "work", "status", "net", "measure", "cli")
             .whereLayer("net")
             .mayOnlyBeAccessedByLayers("cli")
             .whereLayer("listen")
@@ -253,11 +253,12 @@ class ArchitectureTest {
                     "render",
                     "engine")
             .whereLayer("accel")
-            .mayOnlyBeAccessedByLayers("world")
+            .mayOnlyBeAccessedByLayers("device", "world")
             .whereLayer("bvh")
             .mayOnlyBeAccessedByLayers("mesh", "accel", "world", "device")
             .whereLayer("scene")
             .mayOnlyBeAccessedByLayers(
+                    "device",
                     "classic shading",
                     "probe",
                     "classic cluster",
@@ -281,6 +282,7 @@ class ArchitectureTest {
             .mayOnlyBeAccessedByLayers("scene", "json", "nff", "importer", "world", "view", "cli")
             .whereLayer("sampling")
             .mayOnlyBeAccessedByLayers(
+                    "device",
                     "classic shading",
                     "probe",
                     "classic cluster",
@@ -297,6 +299,7 @@ class ArchitectureTest {
                     "cli")
             .whereLayer("text")
             .mayOnlyBeAccessedByLayers(
+                    "device",
                     "codec",
                     "image",
                     "mesh",
@@ -318,7 +321,7 @@ class ArchitectureTest {
             .whereLayer("picture")
             .mayOnlyBeAccessedByLayers("plan", "render", "engine", "measure", "view", "cli")
             .whereLayer("texture")
-            .mayOnlyBeAccessedByLayers("world")
+            .mayOnlyBeAccessedByLayers("device", "world")
             .whereLayer("image")
             .mayOnlyBeAccessedByLayers(
                     "picture",

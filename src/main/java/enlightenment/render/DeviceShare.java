@@ -99,11 +99,17 @@ final class DeviceShare implements AutoCloseable {
     }
 
     private void prepare(DeviceScene flat) {
-        if (flat.bytes() > device.memory()) {
-            throw new DeviceFailure("the scene takes " + flat.bytes() + " bytes, more than the memory of the device");
+        long needed = THREADS * flat.bytes();
+        if (needed > device.memory()) {
+            throw new DeviceFailure("the scene takes " + needed + " bytes, and the device has " + device.memory());
         }
-        for (int k = 0; k < THREADS; k++) {
-            kernels.add(device.prepare(flat));
+        try {
+            for (int k = 0; k < THREADS; k++) {
+                kernels.add(device.prepare(flat));
+            }
+        } catch (DeviceFailure e) {
+            close();
+            throw e;
         }
     }
 

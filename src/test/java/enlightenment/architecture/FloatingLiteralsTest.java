@@ -65,6 +65,10 @@ class FloatingLiteralsTest {
                     "4",
                     "how many times its own rounding an edge function is away from 0"),
             new Explained("primitive/UnionMembers.java", "0x1p10", "how many times its size a mesh is away: a ratio"),
+            new Explained(
+                    "numeric/Decimals.java",
+                    "0x1p40",
+                    "digits of a number, where the rounding of a product begins to count"),
             new Explained("numeric/Scale.java", "0x1p-53", "unit roundoff of doubles: the format itself"),
             new Explained(
                     "numeric/Angles.java", "0.198912367379658", "tan(π/16): where a reduction of the angle changes"),

@@ -58,8 +58,8 @@ class CommandsTest {
         assertTrue(run.out().matches("(?s).*\nnamed materials: +1 \\(1 matte\\)\n.*"), run.out());
         assertTrue(run.out().matches("(?s).*\nmodelled: +direct light of 1 light\n +shadows\n.*"), run.out());
         assertTrue(run.out().matches("(?s).*\nnot needed: +mirrors; refraction; [^\n]+\nprimitives: .*"), run.out());
-        // A mebi of pixels of 36 bytes each; two primitives do not show.
-        assertTrue(run.out().matches("(?s).*\nexpected memory: +48.0 MiB\n"), run.out());
+        // A mebi of pixels of 52 bytes each (film 36, image 12, estimated variance 4); two primitives do not show.
+        assertTrue(run.out().matches("(?s).*\nexpected memory: +52.0 MiB\n"), run.out());
         assertTrue(run.out().contains("size=1024x1024 antialias=4 shadowSamples=10 seed=0 threads=2"), run.out());
     }
 

@@ -163,7 +163,7 @@ class RenderCommandTest extends SceneFixture {
         CliRun run = CliRun.of("render", scene, "-o", photo, "--size", "60000x60000");
         assertEquals(2, run.code());
         assertTrue(
-                run.err().startsWith("enlightenment: --size: a picture of 60000x60000 pixels needs 172800000000 bytes"),
+                run.err().startsWith("enlightenment: --size: a picture of 60000x60000 pixels needs 187200000000 bytes"),
                 run.err());
         assertFalse(Files.exists(photo));
     }

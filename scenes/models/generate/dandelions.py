@@ -10,18 +10,47 @@ TILE = 2.6
 
 
 def flower():
-    """A head of four rings of petals, a cup of green, on a stem that bends."""
-    random, yellow, green = Random(3), Mesh(), Mesh()
-    for ring, (count, length, rise) in enumerate(((26, 0.42, 0.05), (22, 0.36, 0.11), (16, 0.27, 0.18), (9, 0.16, 0.22))):
+    """A head of six rings of narrow petals, a cup of green, on a stem that bends."""
+    random, yellow = Random(3), Mesh()
+    rings = ((38, 0.42, 0.0), (36, 0.38, 0.035), (30, 0.32, 0.07), (24, 0.25, 0.1), (16, 0.17, 0.125), (9, 0.09, 0.14))
+    for ring, (count, length, rise) in enumerate(rings):
         for k in range(count):
-            a = 2 * math.pi * (k + 0.5 * (ring % 2)) / count + random.between(-0.05, 0.05)
-            c, s, l = math.cos(a), math.sin(a), length * random.between(0.9, 1.08)
-            lift = rise + 0.3 * rise * random.next()
+            a = 2 * math.pi * (k + 0.5 * (ring % 2)) / count + random.between(-0.08, 0.08)
+            c, s, l = math.cos(a), math.sin(a), length * random.between(0.84, 1.06)
+            lift, droop = rise + random.between(-0.015, 0.03), random.between(0.0, 0.05)
             ends = []
-            for r, w, y in ((0.04, 0.022, 0.02 + 0.3 * rise), (0.6 * l, 0.042, lift + 0.05), (l, 0.034, lift + 0.02)):
+            for r, w, y in ((0.02, 0.012, 0.02 + 0.5 * rise), (0.55 * l, 0.022, lift + 0.05), (0.92 * l, 0.019, lift + 0.045 - droop), (l, 0.009, lift + 0.03 - 1.3 * droop)):
                 ends.append((yellow.vertex((r * c - w * s, 1.0 + y, r * s + w * c)), yellow.vertex((r * c + w * s, 1.0 + y, r * s - w * c))))
             for (p, q), (t, u) in zip(ends, ends[1:]):
                 yellow.quad(p, q, u, t)
+    return yellow, stalk(random)
+
+
+def clock():
+    """A head that has gone to seed: a ball of stalks, each with a star of down, on a stem that bends."""
+    random, white, seeds = Random(7), Mesh(), 130
+    for k in range(seeds):
+        # Points of a spiral from pole to pole, which are about as far from each other everywhere.
+        y = 1 - (2 * k + 1) / seeds
+        a, r = k * math.pi * (3 - math.sqrt(5)), math.sqrt(1 - y * y)
+        out = (r * math.cos(a), y, r * math.sin(a))
+        side = (-math.sin(a), 0.0, math.cos(a))
+        up = tuple(out[(i + 1) % 3] * side[(i + 2) % 3] - out[(i + 2) % 3] * side[(i + 1) % 3] for i in range(3))
+
+        def at(far, x=0.0, z=0.0):
+            return white.vertex(tuple((0.0, 1.05, 0.0)[i] + far * out[i] + x * side[i] + z * up[i] for i in range(3)))
+
+        white.quad(at(0.04, -0.003), at(0.04, 0.003), at(0.3, 0.003), at(0.3, -0.003))
+        turn = random.between(0, math.pi)
+        for ray in range(7):
+            b = turn + 2 * math.pi * ray / 7
+            x, z = math.cos(b), math.sin(b)
+            white.triangles.append((at(0.3), at(0.345, 0.075 * x - 0.007 * z, 0.075 * z + 0.007 * x), at(0.345, 0.075 * x + 0.007 * z, 0.075 * z - 0.007 * x)))
+    return white, stalk(random)
+
+
+def stalk(random):
+    green = Mesh()
     curve = spline([(0.12, -0.1, 0.05), (0.1, 0.35, 0.03), (0.0, 0.98, 0.0)], 3)
     green.add(tube(curve, [0.024] * len(curve), 5))
     for k in range(7):
@@ -34,7 +63,7 @@ def flower():
             ends.append((green.vertex((0.12 + r * c - w * s, y, 0.05 + r * s + w * c)), green.vertex((0.12 + r * c + w * s, y, 0.05 + r * s - w * c))))
         for (p, q), (t, u) in zip(ends, ends[1:]):
             green.quad(p, q, u, t)
-    return yellow, green
+    return green
 
 
 def grass():
@@ -53,23 +82,26 @@ def grass():
 
 
 def clump():
-    """Twenty-five plants on a square of the side TILE, and the grass between them: what is yellow, and what is green."""
-    random, heads, greens = Random(41), Mesh(), Mesh()
-    yellow, green = flower()
+    """Twenty-five plants on a square of the side TILE, and the grass between them: what is yellow, what is white, and what is green."""
+    random, heads, clocks, greens = Random(41), Mesh(), Mesh(), Mesh()
+    yellow, white = flower(), clock()
     for i in range(5):
         for j in range(5):
             x, z = ((k - 2 + random.between(-0.42, 0.42)) * TILE / 5 for k in (i, j))
             size, turn, tilt = random.between(0.34, 0.6), random.between(0, 360), random.between(-16, 16)
-            heads.add(yellow, move(x, 0, z, turn, tilt, size))
-            greens.add(green, move(x, 0, z, turn, tilt, size))
+            gone = (i, j) in ((0, 3), (3, 1))
+            head, green = white if gone else yellow
+            (clocks if gone else heads).add(head, move(x, 0, z, turn, tilt, size * (0.95 if gone else 1)))
+            greens.add(green, move(x, 0, z, turn, tilt, size * (0.95 if gone else 1)))
     for _ in range(3):
         greens.add(grass(), move(turn=random.between(0, 360), scale=random.between(0.85, 1.0)))
-    return heads, greens
+    return heads, clocks, greens
 
 
 def write_models():
-    heads, greens = clump()
+    heads, clocks, greens = clump()
     heads.write("dandelion-heads")
+    clocks.write("dandelion-clocks")
     greens.write("dandelion-leaves")
     hills = grid(160, 12, lambda u, v: (900 * (u - 0.5), (4 + 26 * abs(turbulence(6 * u, 0.4, 0, 5, 6))) * v, 30 * v + noise(200 * u, 9 * v, 0, 3)))
     hills.write("far-hills")
@@ -95,16 +127,17 @@ def write_scene():
         "image": {"width": 1280, "height": 720},
         "camera": {"type": "perspective", "eye": [0, 1.9, -34], "lookAt": [0.6, 1.35, -26], "fieldOfView": 34, "lens": {"radius": 0.03, "focusDistance": 4.5}},
         "shading": {"model": "physical", "background": {"type": "sky", "elevation": 26, "azimuth": -62, "turbidity": 2.8, "groundAlbedo": [0.12, 0.16, 0.06]}},
-        "display": {"exposure": 0.6, "tone": "filmic"},
+        "display": {"exposure": 0.9, "tone": "filmic"},
         "materials": {
             "earth": {"type": "matte", "color": linear(0.07, 0.09, 0.03)},
             "leaf": {"type": "matte", "color": linear(0.14, 0.25, 0.06)},
             "far hill": {"type": "matte", "color": linear(0.20, 0.26, 0.28)},
             "petal": {"type": "matte", "color": linear(0.78, 0.56, 0.04)},
             "hill": {"type": "matte", "color": linear(0.09, 0.14, 0.08)},
+            "down": {"type": "matte", "color": linear(0.76, 0.75, 0.72)},
         },
-        "meshes": {n: {"file": f"models/{n}.ply", "normals": "flat" if n != "far-hills" else "smooth"} for n in ("dandelion-heads", "dandelion-leaves", "far-hills")},
-        "groups": {"clump": [mesh("dandelion-heads", "petal"), mesh("dandelion-leaves", "leaf")], "tile": tile, "field": field},
+        "meshes": {n: {"file": f"models/{n}.ply", "normals": "flat" if n != "far-hills" else "smooth"} for n in ("dandelion-heads", "dandelion-clocks", "dandelion-leaves", "far-hills")},
+        "groups": {"clump": [mesh("dandelion-heads", "petal"), mesh("dandelion-clocks", "down"), mesh("dandelion-leaves", "leaf")], "tile": tile, "field": field},
         "objects": objects,
         "render": {"method": "raytrace", "antialias": 8},
     })

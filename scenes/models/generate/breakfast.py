@@ -42,8 +42,6 @@ def write_models():
     ear = spline([(3.6, 4.3, 0.0), (5.3, 4.5, 0.0), (5.7, 3.2, 0.0), (4.6, 1.9, 0.0), (3.1, 1.5, 0.0)], 10)
     tube(ear, [0.27] * len(ear), 16).write("cup-ear")
     lathe([(0.0, 4.2), (3.2, 4.2), (3.62, 4.21), (3.8, 4.28), (3.7, 4.1)], 96).write("coffee")
-    foam = [(0.0, 4.34), (2.2, 4.33), (3.1, 4.3), (3.45, 4.2), (3.5, 4.1)]
-    lathe(foam, 96).write("crema")
     saucer = [(0.0, 0.25), (2.2, 0.25), (2.5, 0.35), (4.6, 0.75), (6.4, 1.15)] + arc(6.4, 1.05, 0.1, 90, -90, 5) + [(4.6, 0.55), (2.7, 0.1), (2.5, 0.0), (0.0, 0.0)]
     lathe(saucer, 128).write("saucer")
     egg = []
@@ -89,17 +87,21 @@ def write_models():
     spoon.write("spoon")
     # A slice of bread, and a napkin with round folds.
     crust = [(x, z) for x, z in spline([(-4.2, -4.0), (4.2, -4.0), (4.5, 1.5), (5.0, 3.4), (2.6, 5.4), (0.0, 5.7), (-2.6, 5.4), (-5.0, 3.4), (-4.5, 1.5), (-4.2, -4.0)], 10)[:-1]]
-    bread = Mesh()
-    rings = [(1.0, 0.0, 0), (1.03, 0.35, 0), (1.03, 1.0, 0), (0.99, 1.3, 0), (0.9, 1.36, 1), (0.7, 1.36, 1), (0.45, 1.36, 1), (0.2, 1.36, 1), (0.0, 1.36, 1)]
     n = len(crust)
-    for share, y, crumb in rings:
-        for x, z in crust:
-            x, z = x * share, z * share
-            bread.vertex((x, y + crumb * 0.12 * turbulence(x * 1.3, z * 1.3, 0, 3, 2) + 0.03 * noise(3 * x, 3 * y, 3 * z, 7), z))
-    for j in range(len(rings) - 1):
-        for i in range(n):
-            bread.quad(j * n + i, (j + 1) * n + i, (j + 1) * n + (i + 1) % n, j * n + (i + 1) % n)
-    bread.write("bread")
+
+    def rings(mesh, rows):
+        """Rings of the slice's outline, each (share of its size, height, height of pores), joined from one to the next."""
+        for share, y, pores in rows:
+            for x, z in crust:
+                x, z = x * share, z * share
+                mesh.vertex((x, y + pores * turbulence(x * 2.2, z * 2.2, 0, 4, 2), z))
+        for j in range(len(rows) - 1):
+            for i in range(n):
+                mesh.quad(j * n + i, (j + 1) * n + i, (j + 1) * n + (i + 1) % n, j * n + (i + 1) % n)
+        return mesh
+
+    rings(Mesh(), [(0.97, 0.0, 0), (1.01, 0.06, 0), (1.03, 0.35, 0), (1.03, 1.0, 0), (1.01, 1.28, 0), (0.97, 1.36, 0.0), (0.955, 1.35, 0)]).write("bread-crust")
+    rings(Mesh(), [(0.957 * (1 - k / 24), 1.352, 0.09 * min(1, k / 2)) for k in range(24)] + [(0.0, 1.352, 0.0)]).write("bread")
     planar(rounded_box(34, 0.16, 22, 0.08, 2), 14).write("tablecloth", True)
     rounded_box(13, 1.0, 15, 0.3, 4).write("board")
     butter = rounded_box(2.6, 1.0, 2.2, 0.18, 4)
@@ -125,11 +127,12 @@ def write_scene():
         {"type": "mesh", "mesh": "egg", "material": "egg", "transform": [{"rotate": [4, 0, -5]}, {"translate": [egg[0] + 0.2, egg[1] + 2.6, egg[2]]}]},
         {"type": "mesh", "mesh": "spoon", "material": "silver", "transform": [{"rotate": [0, 16, 0]}, {"translate": [-3.0, 0.0, -8.0]}]},
         placed("board", "beech", (board[0], 0.5, board[2]), -16),
-        {"type": "mesh", "mesh": "bread", "material": "bread", "transform": [{"rotate": [0, 20, 0]}, {"translate": [board[0] - 0.4, 1.02, board[2] + 0.8]}]},
-        {"type": "mesh", "mesh": "bread", "material": "bread", "transform": [{"rotate": [-9, -30, 4]}, {"translate": [board[0] + 0.9, 2.5, board[2] + 0.2]}]},
+        *({"type": "mesh", "mesh": part, "material": part, "transform": [{"rotate": turn}, {"translate": at}]}
+          for part in ("bread", "bread-crust")
+          for turn, at in (([0, 20, 0], [board[0] - 0.4, 1.02, board[2] + 0.8]), ([-9, -30, 4], [board[0] + 0.9, 2.5, board[2] + 0.2]))),
         placed("butter", "butter", (8.6, 1.55, 0.6), 40),
     ]
-    names = ["jug", "jug-milk", "jug-handle", "cup", "cup-ear", "coffee", "saucer", "egg", "egg-cup", "jar", "honey", "dipper", "spoon", "bread", "tablecloth", "board", "butter"]
+    names = ["jug", "jug-milk", "jug-handle", "cup", "cup-ear", "coffee", "saucer", "egg", "egg-cup", "jar", "honey", "dipper", "spoon", "bread", "bread-crust", "tablecloth", "board", "butter"]
     scene("breakfast", "Breakfast at a window: milk and honey in glass, coffee in china, a boiled egg, bread and butter.\n"
           "Models and textures: scenes/models/generate/breakfast.py.", {
         "name": "Breakfast",
@@ -151,7 +154,8 @@ def write_scene():
             "egg": {"type": "coated", "color": linear(0.66, 0.43, 0.30), "roughness": 0.55},
             "silver": {"type": "glossy", "metal": "silver", "roughness": 0.26},
             "beech": {"type": "coated", "color": linear(0.42, 0.24, 0.12), "roughness": 0.55},
-            "bread": {"type": "matte", "color": linear(0.60, 0.40, 0.20), "roughness": 0.6},
+            "bread": {"type": "matte", "color": linear(0.70, 0.56, 0.36), "roughness": 0.6},
+            "bread-crust": {"type": "coated", "color": linear(0.34, 0.16, 0.06), "roughness": 0.6},
             "butter": {"type": "coated", "color": linear(0.78, 0.64, 0.26), "roughness": 0.35},
         },
         "meshes": models(*names, crease=50),

@@ -78,7 +78,7 @@ def write_scene():
         "name": "A candle in fog",
         "image": {"width": 1280, "height": 720},
         "camera": {"type": "perspective", "eye": [-0.3, 4.6, -16], "lookAt": [0.5, 3.5, 1.5], "fieldOfView": 31},
-        "shading": {"model": "physical", "medium": {"scatteringCoefficient": 0.011, "absorptionCoefficient": 0.001, "anisotropy": 0.5}},
+        "shading": {"model": "physical", "medium": {"scatteringCoefficient": 0.004, "absorptionCoefficient": 0.002, "anisotropy": 0.5}},
         "display": {"exposure": 0.9, "tone": "filmic"},
         "materials": {
             "paint": {"type": "coated", "color": linear(0.52, 0.50, 0.45), "roughness": 0.45},
@@ -95,6 +95,8 @@ def write_scene():
             "bark": {"type": "matte", "color": linear(0.08, 0.07, 0.06)},
         },
         "meshes": models("candle-wax", "candle-wick", "candle-flame", "candle-dish", "window-frame", "window-sill", "book", "apple", "apple-stalk", crease=50),
+        # The rest of the room: what a wall in the candle's light sends back.
+        "lights": [{"type": "rectangle", "corners": [[-14, -4, -30], [-14, 16, -30], [14, 16, -30], [14, -4, -30]], "color": "#ffd2a0", "radiance": 0.3}],
         "objects": objects,
         "render": {"method": "raytrace", "antialias": 8},
     })

@@ -65,7 +65,7 @@ def write_scene():
         },
         "meshes": {**models("wine-glass", "wine", crease=60), "prism": {"file": "models/prism.ply", "normals": "flat"}},
         "lights": [
-            {"type": "sphere", "center": [-34, 42, 13], "radius": 0.6, "color": "#ffe2c0", "radiance": 4500},
+            {"type": "sphere", "center": [-34, 42, 13], "radius": 2.0, "color": "#ffe2c0", "radiance": 400},
             {"type": "spot", "position": list(LAMP), "direction": [PRISM[0] - LAMP[0], 3.4 - LAMP[1], PRISM[2] - LAMP[2]], "angle": 4, "innerAngle": 3.5, "color": "#ffffff", "intensity": 110000},
             {"type": "rectangle", "corners": [[-30, 8, -20], [-30, 34, -20], [-18, 34, -34], [-18, 8, -34]], "color": "#eaf0ff", "radiance": 1.6},
         ],

@@ -22,13 +22,13 @@ small() { exact "$1" "scenes/$1.json" "${@:2}"; }
 
 # Methods are chosen by `auto`, or by trial.
 clean watchmaker scenes/watchmaker.json raytrace 96
-clean dandelions scenes/dandelions.json cluster 6
+clean dandelions scenes/dandelions.json cluster 24
 clean copper scenes/copper.json raytrace 12
-clean breakfast scenes/breakfast.json cluster 8
+clean breakfast scenes/breakfast.json cluster 24
 clean lanterns scenes/lanterns.json raytrace 96
 clean chess scenes/chess.json raytrace 48 --frame 3
 clean glass-and-prism scenes/glass-and-prism.json raytrace 20
-clean candle scenes/candle.json raytrace 8
+clean candle scenes/candle.json raytrace 32
 clean serpents scenes/serpents.json raytrace 24
 clean terrace scenes/terrace.json raytrace 32
 clean shapes scenes/shapes.json cluster 48

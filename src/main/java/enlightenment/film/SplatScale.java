@@ -5,15 +5,15 @@ import enlightenment.numeric.Scale;
 /**
  * The unit in which contributions of paths are summed: 2<sup>−exponent</sup>. Sums of integers are the same in every order.
  *
- * <p>One for a whole render, chosen before its first path so that the mean pixel's sum is about 2<sup>38</sup> units. A contribution is
- * rounded to whole units, an error of at most 2<sup>−39</sup> of the mean pixel; and a pixel may become 2<sup>24</sup> times as bright
+ * <p>One for a whole render, chosen before its first path so that the mean pixel's sum is about 2<sup>32</sup> units. A contribution is
+ * rounded to whole units, an error of at most 2<sup>−33</sup> of the mean pixel; and a pixel may become 2<sup>30</sup> times as bright
  * as the mean before its sum is too large for a {@code long}.
  *
  * @param exponent the binary logarithm of units per contribution of 1
  */
 public record SplatScale(int exponent) {
     /** Binary logarithm of what the mean pixel's sum is expected to be. */
-    private static final int MEAN = 38;
+    private static final int MEAN = 32;
 
     /** The largest exponent: the least double, as the mean of a path for each of 2^63 pixels. */
     private static final int MOST = MEAN - Double.MIN_EXPONENT + 52 + 63;
@@ -75,6 +75,6 @@ public record SplatScale(int exponent) {
 
     static ArithmeticException tooBright(int column, int row) {
         return new ArithmeticException("pixel " + column + "," + row
-                + " is more than 2^24 times as bright as the mean of the picture was expected to be");
+                + " is more than 2^30 times as bright as the mean of the picture was expected to be");
     }
 }

@@ -151,7 +151,7 @@ class SplatBatchTest {
         for (int i = 0; i < 2; i++) {
             String message =
                     assertThrows(ArithmeticException.class, batch::sums).getMessage();
-            assertTrue(message.startsWith("pixel 12,21 is more than 2^24 times as bright"), message);
+            assertTrue(message.startsWith("pixel 12,21 is more than 2^30 times as bright"), message);
             batch.add(12, 21, 1, 1, 1);
         }
         batch.begin(1);

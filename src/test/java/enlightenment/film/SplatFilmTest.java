@@ -132,7 +132,7 @@ class SplatFilmTest {
         assertEquals((float) (3 * 0x1p63 * 16 / 3), film.toImage().component(1, 2, 1));
         String message =
                 assertThrows(ArithmeticException.class, () -> film.add(4, more)).getMessage();
-        assertTrue(message.startsWith("pixel 31,42 is more than 2^24 times as bright"), message);
+        assertTrue(message.startsWith("pixel 31,42 is more than 2^30 times as bright"), message);
         assertArrayEquals(before, film.toImage().toArray());
         assertEquals(3, film.units());
         assertTrue(film.remove(0, most));

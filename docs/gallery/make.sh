@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Renders the pictures of the gallery, after a build: docs/gallery/make.sh for all, docs/gallery/make.sh NAME... for those of these names.
-# SAMPLES=N in the environment takes N samples per pixel for each of the large ones.
+# SAMPLES=N in the environment takes N samples per pixel for each of the large ones. SCENES=FOLDER has scenes by others, as downloaded, in folders of theirs.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 wanted=" $* "
@@ -36,6 +36,10 @@ clean minerals scenes/minerals.json cluster 32
 exact panorama scenes/panorama.json --method cluster --samples 64
 exact fire-and-ice scenes/fire-and-ice.json --size 1280x640 --antialias 8 --shadow-samples 64
 exact fire-and-ice-physical scenes/fire-and-ice-physical.json --size 1280x640 --method cluster --error 0.003
+# A part of a picture of 2560 x 1440 pixels, with the ship in its middle.
+if [ -d "${SCENES:-}" ]; then
+    clean spaceship "$SCENES/spaceship/scene.xml" raytrace 12 --exposure 1.1 --size 2560x1440 --crop 600,260,1280,720
+fi
 
 film() {
     is_wanted "$1" || return 0

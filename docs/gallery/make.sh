@@ -22,7 +22,7 @@ small() { exact "$1" "scenes/$1.json" "${@:2}"; }
 
 # Methods are chosen by `auto`, or by trial.
 clean watchmaker scenes/watchmaker.json raytrace 96
-clean dandelions scenes/dandelions.json cluster 24
+clean dandelions scenes/dandelions.json cluster 20
 clean copper scenes/copper.json raytrace 12
 clean breakfast scenes/breakfast.json cluster 24
 clean lanterns scenes/lanterns.json raytrace 96

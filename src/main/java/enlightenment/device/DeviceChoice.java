@@ -39,15 +39,11 @@ public record DeviceChoice(Kind kind, int number) {
         if (word.equals("auto")) {
             return new DeviceChoice(Kind.AUTO, 0);
         }
-        String number =
-                word.equals("opencl") ? "0" : word.startsWith(NUMBERED) ? word.substring(NUMBERED.length()) : "";
-        if (number.length() < 1 || number.length() > 3 || !number.chars().allMatch(c -> c >= '0' && c <= '9')) {
+        boolean isNumbered = word.matches("opencl:[0-9]{1,3}");
+        int number = isNumbered ? Integer.parseInt(word.substring(NUMBERED.length())) : 0;
+        if (!isNumbered && !word.equals("opencl") || number > MOST) {
             throw new InvalidValueException("device", "must be " + WORDS);
         }
-        int n = Integer.parseInt(number);
-        if (n > MOST) {
-            throw new InvalidValueException("device", "must be " + WORDS);
-        }
-        return new DeviceChoice(Kind.OPENCL, n);
+        return new DeviceChoice(Kind.OPENCL, number);
     }
 }

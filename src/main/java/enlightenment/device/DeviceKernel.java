@@ -2,6 +2,9 @@ package enlightenment.device;
 
 /** A scene on a device, ready to shade samples. One per thread; to be closed. */
 public interface DeviceKernel extends AutoCloseable {
+    /** How many counts {@link #shade} gives. */
+    int COUNTS = 5;
+
     /**
      * Samples of a tile: those with the indices from {@code begin} to {@code end} − 1 among all of the tile.
      *

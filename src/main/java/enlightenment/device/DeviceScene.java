@@ -61,6 +61,28 @@ public record DeviceScene(double[] doubles, int[] ints, float[] floats) {
         }
     }
 
+    /** What a material is. */
+    enum Surface {
+        MATTE,
+        MIRROR,
+        GLASS
+    }
+
+    /** What its colour is. */
+    enum Lookup {
+        SOLID,
+        CHECKER,
+        NEAREST,
+        BILINEAR
+    }
+
+    /** What a light is. */
+    enum Form {
+        BALL_LIGHT,
+        RECTANGLE_LIGHT,
+        POINT_LIGHT
+    }
+
     /** Why no device can shade a scene, as the end of a sentence that begins with "it has"; empty if devices can. */
     public static Optional<String> refusal(CompiledScene scene) {
         return SceneRefusal.of(scene);

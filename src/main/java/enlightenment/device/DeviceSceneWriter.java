@@ -34,14 +34,6 @@ final class DeviceSceneWriter {
     /** Stands for the meshes that are searched together. */
     private static final int JOINED = -1;
 
-    /** What a texture is, in the kernel's order. */
-    private enum Lookup {
-        SOLID,
-        CHECKER,
-        NEAREST,
-        BILINEAR
-    }
-
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final NumberList.Doubles doubles = new NumberList.Doubles();
@@ -99,12 +91,13 @@ final class DeviceSceneWriter {
         doubles.add(scene.camera.linearForm());
     }
 
-    /** One hierarchy in which meshes that are searched together are one item, and one in which each is an item. */
+    /** One hierarchy in which meshes that are searched together are one item, and one in which each is an item: the same if there are none. */
     private void writeHierarchies() {
         int n = scene.primitives.length;
         int[] all = IntStream.range(0, n).toArray();
+        writeHierarchy(1, all);
         if (union == null) {
-            writeHierarchy(0, all);
+            shareHierarchy();
         } else {
             BitSet joined = new BitSet();
             for (int id : union.ids()) {
@@ -113,7 +106,14 @@ final class DeviceSceneWriter {
             IntStream others = IntStream.range(0, n).filter(id -> !joined.get(id));
             writeHierarchy(0, IntStream.concat(others, IntStream.of(JOINED)).toArray());
         }
-        writeHierarchy(1, all);
+    }
+
+    private void shareHierarchy() {
+        int reach = DeviceScene.Number.REACH.place();
+        doubles.set(reach, doubles.get(reach + 1));
+        for (DeviceScene.Int slot : List.of(DeviceScene.Int.BOXES, DeviceScene.Int.CHILDREN, DeviceScene.Int.ORDER)) {
+            set(slot, ints.get(slot.ordinal() + 1));
+        }
     }
 
     private void writeHierarchy(int number, int[] items) {
@@ -196,18 +196,24 @@ final class DeviceSceneWriter {
             TextureLookup texture = m.texture();
             int place = doubles.add(texture.numbers());
             doubles.add(m.indexOfRefraction, m.transparency);
-            int kind = m.isGlass ? 2 : m.isDelta ? 1 : 0;
+            DeviceScene.Surface kind = m.isGlass
+                    ? DeviceScene.Surface.GLASS
+                    : m.isDelta ? DeviceScene.Surface.MIRROR : DeviceScene.Surface.MATTE;
             records.add(
-                    kind, lookup(texture).ordinal(), imageNumber(texture.image()), m.receivesShadows ? 1 : 0, place);
+                    kind.ordinal(),
+                    lookup(texture).ordinal(),
+                    imageNumber(texture.image()),
+                    m.receivesShadows ? 1 : 0,
+                    place);
         }
         set(DeviceScene.Int.MATERIALS, ints.add(records.toArray()));
     }
 
-    private static Lookup lookup(TextureLookup texture) {
+    private static DeviceScene.Lookup lookup(TextureLookup texture) {
         if (texture.hasImage()) {
-            return texture.isBilinear() ? Lookup.BILINEAR : Lookup.NEAREST;
+            return texture.isBilinear() ? DeviceScene.Lookup.BILINEAR : DeviceScene.Lookup.NEAREST;
         }
-        return texture.isTextured() ? Lookup.CHECKER : Lookup.SOLID;
+        return texture.isTextured() ? DeviceScene.Lookup.CHECKER : DeviceScene.Lookup.SOLID;
     }
 
     private int imageNumber(ImageTexture image) {
@@ -242,9 +248,11 @@ final class DeviceSceneWriter {
             doubles.add(light.x, light.y, light.z, light.right.x(), light.right.y(), light.right.z());
             doubles.add(light.up.x(), light.up.y(), light.up.z());
             int surface = light.surface == null ? NONE : scene.primitives.length + seen++;
-            int kind = light.isDelta ? 2 : light.radius > 0 ? 0 : 1;
+            DeviceScene.Form kind = light.isDelta
+                    ? DeviceScene.Form.POINT_LIGHT
+                    : light.radius > 0 ? DeviceScene.Form.BALL_LIGHT : DeviceScene.Form.RECTANGLE_LIGHT;
             boolean isSearchedSingly = light.occluders != null && light.occluders.union() == null;
-            records.add(kind, surface, place, isSearchedSingly ? 1 : 0);
+            records.add(kind.ordinal(), surface, place, isSearchedSingly ? 1 : 0);
         }
         set(DeviceScene.Int.LIGHTS, ints.add(records.toArray()));
         set(DeviceScene.Int.LIGHT_COUNT, scene.lights.length);

@@ -22,8 +22,6 @@ public final class DeviceTileShader implements TileShader {
     /** Samples of a batch: less than a second of work for a slow device. */
     private static final int BATCH = 1 << 16;
 
-    private static final int COUNTS = 5;
-
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final RayCounters counters;
@@ -37,7 +35,7 @@ public final class DeviceTileShader implements TileShader {
     private final Ray ray = new Ray();
     private double[] colors = {};
     private int[] states = {};
-    private final int[] counts = new int[COUNTS];
+    private final int[] counts = new int[DeviceKernel.COUNTS];
     private BooleanSupplier cancelled = () -> false;
 
     private int x;

@@ -30,19 +30,25 @@ public final class KernelSource {
     /** All of it, with the places of a {@link DeviceScene}'s numbers. */
     public static String text() {
         StringBuilder text = new StringBuilder();
-        for (DeviceScene.Int slot : DeviceScene.Int.values()) {
-            define(text, slot.name(), slot.ordinal());
-        }
+        define(text, DeviceScene.Int.values());
         for (DeviceScene.Number slot : DeviceScene.Number.values()) {
             define(text, slot.name(), slot.place());
         }
-        for (FlatForm.Kind kind : FlatForm.Kind.values()) {
-            define(text, kind.name(), kind.ordinal());
-        }
+        define(text, FlatForm.Kind.values());
+        define(text, DeviceScene.Surface.values());
+        define(text, DeviceScene.Lookup.values());
+        define(text, DeviceScene.Form.values());
+        define(text, "ARITHMETIC_RESULTS", Arithmetic.RESULTS);
         for (String part : PARTS) {
             text.append(read(part)).append('\n');
         }
         return text.toString();
+    }
+
+    private static void define(StringBuilder text, Enum<?>[] names) {
+        for (Enum<?> name : names) {
+            define(text, name.name(), name.ordinal());
+        }
     }
 
     private static void define(StringBuilder text, String name, int value) {

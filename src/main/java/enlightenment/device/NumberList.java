@@ -28,6 +28,10 @@ final class NumberList {
             numbers[place] = value;
         }
 
+        double get(int place) {
+            return numbers[place];
+        }
+
         double[] toArray() {
             return Arrays.copyOf(numbers, size);
         }
@@ -49,6 +53,10 @@ final class NumberList {
 
         void set(int place, int value) {
             numbers[place] = value;
+        }
+
+        int get(int place) {
+            return numbers[place];
         }
 
         int[] toArray() {

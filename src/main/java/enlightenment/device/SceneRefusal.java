@@ -4,6 +4,7 @@ import enlightenment.bvh.FloatSlabs;
 import enlightenment.primitive.Primitive;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.light.ClassicLight;
+import java.util.BitSet;
 import java.util.Optional;
 
 /** Why no device can shade a scene. */
@@ -39,14 +40,17 @@ final class SceneRefusal {
     }
 
     private static Optional<String> ofPrimitives(CompiledScene scene) {
+        BitSet asked = new BitSet();
         for (int id = 0; id < scene.primitives.length; id++) {
             Primitive p = scene.primitives[id];
             if (p.isExtreme()) {
                 return Optional.of("an object of extreme size");
             }
-            if (p.flatForm() == null) {
+            // All of a kind have one, or none has.
+            if (!asked.get(scene.kind[id]) && p.flatForm() == null) {
                 return Optional.of("an object of the kind " + scene.kindNames.get(scene.kind[id]));
             }
+            asked.set(scene.kind[id]);
         }
         return Optional.empty();
     }

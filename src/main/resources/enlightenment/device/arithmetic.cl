@@ -1,5 +1,4 @@
 // Whether this device computes as Java does: device.Arithmetic compares.
-#define ARITHMETIC_RESULTS 10
 
 __kernel void arithmetic(__global const double *in, __global double *out, int count) {
     int k = (int) get_global_id(0);

@@ -1,9 +1,5 @@
 // Lights as they are seen from a point: frame.BallCone, frame.Basis, emitter.SphereEmitter, RectangleEmitter and PointEmitter. Numbers of a
 // light: colour, centre and radius of the ball around it; then corner, right and up of a rectangle.
-#define BALL_LIGHT 0
-#define RECTANGLE_LIGHT 1
-#define POINT_LIGHT 2
-
 #define LIGHT_SIZE 4
 #define LIGHT_KIND 0
 #define LIGHT_SURFACE 1

@@ -9,15 +9,6 @@
 #define RECEIVES_SHADOWS 3
 #define MATERIAL_NUMBERS 4
 
-#define MATTE 0
-#define MIRROR 1
-#define GLASS 2
-
-#define SOLID 0
-#define CHECKER 1
-#define NEAREST 2
-#define BILINEAR 3
-
 // An image among the integers: width, height, where its texels are (packed, or three floats each), and where the values of bytes are.
 #define IMAGE_SIZE 5
 

@@ -3,7 +3,6 @@ package enlightenment.cli.measure;
 import enlightenment.measure.analysis.CostEstimate;
 import enlightenment.measure.analysis.EqualErrorComparison;
 import enlightenment.measure.analysis.TradeAnalysis;
-import enlightenment.measure.trade.TradeResult;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Method;
@@ -22,8 +21,8 @@ final class AutomaticChoice {
     private AutomaticChoice() {}
 
     /** A sentence about the smallest error at which methods were compared; empty if they were at none, or only one can render the scene. */
-    static Optional<String> sentence(Scene scene, TradeResult measured, BooleanSupplier cancelled) {
-        List<EqualErrorComparison> all = EqualErrorComparison.all(TradeAnalysis.of(measured)).stream()
+    static Optional<String> sentence(Scene scene, TradeAnalysis measured, BooleanSupplier cancelled) {
+        List<EqualErrorComparison> all = EqualErrorComparison.all(measured).stream()
                 .filter(EqualErrorComparison::best)
                 .toList();
         if (all.isEmpty()) {

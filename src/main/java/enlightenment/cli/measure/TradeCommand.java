@@ -23,6 +23,7 @@ import enlightenment.file.FileFailure;
 import enlightenment.image.Image;
 import enlightenment.math.InvalidValueException;
 import enlightenment.measure.Trade;
+import enlightenment.measure.analysis.TradeAnalysis;
 import enlightenment.measure.trade.Sweep;
 import enlightenment.measure.trade.TradeResult;
 import enlightenment.measure.trade.TradeSettings;
@@ -219,9 +220,7 @@ public final class TradeCommand extends Subcommand {
 
     private void evaluate(Scene scene, TradeSettings settings, TradeOutput output) throws IOException {
         try {
-            TradeResult result = Trade.read(scene, settings, folder);
-            output.write(result);
-            tellAutomatic(scene, result);
+            tellAutomatic(scene, output.write(Trade.read(scene, settings, folder)));
         } catch (InvalidValueException e) {
             throw CliException.wrongUsage("--evaluate: " + e.problem());
         }
@@ -239,14 +238,13 @@ public final class TradeCommand extends Subcommand {
         if (result.isEmpty()) {
             throw CliException.failed("stopped before there was anything to compare with; --resume goes on");
         }
-        output.write(result.get());
-        tellAutomatic(scene, result.get());
+        tellAutomatic(scene, output.write(result.get()));
         if (!result.get().conditions().complete()) {
             throw CliException.failed("stopped: " + folder + " holds what was measured; --resume goes on");
         }
     }
 
-    private void tellAutomatic(Scene scene, TradeResult result) {
+    private void tellAutomatic(Scene scene, TradeAnalysis result) {
         try {
             AutomaticChoice.sentence(scene, result, terminal.stop()).ifPresent(terminal::show);
         } catch (CancellationException e) {

@@ -53,7 +53,8 @@ final class TradeOutput {
         return names;
     }
 
-    void write(TradeResult measured) throws IOException {
+    /** Writes it all; returns what was made of the measurements. */
+    TradeAnalysis write(TradeResult measured) throws IOException {
         TradeAnalysis result = TradeAnalysis.of(measured);
         EqualTimeComparison equalTime = EqualTimeComparison.read(folder, measured);
         WholeFile.write(folder.resolve(FIGURES), TradeJson.of(result, equalTime));
@@ -76,6 +77,7 @@ final class TradeOutput {
         equalTime.sentence().ifPresent(terminal::show);
         terminal.show(result.referenceSentence());
         terminal.show("All of it: " + folder.resolve(PAGE));
+        return result;
     }
 
     /** A machine without fonts, as some small containers are, draws no charts; all else is worth having. */

@@ -7,8 +7,6 @@ import org.lwjgl.opencl.CL10;
 
 /** A scene in the memory of a device. */
 final class OpenClKernel implements DeviceKernel {
-    private static final int COUNTS = 5;
-
     private final OpenClProgram program;
     private final long kernel;
     private final long counts;

@@ -122,11 +122,16 @@ final class OpenClProgram implements AutoCloseable {
 
     /** Memory of the device, released at the end. */
     long memory(long bytes) {
+        long buffer = allocate(Math.max(bytes, Double.BYTES), "give memory");
+        releases.push(() -> CL10.clReleaseMemObject(buffer));
+        return buffer;
+    }
+
+    private long allocate(long bytes, String what) {
         try (MemoryStack stack = MemoryStack.stackPush()) {
             IntBuffer code = stack.mallocInt(1);
-            long buffer = CL10.clCreateBuffer(context, CL_MEM_READ_WRITE, Math.max(bytes, Double.BYTES), code);
-            OpenClCalls.check(code.get(0), "give memory");
-            releases.push(() -> CL10.clReleaseMemObject(buffer));
+            long buffer = CL10.clCreateBuffer(context, CL_MEM_READ_WRITE, bytes, code);
+            OpenClCalls.check(code.get(0), what);
             return buffer;
         }
     }
@@ -200,23 +205,19 @@ final class OpenClProgram implements AutoCloseable {
             if (needed <= bytes) {
                 return;
             }
-            try (MemoryStack stack = MemoryStack.stackPush()) {
-                IntBuffer code = stack.mallocInt(1);
-                long old = id;
-                id = CL10.clCreateBuffer(context, CL_MEM_READ_WRITE, needed, code);
-                OpenClCalls.check(code.get(0), "give memory to a batch");
-                if (bytes == 0) {
-                    releases.push(() -> CL10.clReleaseMemObject(id));
-                } else {
-                    CL10.clReleaseMemObject(old);
-                }
-                bytes = needed;
+            long old = id;
+            id = allocate(needed, "give memory to a batch");
+            if (bytes == 0) {
+                releases.push(() -> CL10.clReleaseMemObject(id));
+            } else {
+                CL10.clReleaseMemObject(old);
             }
+            bytes = needed;
         }
 
         void write(int[] numbers) {
             reserve((long) Integer.BYTES * numbers.length);
-            checkWrite(CL10.clEnqueueWriteBuffer(queue, id, true, 0, numbers, null, null));
+            OpenClProgram.this.write(id, numbers);
         }
 
         void read(double[] out, int size) {

@@ -17,19 +17,17 @@ public final class GlassBoxes {
     public GlassBoxes(int[] solids, IntFunction<Bounds> box) {
         this.solids = solids.clone();
         boxes = Arrays.stream(solids).mapToObj(box).toArray(Bounds[]::new);
-        tree = solids.length <= PlaceTree.LEAF ? null : tree(boxes);
+        tree = solids.length <= PlaceTree.LEAF ? null : tree();
     }
 
-    private static PlaceTree tree(Bounds[] boxes) {
-        double[] numbers = new double[PlaceTree.BOX * boxes.length];
+    private PlaceTree tree() {
         Bounds all = boxes[0];
-        for (int i = 0; i < boxes.length; i++) {
-            all = all.union(boxes[i]);
-            put(boxes[i], numbers, PlaceTree.BOX * i);
+        for (Bounds box : boxes) {
+            all = all.union(box);
         }
         double[] whole = new double[PlaceTree.BOX];
         put(all, whole, 0);
-        return new PlaceTree(numbers, whole);
+        return new PlaceTree(numbers(), whole);
     }
 
     private static void put(Bounds box, double[] out, int at) {

@@ -67,7 +67,7 @@ final class BidirectionalLights {
         Scattering s = eye.s;
         double cosine = s.ox * s.nx + s.oy * s.ny + s.oz * s.nz;
         double outside = hit.side == Ray.OUTSIDE ? cosine : -cosine;
-        double aimed = eye.lastConnects ? aimed(index, hit, outside) : 0;
+        double aimed = eye.state.hasDirect ? aimed(index, hit, outside) : 0;
         double ofLight = aimed > 0 ? SubpathDensities.square(aimed) * eye.densities.edge : 0;
         double emission = emission(index, outside);
         double ofPath = emission > 0 ? SubpathDensities.square(emission) * eye.densities.beyond : 0;
@@ -112,7 +112,7 @@ final class BidirectionalLights {
         Hit hit = eye.path.at.hit;
         Scattering s = eye.s;
         double side = eye.isBorder ? 0 : 1;
-        sampler.pair(eye.address, Sampler.Purpose.CHOICE, pair);
+        sampler.pair(eye.state.address, Sampler.Purpose.CHOICE, pair);
         picker.choose(hit.px, hit.py, hit.pz, side * s.nx, side * s.ny, side * s.nz, pair[0], choice);
         if (choice.light < 0) {
             return false;
@@ -161,7 +161,7 @@ final class BidirectionalLights {
             return view.cone.distance * view.cone.distance;
         }
         view.aim(l, hit.px, hit.py, hit.pz);
-        view.draw(-1, sampler, eye.address);
+        view.draw(-1, sampler, eye.state.address);
         view.sample(l.form);
         return sample.pdf;
     }

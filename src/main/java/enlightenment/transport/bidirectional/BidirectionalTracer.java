@@ -48,9 +48,6 @@ public final class BidirectionalTracer implements Shader {
     /** Light from a picture or a sky around the scene; null if there is none. */
     private final InfiniteLight infinite;
 
-    /** The density per solid angle with which the path from the eye left its last vertex. */
-    private double pdf;
-
     private final Scattering there = new Scattering();
     private final ReverseDensity reverse = new ReverseDensity();
 
@@ -59,10 +56,6 @@ public final class BidirectionalTracer implements Shader {
 
     /** The inverse of the probability with which the vertex of the light that is looked at was drawn. */
     private double share;
-
-    private double red;
-    private double green;
-    private double blue;
 
     /** For one thread, and a scene of physical shading. */
     public BidirectionalTracer(CompiledScene scene, RayCounters counters) {
@@ -116,19 +109,14 @@ public final class BidirectionalTracer implements Shader {
 
     @Override
     public void shade(Ray ray, Sampler sampler, double[] out) {
-        red = 0;
-        green = 0;
-        blue = 0;
         followLight(sampler);
         eye.begin(ray, sampler);
         images.begin(ray);
         if (images.gather(sampler)) {
-            add(watched(0, 2, 1), images.red, images.green, images.blue, 0);
+            add(false, watched(0, 2, 1), images.red, images.green, images.blue, 0);
         }
         while (step(sampler)) {}
-        out[0] = red;
-        out[1] = green;
-        out[2] = blue;
+        eye.value.get(out);
     }
 
     /**
@@ -137,15 +125,10 @@ public final class BidirectionalTracer implements Shader {
      * @param ofLight draws the path from the light
      */
     void connect(Ray ray, Sampler sampler, Sampler ofLight, double[] out) {
-        red = 0;
-        green = 0;
-        blue = 0;
         followLight(ofLight);
         eye.begin(ray, sampler);
         while (stepToConnect(sampler)) {}
-        out[0] = red;
-        out[1] = green;
-        out[2] = blue;
+        eye.value.get(out);
     }
 
     private boolean stepToConnect(Sampler sampler) {
@@ -186,7 +169,7 @@ public final class BidirectionalTracer implements Shader {
                 if (infinite == null) {
                     add(colors(false), 1, physical.backgroundR, physical.backgroundG, physical.backgroundB, 0);
                 } else {
-                    infinite.arrive(eye.ray, eye.lastConnects ? pdf : 0, true);
+                    infinite.arrive(eye.ray, eye.state.hasDirect ? eye.state.pdf : 0, true);
                     addInfinite();
                 }
                 return false;
@@ -207,22 +190,14 @@ public final class BidirectionalTracer implements Shader {
         if (!eye.bsdf.isDelta()) {
             gather(sampler);
         }
-        return infinite == null ? eye.leave(sampler) : gatherInfinite(sampler);
+        return eye.leave(sampler);
     }
 
-    /**
-     * Light from a picture or a sky is found by the eye's path alone: aimed at, or run into ({@link InfiniteLight}). Leaves the surface,
-     * too.
-     */
-    private boolean gatherInfinite(Sampler sampler) {
-        if (!eye.bsdf.isDelta() && eye.seesLamps()) {
-            double[] tint = eye.isBorder ? eye.color : null;
-            infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.address, eye.isFirst, false);
-            addInfinite();
-        }
-        boolean goes = eye.leave(sampler);
-        pdf = eye.isBorder ? eye.path.glass.border.pdf : eye.s.pdf;
-        return goes;
+    /** Light from a picture or a sky is found by the eye's path alone: aimed at, or run into ({@link InfiniteLight}). */
+    private void gatherInfinite(Sampler sampler) {
+        double[] tint = eye.isBorder ? eye.color : null;
+        infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.state.address, eye.isFirst(), false);
+        addInfinite();
     }
 
     private void addInfinite() {
@@ -232,33 +207,15 @@ public final class BidirectionalTracer implements Shader {
     /** Adds light that may have the colour of the path's wavelength. */
     private void add(boolean isColored, double factor, double r, double g, double b, double ultraviolet) {
         if (isColored) {
-            add(factor, r * wavelength.red, g * wavelength.green, b * wavelength.blue, 0);
+            eye.value.add(factor * r * wavelength.red, factor * g * wavelength.green, factor * b * wavelength.blue);
         } else {
-            add(factor, r, g, b, ultraviolet);
+            eye.value.add(factor * r, factor * g, factor * b, factor * ultraviolet);
         }
     }
 
     /** Whether light that comes to the path's last vertex has it, before or after that scatters it. */
     private boolean colors(boolean isScattered) {
         return wavelength != null && wavelength.colors(isScattered && eye.isBorder);
-    }
-
-    /** Adds light that comes to the last vertex of the path from the eye. */
-    private void add(double factor, double r, double g, double b, double ultraviolet) {
-        double scale = factor * eye.compression;
-        if (eye.mixes) {
-            double x = scale * eye.red * r;
-            double y = scale * eye.green * g;
-            double z = scale * eye.blue * b;
-            double u = scale * eye.ultraviolet * ultraviolet;
-            red += eye.mixing.of(0, x, y, z, u);
-            green += eye.mixing.of(1, x, y, z, u);
-            blue += eye.mixing.of(2, x, y, z, u);
-            return;
-        }
-        red = Math.fma(scale * eye.red, r, red);
-        green = Math.fma(scale * eye.green, g, green);
-        blue = Math.fma(scale * eye.blue, b, blue);
     }
 
     private double watched(int s, int t, double weight) {
@@ -269,7 +226,7 @@ public final class BidirectionalTracer implements Shader {
     private void glow() {
         if (eye.glowing != null && eye.glowing.glowsTo(eye.path.at.hit.side)) {
             // Light that is seen straight is found in this way alone.
-            double weight = watched(0, eye.vertices.size() + 1, eye.isFirst ? 1 : lights.weightOfHit());
+            double weight = watched(0, eye.vertices.size() + 1, eye.isFirst() ? 1 : lights.weightOfHit());
             weight *= images.weight();
             SurfaceInteraction at = eye.path.at;
             at.findEmission();
@@ -284,6 +241,9 @@ public final class BidirectionalTracer implements Shader {
             add(colors(true), weight, lights.red, lights.green, lights.blue, lights.ultraviolet);
         }
         connect(sampler, t);
+        if (infinite != null && eye.seesLamps()) {
+            gatherInfinite(sampler);
+        }
     }
 
     /**
@@ -293,7 +253,7 @@ public final class BidirectionalTracer implements Shader {
      */
     private void connect(Sampler sampler, int t) {
         int size = light.vertices.size();
-        double drawn = size + t > PATHS_OF_A_LENGTH ? sampler.unit(eye.address, Sampler.Purpose.CONNECTION) : 0;
+        double drawn = size + t > PATHS_OF_A_LENGTH ? sampler.unit(eye.state.address, Sampler.Purpose.CONNECTION) : 0;
         for (int k = 0; k < size; k++) {
             double probability = (double) PATHS_OF_A_LENGTH / (k + 1 + t);
             share = 1;

@@ -4,26 +4,21 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.media.FreeFlight;
 import enlightenment.transport.ray.PathFollower;
+import enlightenment.transport.state.Throughput;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
-/** What a {@link Subpath} carries from event to event, and what media on its way leave of it. One per thread. */
+/** What a {@link Subpath} carries from surface to surface, and what media on its way leave of it. One per thread. */
 abstract class CarriedLight {
     public final PathFollower path;
     final PhysicalScene physical;
     final Ray ray = new Ray();
 
-    /** What is left of the path's light: the product of all weights. */
-    public double red;
-
-    public double green;
-    public double blue;
-
-    /** The same of ultraviolet, which surfaces reflect as blue. */
-    double ultraviolet;
+    /** What is left of the path's light. */
+    public final Throughput throughput;
 
     /** Flights through media that scatter light; null if there are none. */
     final MediumVertex inMedium;
@@ -35,28 +30,12 @@ abstract class CarriedLight {
     private final double[] left = new double[3];
 
     /** @param flying what the numbers of flights are for */
-    CarriedLight(CompiledScene scene, RayCounters counters, Sampler.Purpose flying) {
+    CarriedLight(CompiledScene scene, RayCounters counters, Throughput throughput, Sampler.Purpose flying) {
+        this.throughput = throughput;
         physical = scene.physical;
         path = new PathFollower(scene, counters, physical.maxBounces);
         absorbs = physical.hasAbsorption;
         inMedium = physical.hasScattering ? new MediumVertex(path, flying) : null;
-    }
-
-    final void carry(double r, double g, double b, double u) {
-        red = r;
-        green = g;
-        blue = b;
-        ultraviolet = u;
-        if (inMedium != null) {
-            inMedium.begin();
-        }
-    }
-
-    final void filter(double r, double g, double b) {
-        red *= r;
-        green *= g;
-        blue *= b;
-        ultraviolet *= b;
     }
 
     /** Follows the ray to what it meets next, or to where a medium scatters it: then this is null, and {@link #isMedium}. */
@@ -70,15 +49,15 @@ abstract class CarriedLight {
         if (event != PathFollower.Event.NOTHING && medium != null && medium.absorbs) {
             Arrays.fill(left, 1);
             medium.absorb(path.distance(ray), left);
-            filter(left[0], left[1], left[2]);
+            throughput.filter(left[0], left[1], left[2]);
         }
         return event;
     }
 
     private PathFollower.Event fly(SurfaceMaterial medium, Sampler sampler) {
-        PathFollower.Event event = inMedium.fly(ray, medium, red, green, blue, sampler);
+        PathFollower.Event event = inMedium.fly(ray, medium, throughput, sampler);
         FreeFlight flight = inMedium.flight;
-        filter(flight.weightR, flight.weightG, flight.weightB);
+        throughput.filter(flight.weightR, flight.weightG, flight.weightB);
         isMedium = event == null;
         return event;
     }

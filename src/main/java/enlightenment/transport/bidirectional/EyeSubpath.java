@@ -5,6 +5,7 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.state.BandMixing;
+import enlightenment.transport.state.PathValue;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.camera.EyeProjection;
 import enlightenment.world.parts.RayCounters;
@@ -16,15 +17,8 @@ final class EyeSubpath extends Subpath {
     /** How many paths from lights are connected to the eye itself, per path from the eye. */
     private final double lightPaths;
 
-    private double firstIndex;
-
-    /** Radiance at the eye per radiance here, where the index of refraction is another one. */
-    double compression;
-
-    /** What fluorescent surfaces that have scattered the path make of light; and whether there were any. */
-    final BandMixing mixing;
-
-    boolean mixes;
+    /** What the path has gathered, and how much of what is still to come counts. */
+    final PathValue value;
 
     /** The dye of the surface that the path is at, and its colour; null if there is none. */
     private Reradiation dye;
@@ -32,29 +26,32 @@ final class EyeSubpath extends Subpath {
     private final double[] dyed = new double[3];
 
     EyeSubpath(CompiledScene scene, RayCounters counters, double lightPaths) {
+        this(scene, counters, lightPaths, new PathValue(BandMixing.of(scene.physical)));
+    }
+
+    private EyeSubpath(CompiledScene scene, RayCounters counters, double lightPaths, PathValue value) {
         super(
                 scene,
                 counters,
+                value.throughput,
                 Sampler.Purpose.CHOICE,
                 Sampler.Purpose.DIRECTION,
                 Sampler.Purpose.ROULETTE,
                 Sampler.Purpose.FLIGHT);
         eye = EyeProjection.of(scene.camera);
         this.lightPaths = lightPaths;
-        mixing = BandMixing.of(scene.physical);
+        this.value = value;
         path.tracer.leaveVisibilityOpen();
     }
 
     /** Begins with a camera ray, and the wavelength that a part from a light has by the same sampler. */
     void begin(Ray camera, Sampler sampler) {
-        begin(1, 1, 1, 1);
-        mixes = false;
+        begin();
         dye = null;
         eye.startWith(camera);
         ray.set(camera.ox, camera.oy, camera.oz, camera.dx, camera.dy, camera.dz, camera.tMin);
         path.begin(ray, sampler);
-        firstIndex = path.glass.indexOfRefraction();
-        compression = 1;
+        value.begin(path.glass.indexOfRefraction());
     }
 
     /** Only what reaches the surface is worth something else, not what it emits by itself: {@link #passDye}. */
@@ -66,25 +63,15 @@ final class EyeSubpath extends Subpath {
 
     /** Before light is gathered at the surface that the path is at. */
     void passDye() {
-        if (dye == null) {
-            return;
+        if (dye != null) {
+            value.reradiate(dye, dyed);
+            dye = null;
         }
-        if (!mixes) {
-            mixing.clear();
-            mixes = true;
-        }
-        mixing.filter(red, green, blue);
-        mixing.scatter(dye, dyed);
-        red = 1;
-        green = 1;
-        blue = 1;
-        ultraviolet = 1;
-        dye = null;
     }
 
     @Override
     void enter(double index) {
-        compression = firstIndex * firstIndex / (index * index);
+        value.enter(index);
     }
 
     @Override

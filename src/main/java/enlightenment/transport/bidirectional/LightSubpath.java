@@ -7,6 +7,7 @@ import enlightenment.sampling.Sampler;
 import enlightenment.transport.direct.LightView;
 import enlightenment.transport.emission.LightSource;
 import enlightenment.transport.ray.PathSource;
+import enlightenment.transport.state.Throughput;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.LightStarts;
 import enlightenment.world.light.PhysicalLight;
@@ -26,12 +27,12 @@ public final class LightSubpath extends Subpath {
     private final SampledLight scratch = new SampledLight();
     private final double[] numbers = new double[PathSource.NUMBERS];
     private final double[] pair = new double[2];
-    private final double[] bands = new double[Reradiation.BANDS];
 
     public LightSubpath(CompiledScene scene, LightStarts starts, RayCounters counters) {
         super(
                 scene,
                 counters,
+                new Throughput(),
                 Sampler.Purpose.LIGHT_CHOICE,
                 Sampler.Purpose.LIGHT_DIRECTION,
                 Sampler.Purpose.LIGHT_ROULETTE,
@@ -50,7 +51,8 @@ public final class LightSubpath extends Subpath {
         if (!source.emit(numbers, ray)) {
             return false;
         }
-        begin(source.red, source.green, source.blue, source.ultraviolet);
+        begin();
+        throughput.begin(source.red, source.green, source.blue, source.ultraviolet);
         startX = ray.ox;
         startY = ray.oy;
         startZ = ray.oz;
@@ -64,22 +66,9 @@ public final class LightSubpath extends Subpath {
         return source.power(physical.visibleOfUltraviolet) / 3;
     }
 
-    /** The address of the random numbers of the vertex that the path is at. */
-    public int address() {
-        return address;
-    }
-
     @Override
     void reradiate(Reradiation by) {
-        bands[0] = red;
-        bands[1] = green;
-        bands[2] = blue;
-        bands[Reradiation.ULTRAVIOLET] = ultraviolet;
-        by.scatter(color, bands);
-        red = bands[0];
-        green = bands[1];
-        blue = bands[2];
-        ultraviolet = bands[Reradiation.ULTRAVIOLET];
+        throughput.reradiate(by, color);
     }
 
     /** Light does not change with the index of refraction, only how it spreads. */

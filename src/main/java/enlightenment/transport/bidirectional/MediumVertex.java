@@ -6,6 +6,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.media.FreeFlight;
 import enlightenment.transport.ray.PathFollower;
+import enlightenment.transport.state.Throughput;
 import enlightenment.world.material.HomogeneousMedium;
 import enlightenment.world.material.SurfaceMaterial;
 
@@ -80,12 +81,12 @@ final class MediumVertex {
      * Follows the ray to what it meets next, or to where the medium scatters it: then the path is there, and this is null.
      *
      * @param in the medium's material
-     * @param r how much the path carries of red, and so on
+     * @param carried what is left of the path's light
      */
-    PathFollower.Event fly(Ray ray, SurfaceMaterial in, double r, double g, double b, Sampler sampler) {
+    PathFollower.Event fly(Ray ray, SurfaceMaterial in, Throughput carried, Sampler sampler) {
         material = in;
         sampler.pair(flights++, flying, pair);
-        flight.draw(in.medium, r, g, b, pair[0], pair[1]);
+        flight.draw(in.medium, carried.red, carried.green, carried.blue, pair[0], pair[1]);
         PathFollower.Event found = path.next(ray, flight.length);
         boolean isNothing = found == PathFollower.Event.NOTHING;
         if (isNothing && !flight.isEndless()) {

@@ -3,6 +3,7 @@ package enlightenment.transport.bidirectional;
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Hit;
+import enlightenment.transport.state.Throughput;
 import java.util.Arrays;
 
 /**
@@ -93,10 +94,10 @@ public final class PathVertices {
     }
 
     /** Sets the power that the path brought to the vertex that was added last. */
-    void power(double r, double g, double b, double ultraviolet) {
+    void power(Throughput power) {
         int k = (size - 1) * NUMBERS;
-        set(k + POWER, r, g, b);
-        numbers[k + ULTRAVIOLET] = ultraviolet;
+        set(k + POWER, power.red, power.green, power.blue);
+        numbers[k + ULTRAVIOLET] = power.ultraviolet;
     }
 
     /** Sets {@link MediumVertex#density} of the vertex that was added last; 0 if it is on a surface. */

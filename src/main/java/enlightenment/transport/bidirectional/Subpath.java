@@ -8,7 +8,10 @@ import enlightenment.bsdf.SmoothShading;
 import enlightenment.primitive.Hit;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.ray.PathFollower;
+import enlightenment.transport.state.PathEvent;
+import enlightenment.transport.state.PathState;
 import enlightenment.transport.state.PathValue;
+import enlightenment.transport.state.Throughput;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
@@ -58,8 +61,8 @@ abstract class Subpath extends CarriedLight {
     /** The probability of going on from here. */
     public double survival;
 
-    /** Which numbers of the sampler the path has used. */
-    int address;
+    /** The events so far. */
+    public final PathState state = new PathState();
 
     /** The last vertex but the one that the path is at, and the normal of where light comes from there: 0 at a border. */
     int lastId;
@@ -71,12 +74,6 @@ abstract class Subpath extends CarriedLight {
     double lastNx;
     double lastNy;
     double lastNz;
-
-    /** Whether a connection could end there. */
-    boolean lastConnects;
-
-    /** Whether the path has had no vertex before the one that it is at. */
-    boolean isFirst;
 
     final ReverseDensity reverse = new ReverseDensity();
     private final RayCounters counters;
@@ -94,23 +91,29 @@ abstract class Subpath extends CarriedLight {
     Subpath(
             CompiledScene scene,
             RayCounters counters,
+            Throughput throughput,
             Sampler.Purpose choosing,
             Sampler.Purpose directing,
             Sampler.Purpose surviving,
             Sampler.Purpose flying) {
-        super(scene, counters, flying);
+        super(scene, counters, throughput, flying);
         this.counters = counters;
         this.choosing = choosing;
         this.directing = directing;
         this.surviving = surviving;
     }
 
-    void begin(double r, double g, double b, double u) {
-        carry(r, g, b, u);
-        address = 0;
-        isFirst = true;
-        lastConnects = false;
+    void begin() {
+        state.begin();
         vertices.clear();
+        if (inMedium != null) {
+            inMedium.begin();
+        }
+    }
+
+    /** Whether the path has had no vertex before the one that it is at. */
+    final boolean isFirst() {
+        return state.events == 0;
     }
 
     /**
@@ -206,6 +209,7 @@ abstract class Subpath extends CarriedLight {
         Hit at = path.at.hit;
         double cosine = SubpathDensities.cosine(projected(s.geometricCosineOut()));
         boolean isDelta = bsdf.isDelta();
+        boolean isFirst = isFirst();
         if (isFirst && isDelta) {
             beginDensitiesOfDelta();
         } else if (isFirst) {
@@ -222,7 +226,7 @@ abstract class Subpath extends CarriedLight {
             vertices.addDelta(at, 1);
         } else {
             vertices.add(at, path.at.id, bsdf, s, color, path.bounces(), densities, survival);
-            vertices.power(red, green, blue, ultraviolet);
+            vertices.power(throughput);
             vertices.medium(isMedium ? inMedium.density() : 0);
             if (path.glass.wavelength != null) {
                 vertices.colored(path.glass.wavelength.colors(isBorder));
@@ -231,7 +235,7 @@ abstract class Subpath extends CarriedLight {
     }
 
     private void passDelta(double expansion) {
-        if (isFirst) {
+        if (isFirst()) {
             beginDensitiesOfDelta();
         }
         densities.pass(expansion);
@@ -239,7 +243,7 @@ abstract class Subpath extends CarriedLight {
     }
 
     private Event glass(Sampler sampler) {
-        sampler.pair(address, choosing, pair);
+        sampler.pair(state.address, choosing, pair);
         choice = pair[0];
         glowing = null;
         if (physical.hasPartialGlass) {
@@ -271,20 +275,20 @@ abstract class Subpath extends CarriedLight {
     /** At smooth glass. */
     private Event pass(Sampler sampler) {
         if (physical.hasRoughGlass) {
-            sampler.pair(address, directing, pair);
+            sampler.pair(state.address, directing, pair);
         }
         path.glass.choose(choice, pair);
         cross();
         if (path.glass.passedStraight()) {
-            address++;
-            filter(weight[0], weight[1], weight[2]);
+            state.address++;
+            throughput.filter(weight[0], weight[1], weight[2]);
             return path.goesOn() ? Event.PASSED : Event.ENDED;
         }
         Scattering b = path.glass.border;
         passDelta(b.transmitted ? b.eta * b.eta : 1);
         remember(b, false);
         boolean goes = survives(sampler, survival(Math.max(weight[0], Math.max(weight[1], weight[2]))));
-        address++;
+        state.address++;
         return goes && path.goesOn() ? Event.PASSED : Event.ENDED;
     }
 
@@ -299,8 +303,11 @@ abstract class Subpath extends CarriedLight {
     }
 
     private void remember(Scattering at, boolean connects) {
-        isFirst = false;
-        lastConnects = connects;
+        if (connects) {
+            state.extend(isMedium ? PathEvent.MEDIUM : isBorder ? PathEvent.ROUGH_BORDER : PathEvent.WIDE, at, false);
+        } else {
+            state.extendSpecular(-1);
+        }
         lastId = path.at.id;
         lastX = path.at.hit.px;
         lastY = path.at.hit.py;
@@ -313,17 +320,17 @@ abstract class Subpath extends CarriedLight {
 
     /** Leaves the surface or the border that the path is at; returns whether it goes on. */
     public boolean leave(Sampler sampler) {
-        sampler.pair(address, directing, pair);
+        sampler.pair(state.address, directing, pair);
         boolean goes = isMedium ? leaveMedium(sampler) : isBorder ? leaveBorder(sampler) : leaveSurface(sampler);
-        address++;
+        state.address++;
         return goes && path.goesOn();
     }
 
     private boolean leaveSurface(Sampler sampler) {
-        if (!bsdf.sample(s, pair[0], pair[1], sampler.unit(address, choosing))) {
+        if (!bsdf.sample(s, pair[0], pair[1], sampler.unit(state.address, choosing))) {
             return false;
         }
-        boolean wasFirst = isFirst;
+        boolean wasFirst = isFirst();
         remember(s, !s.delta);
         weight[0] = s.valueR;
         weight[1] = s.valueG;
@@ -370,11 +377,11 @@ abstract class Subpath extends CarriedLight {
     }
 
     private boolean survives(Sampler sampler, double probability) {
-        if (!(probability > 0) || !(sampler.unit(address, surviving) < probability)) {
+        if (!(probability > 0) || !(sampler.unit(state.address, surviving) < probability)) {
             return false;
         }
         double scale = 1 / probability;
-        filter(scale * weight[0], scale * weight[1], scale * weight[2]);
-        return red > 0 || green > 0 || blue > 0 || ultraviolet > 0;
+        throughput.filter(scale * weight[0], scale * weight[1], scale * weight[2]);
+        return throughput.isLit();
     }
 }

@@ -89,7 +89,7 @@ public final class BidirectionalLightTracer extends LightPathTracer {
     private void connect() {
         Scattering s = light.s;
         if (eye.hasSeveralStarts()) {
-            sampler.pair(light.address(), Sampler.Purpose.LIGHT_LENS, pair);
+            sampler.pair(light.state.address, Sampler.Purpose.LIGHT_LENS, pair);
             eye.sampleStart(pair[0], pair[1]);
         }
         if (!isSeen(light.bsdf, s, light.isBorder ? light.color : null)) {
@@ -105,9 +105,9 @@ public final class BidirectionalLightTracer extends LightPathTracer {
             s.valueB *= wavelength.blue;
         }
         add(
-                f * eye.through[0] * s.valueR * light.red,
-                f * eye.through[1] * s.valueG * light.green,
-                f * eye.through[2] * s.valueB * light.blue);
+                f * eye.through[0] * s.valueR * light.throughput.red,
+                f * eye.through[1] * s.valueG * light.throughput.green,
+                f * eye.through[2] * s.valueB * light.throughput.blue);
     }
 
     private double weight(double cosine) {

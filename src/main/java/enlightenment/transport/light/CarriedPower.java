@@ -3,21 +3,16 @@ package enlightenment.transport.light;
 import enlightenment.bsdf.Reradiation;
 import enlightenment.transport.ray.PathSource;
 import enlightenment.transport.state.PathValue;
+import enlightenment.transport.state.Throughput;
 import java.util.Arrays;
 
-/** The power that a path of light carries from event to event, by band. A mutable work object, one per thread. */
+/** How much the power counts that a path from a light carries from event to event. A mutable work object, one per thread. */
 final class CarriedPower {
-    double red;
-    double green;
-    double blue;
-
-    /** That of ultraviolet, which surfaces reflect as blue, and glass lets pass as blue. */
-    private double ultraviolet;
+    /** The power itself. */
+    final Throughput left = new Throughput();
 
     /** About how much visible light fluorescent surfaces make of ultraviolet; 0 if there is none. */
     private final double ofUltraviolet;
-
-    private final double[] bands = new double[Reradiation.BANDS];
 
     /** What is faint. */
     private double faint;
@@ -29,43 +24,24 @@ final class CarriedPower {
 
     /** A path begins at a source. */
     void begin(PathSource source) {
-        red = source.red;
-        green = source.green;
-        blue = source.blue;
-        ultraviolet = source.ultraviolet;
+        left.begin(source.red, source.green, source.blue, source.ultraviolet);
         faint = PathValue.FAINT * most();
-    }
-
-    void filter(double r, double g, double b) {
-        red *= r;
-        green *= g;
-        blue *= b;
-        ultraviolet *= b;
-    }
-
-    /** The path has survived what it survives with this probability. */
-    void survive(double probability) {
-        red /= probability;
-        green /= probability;
-        blue /= probability;
-        ultraviolet /= probability;
     }
 
     /** What counts of it, summed over bands. */
     double sum() {
-        return Math.abs(red) + Math.abs(green) + Math.abs(blue) + ofUltraviolet * Math.abs(ultraviolet);
+        return left.sum() + ofUltraviolet * Math.abs(left.ultraviolet);
     }
 
     /** What counts of it in the blue band and beyond. */
     double blueAndBeyond() {
-        return blue + ofUltraviolet * ultraviolet;
+        return left.blue + ofUltraviolet * left.ultraviolet;
     }
 
     /** What counts of it, of the strongest band. */
     double most() {
-        // Bands of a single wavelength may be negative.
-        double most = Math.max(Math.abs(red), Math.max(Math.abs(green), Math.abs(blue)));
-        return ofUltraviolet > 0 ? Math.max(most, ofUltraviolet * ultraviolet) : most;
+        double most = left.most();
+        return ofUltraviolet > 0 ? Math.max(most, ofUltraviolet * left.ultraviolet) : most;
     }
 
     /** Whether it is so little beside what the path began with that roulette is due. */
@@ -81,21 +57,13 @@ final class CarriedPower {
      */
     boolean reradiate(Reradiation by, double[] surface) {
         double before = most();
-        bands[0] = red;
-        bands[1] = green;
-        bands[2] = blue;
-        bands[Reradiation.ULTRAVIOLET] = ultraviolet;
-        by.scatter(surface, bands);
-        red = bands[0];
-        green = bands[1];
-        blue = bands[2];
-        ultraviolet = bands[Reradiation.ULTRAVIOLET];
+        left.reradiate(by, surface);
         double after = most();
         double scale = after < before ? before / after : 1;
         if (!(after > 0) || !(scale < Double.POSITIVE_INFINITY)) {
             return false;
         }
-        filter(scale, scale, scale);
+        left.scale(scale);
         Arrays.fill(surface, 1 / scale);
         return true;
     }

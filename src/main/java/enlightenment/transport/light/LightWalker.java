@@ -8,6 +8,8 @@ import enlightenment.transport.media.Equiangular;
 import enlightenment.transport.media.FreeFlight;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.ray.PathSource;
+import enlightenment.transport.state.PathEvent;
+import enlightenment.transport.state.PathState;
 import enlightenment.transport.state.PathValue;
 import enlightenment.transport.state.PathWavelength;
 import enlightenment.transport.state.RussianRoulette;
@@ -38,8 +40,7 @@ abstract class LightWalker extends LightPathTracer {
     /** The power that the path carries. */
     final CarriedPower carried;
 
-    /** How many scattering events the path has left behind. */
-    int events;
+    private final PathState state = new PathState();
 
     /** How many surfaces it passed straight. */
     private int pieces;
@@ -105,7 +106,7 @@ abstract class LightWalker extends LightPathTracer {
             return false;
         }
         carried.begin(source);
-        events = 0;
+        state.begin();
         pieces = 0;
         caustic.begin(source.light);
         path.beginAtLight(ray, source);
@@ -113,9 +114,7 @@ abstract class LightWalker extends LightPathTracer {
         if (flight != null) {
             flight.begin();
         }
-        while (step()) {
-            events++;
-        }
+        while (step()) {}
         return true;
     }
 
@@ -125,7 +124,7 @@ abstract class LightWalker extends LightPathTracer {
     }
 
     private double unit(long purpose) {
-        return numbers.unit(events, pieces, purpose);
+        return numbers.unit(state.events, pieces, purpose);
     }
 
     /**
@@ -134,7 +133,7 @@ abstract class LightWalker extends LightPathTracer {
      */
     private boolean step() {
         if (wavelength != null && wavelength.takesEffect()) {
-            carried.filter(wavelength.red, wavelength.green, wavelength.blue);
+            carried.left.filter(wavelength.red, wavelength.green, wavelength.blue);
         }
         SurfaceMaterial in = physical.hasAbsorption ? path.medium() : null;
         medium = in != null && isScatteredIn(in) ? in.medium : null;
@@ -148,7 +147,7 @@ abstract class LightWalker extends LightPathTracer {
         if (medium == null && in != null && in.absorbs) {
             Arrays.fill(surface, 1);
             in.absorb(path.distance(ray), surface);
-            carried.filter(surface[0], surface[1], surface[2]);
+            carried.left.filter(surface[0], surface[1], surface[2]);
         }
         if (event == PathFollower.Event.GLASS) {
             int opaque = physical.hasPartialGlass ? path.glass.opaque(unit(5)) : -1;
@@ -177,6 +176,7 @@ abstract class LightWalker extends LightPathTracer {
             return false;
         }
         caustic.leave(s.delta, path.at.hit, s.pdf);
+        extend(PathEvent.WIDE, s);
         path.leave(ray, s);
         return filterAndSurvive(s.valueR, s.valueG, s.valueB) && path.goesOn();
     }
@@ -216,7 +216,7 @@ abstract class LightWalker extends LightPathTracer {
      */
     private PathFollower.Event fly(boolean isSeenStraight) {
         end.depart(carried.sum());
-        flight.draw(medium, carried.red, carried.green, carried.blueAndBeyond(), unit(6), unit(7));
+        flight.draw(medium, carried.left.red, carried.left.green, carried.blueAndBeyond(), unit(6), unit(7));
         flown = 0;
         isConnected = isSeenStraight && path.mayScatter() && onTheWay.sample(ray, flight.length, unit(8));
         PathFollower.Event event = isConnected ? flyBy() : path.next(ray, flight.length);
@@ -231,7 +231,7 @@ abstract class LightWalker extends LightPathTracer {
         } else {
             flight.pass(flown + path.distance(ray));
         }
-        carried.filter(flight.weightR, flight.weightG, flight.weightB);
+        carried.left.filter(flight.weightR, flight.weightG, flight.weightB);
         return event;
     }
 
@@ -252,9 +252,9 @@ abstract class LightWalker extends LightPathTracer {
                 medium.phase,
                 border,
                 null,
-                carried.red * (flight.weightR * medium.scatteringR * scale),
-                carried.green * (flight.weightG * medium.scatteringG * scale),
-                carried.blue * (flight.weightB * medium.scatteringB * scale));
+                carried.left.red * (flight.weightR * medium.scatteringR * scale),
+                carried.left.green * (flight.weightG * medium.scatteringG * scale),
+                carried.left.blue * (flight.weightB * medium.scatteringB * scale));
         ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, -border.ox, -border.oy, -border.oz, 0);
         return path.next(ray, flight.length - flown);
     }
@@ -265,6 +265,7 @@ abstract class LightWalker extends LightPathTracer {
             connect(medium.phase, border, null);
         }
         medium.phase.sample(border, unit(1), unit(2), 0);
+        extend(PathEvent.MEDIUM, border);
         ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, border.ix, border.iy, border.iz, 0);
         double survival = end.survival(carried.sum(), path.at.hit.px, path.at.hit.py, path.at.hit.pz, isSafe());
         return survives(survival) && path.goesOn();
@@ -276,7 +277,7 @@ abstract class LightWalker extends LightPathTracer {
      * @param tint of what passes, at a rough border; null elsewhere
      */
     private void connect(Bsdf bsdf, Scattering s, double[] tint) {
-        connect(bsdf, s, tint, carried.red, carried.green, carried.blue);
+        connect(bsdf, s, tint, carried.left.red, carried.left.green, carried.left.blue);
     }
 
     /** The same of other light than the path carries. */
@@ -317,9 +318,8 @@ abstract class LightWalker extends LightPathTracer {
         }
         if (path.glass.passedStraight()) {
             // No event: a path may be cut into any number of pieces. Paths from the eye find such light by shadow rays.
-            events--;
             pieces++;
-            carried.filter(surface[0], surface[1], surface[2]);
+            carried.left.filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
         // Light that comes to rough glass straight is found there by shadow rays, but where its lobes are narrow.
@@ -327,6 +327,7 @@ abstract class LightWalker extends LightPathTracer {
             return false;
         }
         caustic.leave(path.glass.border.delta, path.at.hit, path.glass.border.pdf);
+        extend(PathEvent.ROUGH_BORDER, path.glass.border);
         return crosses() && path.goesOn();
     }
 
@@ -335,7 +336,7 @@ abstract class LightWalker extends LightPathTracer {
         if (flight == null) {
             return filterAndSurvive(surface[0], surface[1], surface[2]);
         }
-        carried.filter(surface[0], surface[1], surface[2]);
+        carried.left.filter(surface[0], surface[1], surface[2]);
         double survival = end.survivalAtBorder(surface[0], surface[1], surface[2]);
         return isSafe() || survives(survival);
     }
@@ -352,21 +353,29 @@ abstract class LightWalker extends LightPathTracer {
 
     /** Multiplies by the weight of an event, and plays roulette by it as {@link PathValue} does. */
     private boolean filterAndSurvive(double r, double g, double b) {
-        carried.filter(r, g, b);
+        carried.left.filter(r, g, b);
         return isSafe() || carried.most() > 0 && survives(PathValue.survival(r, g, b));
     }
 
     /** Whether nothing asks for an end of the path. */
     private boolean isSafe() {
-        return events + 1 < PathValue.ROULETTE_FROM && !carried.isFaint();
+        return state.events < PathValue.ROULETTE_FROM && !carried.isFaint();
     }
 
-    /** Plays roulette with a probability of survival. */
+    private void extend(PathEvent event, Scattering sampled) {
+        if (sampled.delta) {
+            state.extendSpecular(-1);
+        } else {
+            state.extend(event, sampled, false);
+        }
+    }
+
+    /** Plays roulette after the last event with a probability of survival. */
     private boolean survives(double survival) {
-        if (!(unit(4) < survival)) {
+        if (!(numbers.unit(state.events - 1, pieces, 4) < survival)) {
             return false;
         }
-        carried.survive(survival);
+        carried.left.scale(1 / survival);
         return true;
     }
 }

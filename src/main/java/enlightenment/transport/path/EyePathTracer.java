@@ -6,6 +6,7 @@ import enlightenment.sampling.Sampler;
 import enlightenment.transport.image.EyeImages;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.ray.Shader;
+import enlightenment.transport.state.PathState;
 import enlightenment.transport.state.PathValue;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
@@ -18,6 +19,8 @@ abstract class EyePathTracer implements Shader {
     final PhysicalScene physical;
     final PathFollower path;
     final PathValue value;
+
+    final PathState state = new PathState();
 
     /** What the eye sees of lamps in pixels that they do not cover entirely. */
     final EyeImages images;
@@ -61,6 +64,7 @@ abstract class EyePathTracer implements Shader {
 
     /** Starts a path. */
     final void beginPath(Ray ray, Sampler sampler) {
+        state.begin();
         path.begin(ray, sampler);
         value.begin(path.glass.indexOfRefraction());
         images.begin(ray);

@@ -12,7 +12,6 @@ import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.state.BandMixing;
 import enlightenment.transport.state.PathEvent;
 import enlightenment.transport.state.PathPart;
-import enlightenment.transport.state.PathState;
 import enlightenment.transport.state.PathValue;
 import enlightenment.transport.state.PathVertex;
 import enlightenment.world.CompiledScene;
@@ -27,7 +26,6 @@ import java.util.Arrays;
  * the mean over paths is the solution. See docs/notes/path-tracing.md.
  */
 public final class PathIntegrator extends EyePathTracer {
-    private final PathState state = new PathState();
     private final PathVertex vertex = new PathVertex();
 
     /** Direct light at every vertex that does not scatter into single directions. */
@@ -47,6 +45,8 @@ public final class PathIntegrator extends EyePathTracer {
 
     /** Whether paths stop after direct lighting at their first non-specular vertex. */
     private final boolean directOnly;
+
+    private int followed;
 
     /** Where the path is cut; null for a path that is whole. */
     private PathCut cut;
@@ -99,9 +99,7 @@ public final class PathIntegrator extends EyePathTracer {
      */
     public void glimpse(Ray ray, Sampler sampler) {
         begin(ray, sampler);
-        while (step(ray, sampler) && value.certain) {
-            state.events++;
-        }
+        while (step(ray, sampler) && value.certain) {}
     }
 
     /**
@@ -129,13 +127,12 @@ public final class PathIntegrator extends EyePathTracer {
         return connections;
     }
 
-    /** How many scattering events the last path had. */
+    /** How many scattering events the last path went on from. */
     public int events() {
-        return state.events;
+        return followed;
     }
 
     private void begin(Ray ray, Sampler sampler) {
-        state.begin();
         if (mirrorCaustics != null) {
             mirrorCaustics.begin();
         }
@@ -145,9 +142,9 @@ public final class PathIntegrator extends EyePathTracer {
     private void follow(Ray ray, Sampler sampler) {
         begin(ray, sampler);
         images.gather(sampler, value);
-        while (step(ray, sampler)) {
-            state.events++;
-        }
+        do {
+            followed = state.events;
+        } while (step(ray, sampler));
     }
 
     /** One vertex of the path: finds it, adds its emission and its direct light, and samples how the path goes on; whether it does. */
@@ -326,7 +323,6 @@ public final class PathIntegrator extends EyePathTracer {
         if (path.glass.passedStraight()) {
             // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
             // stays what it was.
-            state.events--;
             value.filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
@@ -340,7 +336,7 @@ public final class PathIntegrator extends EyePathTracer {
         }
         boolean survives = walk == null
                 ? survives(surface[0], surface[1], surface[2], sampler)
-                : walk.survives(surface, sampler, state.events);
+                : walk.survives(surface, sampler, state);
         return survives && path.goesOn();
     }
 
@@ -373,14 +369,14 @@ public final class PathIntegrator extends EyePathTracer {
         return !(directOnly && state.hasScattered());
     }
 
-    /** Multiplies by the weight of an event, and plays roulette where it is due. */
+    /** Multiplies by the weight of the last event, and plays roulette where it is due. */
     private boolean survives(double r, double g, double b, Sampler sampler) {
         value.filter(r, g, b);
-        if (value.isSafe(state.events + 1) || cut != null && cut.takes && path.surfaces == 0) {
+        if (value.isSafe(state) || cut != null && cut.takes && path.surfaces == 0) {
             return true;
         }
         value.leaveToChance(path.key);
-        return value.survives(r, g, b, sampler, state.events);
+        return value.survives(r, g, b, sampler, state);
     }
 
     /** Leaves the vertex that the path is cut at: the radiance that arrives there is shared, and shaded by the paths that take it. */

@@ -94,9 +94,9 @@ final class RandomWalk {
         }
         value.leaveToChance(path.key);
         index = in.indexOfRefraction;
-        end.depart(value.throughput());
+        end.depart(value.throughput.sum());
         sampler.pair(flights++, Sampler.Purpose.FLIGHT, pair);
-        flight.draw(medium, value.throughputR, value.throughputG, value.throughputB, pair[0], pair[1]);
+        flight.draw(medium, value.throughput.red, value.throughput.green, value.throughput.blue, pair[0], pair[1]);
         boolean looks = gathersOn(state) && along.isWanted(ray, medium, scatterings);
         PathFollower.Event found = looks ? path.next(ray) : path.next(ray, flight.length);
         double way = found == PathFollower.Event.NOTHING ? Double.POSITIVE_INFINITY : path.distance(ray);
@@ -173,20 +173,20 @@ final class RandomWalk {
         } else {
             state.extendWithoutDirect();
         }
-        return survives(sampler, state.events);
+        return survives(sampler, state);
     }
 
     /** Plays roulette where the medium scattered the path: by its throughput now, against what that was before. */
-    private boolean survives(Sampler sampler, int event) {
+    private boolean survives(Sampler sampler, PathState state) {
         double survival = end.survival(
-                value.throughput(), path.at.hit.px, path.at.hit.py, path.at.hit.pz, value.isSafe(event + 1));
-        return survival == 1 || value.survives(survival, sampler, event);
+                value.throughput.sum(), path.at.hit.px, path.at.hit.py, path.at.hit.pz, value.isSafe(state));
+        return survival == 1 || value.survives(survival, sampler, state);
     }
 
     /** Multiplies by the weight of an event at a border of media, and plays roulette. */
-    boolean survives(double[] weight, Sampler sampler, int event) {
+    boolean survives(double[] weight, Sampler sampler, PathState state) {
         value.filter(weight[0], weight[1], weight[2]);
         double survival = end.survivalAtBorder(weight[0], weight[1], weight[2]);
-        return value.isSafe(event + 1) || value.survives(survival, sampler, event);
+        return value.isSafe(state) || value.survives(survival, sampler, state);
     }
 }

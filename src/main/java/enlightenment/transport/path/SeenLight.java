@@ -13,11 +13,6 @@ import enlightenment.world.parts.RayCounters;
  * its source can be connected to the eye with ({@code LightTracer}). Paths end at the first surface that scatters light otherwise.
  */
 public final class SeenLight extends EyePathTracer {
-    private int events;
-
-    /** The address of the next random numbers. */
-    private int address;
-
     /**
      * For one thread.
      *
@@ -30,13 +25,9 @@ public final class SeenLight extends EyePathTracer {
 
     @Override
     public void shade(Ray ray, Sampler sampler, double[] out) {
-        events = 0;
-        address = 0;
         beginPath(ray, sampler);
         images.gather(sampler, value);
-        while (step(ray, sampler)) {
-            events++;
-        }
+        while (step(ray, sampler)) {}
         value.get(out);
     }
 
@@ -72,7 +63,7 @@ public final class SeenLight extends EyePathTracer {
             return false;
         }
         path.color(material, surface);
-        double choice = material.isDelta ? 0 : sampler.unit(address++, Sampler.Purpose.CHOICE);
+        double choice = material.isDelta ? 0 : sampler.unit(state.address++, Sampler.Purpose.CHOICE);
         return path.scatter(ray, material, surface, 0, 0, choice)
                 && path.isSpecular()
                 && survives(sampler)
@@ -80,7 +71,7 @@ public final class SeenLight extends EyePathTracer {
     }
 
     private boolean glass(Ray ray, Sampler sampler) {
-        sampler.pair(address++, Sampler.Purpose.CHOICE, pair);
+        sampler.pair(state.address++, Sampler.Purpose.CHOICE, pair);
         double choice = pair[0];
         int opaque = physical.hasPartialGlass ? path.glass.opaque(pair[1]) : -1;
         if (opaque >= 0) {
@@ -92,7 +83,6 @@ public final class SeenLight extends EyePathTracer {
         }
         cross(ray, choice);
         if (path.glass.passedStraight()) {
-            events--;
             value.filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
@@ -104,7 +94,8 @@ public final class SeenLight extends EyePathTracer {
         double r = surface[0];
         double g = surface[1];
         double b = surface[2];
+        state.extendSpecular(-1);
         value.filter(r, g, b);
-        return value.isSafe(events + 1) || value.survives(r, g, b, sampler, events);
+        return value.isSafe(state) || value.survives(r, g, b, sampler, state);
     }
 }

@@ -3,8 +3,8 @@ package enlightenment.transport.state;
 import enlightenment.bsdf.Scattering;
 
 /**
- * The scattering events of a path from the eye, and the last direction that its BSDFs sampled: what multiple importance sampling of the light
- * that the path hits depends on ({@link PathStrategy#weightOfHit}). Surfaces that the path passes straight are no events: shadow rays pass them,
+ * The scattering events of a path, from the eye or from a light, and the last direction that its BSDFs sampled: what multiple importance
+ * sampling of the light that the path hits depends on ({@link PathStrategy#weightOfHit}). Surfaces that the path passes straight are no events: shadow rays pass them,
  * too. Mutable, one per thread.
  */
 public final class PathState {
@@ -41,7 +41,7 @@ public final class PathState {
     private PathEvent beforeLast;
     private boolean wasInRefractiveMedium;
 
-    /** Begins at the eye. */
+    /** Begins at the eye, or at a light. */
     public void begin() {
         events = 0;
         address = 0;
@@ -64,7 +64,7 @@ public final class PathState {
     }
 
     /**
-     * Appends an event at which direct light was sampled, by the direction and density that were sampled.
+     * Appends an event at which direct light was sampled, or that connections may end at, by the direction and density that were sampled.
      *
      * @param leavesSmallLights whether direct light of small lights was left out
      */
@@ -96,6 +96,7 @@ public final class PathState {
     }
 
     private void append(PathEvent event) {
+        events++;
         beforeLast = last;
         last = event;
         mirror = -1;

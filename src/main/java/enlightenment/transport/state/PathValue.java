@@ -60,9 +60,8 @@ public final class PathValue {
     /** What the path came to until then. */
     private long certainKey;
 
-    public double throughputR;
-    public double throughputG;
-    public double throughputB;
+    /** How much of what is still to come counts. */
+    public final Throughput throughput = new Throughput();
 
     /** What fluorescent surfaces do with light; null if there are none. */
     private final BandMixing mixing;
@@ -103,9 +102,7 @@ public final class PathValue {
         red = 0;
         green = 0;
         blue = 0;
-        throughputR = 1;
-        throughputG = 1;
-        throughputB = 1;
+        throughput.begin(1, 1, 1, 1);
     }
 
     /** Adds visible radiance that leaves what the path is at towards where it came from. */
@@ -122,9 +119,9 @@ public final class PathValue {
             blue += mixed[2];
             return;
         }
-        red = Math.fma(throughputR * compression, r, red);
-        green = Math.fma(throughputG * compression, g, green);
-        blue = Math.fma(throughputB * compression, b, blue);
+        red = Math.fma(throughput.red * compression, r, red);
+        green = Math.fma(throughput.green * compression, g, green);
+        blue = Math.fma(throughput.blue * compression, b, blue);
     }
 
     /**
@@ -146,9 +143,9 @@ public final class PathValue {
     /** Writes what a surface's emission is worth, in place of {@link #addEmission}. */
     public void getEmission(SurfaceInteraction at, double[] out) {
         at.findEmission();
-        out[0] = throughputR * compression * at.emittedR;
-        out[1] = throughputG * compression * at.emittedG;
-        out[2] = throughputB * compression * at.emittedB;
+        out[0] = throughput.red * compression * at.emittedR;
+        out[1] = throughput.green * compression * at.emittedG;
+        out[2] = throughput.blue * compression * at.emittedB;
     }
 
     /** Adds the light that was gathered where the path is. */
@@ -170,10 +167,10 @@ public final class PathValue {
 
     /** Finds what light brings to the eye, if fluorescent surfaces have scattered the path. */
     private void mix(double r, double g, double b, double ultraviolet) {
-        double x = throughputR * compression * r;
-        double y = throughputG * compression * g;
-        double z = throughputB * compression * b;
-        double u = throughputB * compression * ultraviolet;
+        double x = throughput.red * compression * r;
+        double y = throughput.green * compression * g;
+        double z = throughput.blue * compression * b;
+        double u = throughput.ultraviolet * compression * ultraviolet;
         for (int band = 0; band < mixed.length; band++) {
             mixed[band] = mixing.of(band, x, y, z, u);
         }
@@ -191,9 +188,9 @@ public final class PathValue {
             indirectB += mixed[2];
             return;
         }
-        indirectR = Math.fma(throughputR * compression, r, indirectR);
-        indirectG = Math.fma(throughputG * compression, g, indirectG);
-        indirectB = Math.fma(throughputB * compression, b, indirectB);
+        indirectR = Math.fma(throughput.red * compression, r, indirectR);
+        indirectG = Math.fma(throughput.green * compression, g, indirectG);
+        indirectB = Math.fma(throughput.blue * compression, b, indirectB);
     }
 
     /**
@@ -233,9 +230,9 @@ public final class PathValue {
             certainGreen += mixed[1];
             certainBlue += mixed[2];
         } else if (certain) {
-            certainRed = Math.fma(throughputR, r, certainRed);
-            certainGreen = Math.fma(throughputG, g, certainGreen);
-            certainBlue = Math.fma(throughputB, b, certainBlue);
+            certainRed = Math.fma(throughput.red, r, certainRed);
+            certainGreen = Math.fma(throughput.green, g, certainGreen);
+            certainBlue = Math.fma(throughput.blue, b, certainBlue);
         }
     }
 
@@ -276,9 +273,9 @@ public final class PathValue {
 
     /** Makes the path worth the share of light that its last surface reflects, in place of light; returns that it does not go on. */
     public boolean endsWith(double[] rgb) {
-        red = throughputR * rgb[0];
-        green = throughputG * rgb[1];
-        blue = throughputB * rgb[2];
+        red = throughput.red * rgb[0];
+        green = throughput.green * rgb[1];
+        blue = throughput.blue * rgb[2];
         return false;
     }
 
@@ -289,21 +286,31 @@ public final class PathValue {
      * @return whether the path goes on
      */
     public boolean scatter(Reradiation by, double[] surface) {
+        beginMixing();
+        // What roulette asks for stays what it was, but for the colour.
+        double most = Math.max(throughput.red, Math.max(throughput.green, throughput.blue));
+        if (!(most > 0)) {
+            return false;
+        }
+        mixing.filter(throughput.red / most, throughput.green / most, throughput.blue / most);
+        throughput.begin(most, most, most, most);
+        Arrays.fill(surface, mixing.scatterAsGrey(by, surface));
+        return surface[0] > 0;
+    }
+
+    /** The same, but that the path goes on as from a white surface, with this colour in what mixes bands. */
+    public void reradiate(Reradiation by, double[] color) {
+        beginMixing();
+        mixing.filter(throughput.red, throughput.green, throughput.blue);
+        mixing.scatter(by, color);
+        throughput.begin(1, 1, 1, 1);
+    }
+
+    private void beginMixing() {
         if (!mixes) {
             mixing.clear();
             mixes = true;
         }
-        // What roulette asks for stays what it was, but for the colour.
-        double most = Math.max(throughputR, Math.max(throughputG, throughputB));
-        if (!(most > 0)) {
-            return false;
-        }
-        mixing.filter(throughputR / most, throughputG / most, throughputB / most);
-        throughputR = most;
-        throughputG = most;
-        throughputB = most;
-        Arrays.fill(surface, mixing.scatterAsGrey(by, surface));
-        return surface[0] > 0;
     }
 
     /** The path is in a medium with this index of refraction now. */
@@ -318,9 +325,7 @@ public final class PathValue {
 
     /** Multiplies the throughput. */
     public void filter(double r, double g, double b) {
-        throughputR *= r;
-        throughputG *= g;
-        throughputB *= b;
+        throughput.filter(r, g, b);
     }
 
     /** Takes note of it where the path's wavelength has become the only one. */
@@ -337,41 +342,25 @@ public final class PathValue {
         filter(transmittance[0], transmittance[1], transmittance[2]);
     }
 
-    /** How much is left of the throughput, in the band that has the most; bands of a single wavelength may be negative. */
-    private double left() {
-        return Math.max(Math.abs(throughputR), Math.max(Math.abs(throughputG), Math.abs(throughputB)));
-    }
-
-    /** The throughput, summed over the bands. */
-    public double throughput() {
-        return Math.abs(throughputR) + Math.abs(throughputG) + Math.abs(throughputB);
-    }
-
-    /** Whether a path that has had so many events goes on without roulette. */
-    public boolean isSafe(int events) {
-        return events < ROULETTE_FROM && left() >= FAINT;
+    /** Whether the path goes on from its last event without roulette. */
+    public boolean isSafe(PathState state) {
+        return state.events < ROULETTE_FROM && throughput.most() >= FAINT;
     }
 
     /**
-     * Plays roulette by the weight of an event, which was filtered by: by the event's own albedo, since what is left of the path's
+     * Plays roulette by the weight of the last event, which was filtered by: by the event's own albedo, since what is left of the path's
      * throughput says little of what is to come.
-     *
-     * @param event the number of that event, counted from 0
      */
-    public boolean survives(double r, double g, double b, Sampler sampler, int event) {
-        if (!(left() > 0)) {
-            return false;
-        }
-        return survives(survival(r, g, b), sampler, event);
+    public boolean survives(double r, double g, double b, Sampler sampler, PathState state) {
+        return throughput.most() > 0 && survives(survival(r, g, b), sampler, state);
     }
 
-    /** Plays roulette with a probability of survival. */
-    public boolean survives(double survival, Sampler sampler, int event) {
-        if (!(sampler.unit(event, Sampler.Purpose.ROULETTE) < survival)) {
+    /** Plays roulette after the last event with a probability of survival. */
+    public boolean survives(double survival, Sampler sampler, PathState state) {
+        if (!(sampler.unit(state.events - 1, Sampler.Purpose.ROULETTE) < survival)) {
             return false;
         }
-        double scale = 1 / survival;
-        filter(scale, scale, scale);
+        throughput.scale(1 / survival);
         return true;
     }
 

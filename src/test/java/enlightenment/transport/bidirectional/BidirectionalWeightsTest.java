@@ -350,7 +350,7 @@ class BidirectionalWeightsTest {
 
         @Override
         public double weight(int s, int t, double weight) {
-            if (s == 0 && tracer.eye().isFirst) {
+            if (s == 0 && tracer.eye().isFirst()) {
                 assertEquals(1, weight);
                 return weight;
             }

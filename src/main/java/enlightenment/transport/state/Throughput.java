@@ -1,0 +1,68 @@
+package enlightenment.transport.state;
+
+import enlightenment.bsdf.Reradiation;
+
+/**
+ * The throughput of a path, or of a part of one, from the eye or from a light: the product of the weights of its events, by band. Bands of a
+ * single wavelength may be negative. Mutable, one per thread.
+ */
+public final class Throughput {
+    public double red;
+    public double green;
+    public double blue;
+
+    /** That of ultraviolet, which surfaces reflect, and glass lets pass, as blue. */
+    public double ultraviolet;
+
+    private final double[] bands = new double[Reradiation.BANDS];
+
+    /** Begins with these. */
+    public void begin(double r, double g, double b, double u) {
+        red = r;
+        green = g;
+        blue = b;
+        ultraviolet = u;
+    }
+
+    /** Multiplies by the weight of an event. */
+    public void filter(double r, double g, double b) {
+        red *= r;
+        green *= g;
+        blue *= b;
+        ultraviolet *= b;
+    }
+
+    /** Multiplies all bands by the same. */
+    public void scale(double factor) {
+        filter(factor, factor, factor);
+    }
+
+    /** The largest of the visible bands. */
+    public double most() {
+        return Math.max(Math.abs(red), Math.max(Math.abs(green), Math.abs(blue)));
+    }
+
+    /** The sum of the visible bands. */
+    public double sum() {
+        return Math.abs(red) + Math.abs(green) + Math.abs(blue);
+    }
+
+    /** Whether there is light in any band that is not negative. */
+    public boolean isLit() {
+        return red > 0 || green > 0 || blue > 0 || ultraviolet > 0;
+    }
+
+    /**
+     * A fluorescent surface turns light of some bands into light of others, along the way that light takes.
+     *
+     * @param color its reflectance by band
+     */
+    public void reradiate(Reradiation by, double[] color) {
+        bands[0] = red;
+        bands[1] = green;
+        bands[2] = blue;
+        bands[Reradiation.ULTRAVIOLET] = ultraviolet;
+        by.scatter(color, bands);
+        begin(bands[0], bands[1], bands[2], bands[Reradiation.ULTRAVIOLET]);
+    }
+}

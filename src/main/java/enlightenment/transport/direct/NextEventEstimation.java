@@ -5,7 +5,6 @@ import enlightenment.bsdf.Scattering;
 import enlightenment.emitter.LightSample;
 import enlightenment.emitter.LightSampler;
 import enlightenment.emitter.SampledLight;
-import enlightenment.emitter.SphereLight;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
@@ -21,7 +20,6 @@ import enlightenment.transport.state.PathVertex;
 import enlightenment.transport.state.PowerHeuristic;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
-import enlightenment.world.Tracer;
 import enlightenment.world.light.LightCone;
 import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.parts.RayCounters;
@@ -31,7 +29,7 @@ import enlightenment.world.parts.RayCounters;
  * both find is counted once.
  *
  * <p>At a matte vertex irradiance has closed forms. That of a ball is used everywhere, times a sampled visibility; that of a polygon only
- * where nothing can occlude it, which is a function of light and vertex alone ({@link #isClosed}), so that both sides agree on it. Textured
+ * where nothing can occlude it, which is a function of light and vertex alone ({@link MatteIrradiance#isClosed}), so that both sides agree on it. Textured
  * lights have none. All else is sampled, with the power heuristic (E. Veach and L. Guibas, "Optimally combining sampling techniques", 1995).
  */
 public final class NextEventEstimation implements PathStrategy {
@@ -44,6 +42,7 @@ public final class NextEventEstimation implements PathStrategy {
     private final RayCounters counters;
     private final PathFollower path;
     private final ShadowRays shadow;
+    private final MatteIrradiance matte;
     private final Hit hit;
     private final LightView view = new LightView();
     private final LightCone cone = view.cone;
@@ -81,9 +80,6 @@ public final class NextEventEstimation implements PathStrategy {
     /** Towards where the path came from; of a Lambertian surface, that of a white one. */
     public final GatheredLight gathered;
 
-    /** Whether a random number has a part in what the last light gave. */
-    private boolean isByChance;
-
     /** Light from a picture or a sky around the scene; null if there is none. */
     private final InfiniteLight infinite;
 
@@ -97,6 +93,7 @@ public final class NextEventEstimation implements PathStrategy {
         this.path = path;
         hit = path.at.hit;
         shadow = new ShadowRays(scene, counters, path, cone);
+        matte = new MatteIrradiance(counters, shadow, view);
     }
 
     /** Whether light is taken from all of so many lights, rather than from one that is chosen, at a vertex that is the first or not. */
@@ -104,8 +101,8 @@ public final class NextEventEstimation implements PathStrategy {
         return lights <= 1 || isFirst && lights <= ALL_AT_FIRST;
     }
 
-    private void begin(boolean matte, boolean isFirst) {
-        isMatte = matte;
+    private void begin(boolean atMatte, boolean isFirst) {
+        isMatte = atMatte;
         leavesSmall = false;
         tookAll = takesAll(lights.length, isFirst);
         along = null;
@@ -116,6 +113,9 @@ public final class NextEventEstimation implements PathStrategy {
         nx = path.at.nx;
         ny = path.at.ny;
         nz = path.at.nz;
+        if (atMatte) {
+            matte.begin(x, y, z, nx, ny, nz);
+        }
         gathered.clear();
         shadow.begin();
     }
@@ -197,106 +197,21 @@ public final class NextEventEstimation implements PathStrategy {
         }
         shadow.isFiltered = false;
         counters.lightSamples++;
-        // What depends on the direction from a point is as little the same at the next corner as what is drawn.
-        isByChance = !tookAll || l.profile != null;
-        double e = l.isPoint ? ofPoint(l) : irradiance(l, tookAll ? index : -1, probability, sampler, address);
-        // What is dimmed on its way is no matter of chance, but not the same at the next corner either.
-        isByChance |= shadow.isFiltered;
+        double e = matte.of(l, tookAll ? index : -1, probability, sampler, address);
         if (e > 0) {
             double f = e / (Math.PI * probability);
             shadow.add(l, f, f, f, gathered);
-            if (!isByChance) {
+            if (!matte.isByChance) {
                 gathered.addCertain(l, f);
             }
         }
-        gathered.note(isByChance, e > 0);
+        gathered.note(matte.isByChance, e > 0);
     }
 
     private boolean choose(Sampler sampler, int address) {
         sampler.pair(address, Sampler.Purpose.CHOICE, pair);
         picker.choose(x, y, z, nx, ny, nz, pair[0], choice);
         return choice.light >= 0;
-    }
-
-    private double ofPoint(PhysicalLight l) {
-        view.aimAtPoint(l, x, y, z);
-        double cosine = nx * cone.wx + ny * cone.wy + nz * cone.wz;
-        return cosine > 0 && isVisible(l) ? cosine / (cone.distance * cone.distance) : 0;
-    }
-
-    /** The irradiance, estimated, of a light of radiance 1. */
-    private double irradiance(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
-        if (l.isBall && l.texture == null) {
-            return ofBall(l, index, probability, sampler, address);
-        }
-        view.aim(l, x, y, z);
-        // Where a closed form is of no use it is not computed.
-        if (!view.reaches(l.form, nx, ny, nz)) {
-            counters.lightSamplesWithoutRay++;
-            return 0;
-        }
-        Tracer.Visibility known = shadow.visibility(l);
-        if (known == Tracer.Visibility.NONE) {
-            counters.lightSamplesWithoutRay++;
-            return 0;
-        }
-        if (known == Tracer.Visibility.ALL && l.texture == null && l.form.hasClosedForm()) {
-            counters.lightSamplesWithoutRay++;
-            return view.irradiance(l.form, nx, ny, nz);
-        }
-        return sampled(l, index, probability, sampler, address, known);
-    }
-
-    /**
-     * The same of a ball: if a part of it may be hidden, by the visibility of a point of it that is chosen by the cosine, or where it is
-     * cut by the horizon, evenly. It is too long to be compiled again into its callers, which costs nothing (docs/notes/benchmarks.md).
-     */
-    private double ofBall(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
-        SphereLight ball = (SphereLight) l.form;
-        ball.aim(sample, x, y, z);
-        cone.around(l);
-        if (cone.inside) {
-            Tracer.Visibility known = shadow.visibility(l);
-            return known == Tracer.Visibility.NONE ? 0 : sampled(l, index, probability, sampler, address, known);
-        }
-        double height = nx * cone.wx + ny * cone.wy + nz * cone.wz;
-        boolean isWhole = height >= cone.sine;
-        double e = isWhole ? Math.PI * height * cone.sine * cone.sine : ball.irradiance(sample, nx, ny, nz);
-        Tracer.Visibility known = e == 0 ? Tracer.Visibility.NONE : shadow.visibility(l);
-        if (known != Tracer.Visibility.UNKNOWN) {
-            counters.lightSamplesWithoutRay++;
-            return known == Tracer.Visibility.ALL ? e : 0;
-        }
-        isByChance = true;
-        view.draw(index, sampler, address);
-        if (isWhole) {
-            view.directByCosine(ball, nx, ny, nz);
-            return shadow.isBlocked(l, sample) ? 0 : e;
-        }
-        view.sample(ball);
-        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
-        return cosine > 0 && sample.pdf > 0 && !shadow.isBlocked(l, sample) ? cosine / sample.pdf : 0;
-    }
-
-    /** The same by a point of the light, weighted against directions by the cosine. */
-    private double sampled(
-            PhysicalLight l, int index, double probability, Sampler sampler, int address, Tracer.Visibility known) {
-        isByChance = true;
-        view.draw(index, sampler, address);
-        view.sample(l.form);
-        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
-        if (!(sample.pdf > 0) || !(cosine > 0)) {
-            counters.lightSamplesWithoutRay++;
-            return 0;
-        }
-        double weighed = cosine / sample.pdf * PowerHeuristic.weight(cosine / Math.PI, probability * sample.pdf);
-        if (known != Tracer.Visibility.ALL && shadow.isBlocked(l, sample)) {
-            return 0;
-        }
-        if (l.texture != null) {
-            shadow.weighByTexture(l, sample);
-        }
-        return weighed;
     }
 
     private void gatherAll(Bsdf bsdf, Scattering s, Sampler sampler, int address, boolean isFirst) {
@@ -391,7 +306,7 @@ public final class NextEventEstimation implements PathStrategy {
         }
         PhysicalLight l = lights[index];
         view.aim(l, x, y, z);
-        if (isMatte && isClosed(l)) {
+        if (isMatte && matte.isClosed(l)) {
             return Double.POSITIVE_INFINITY;
         }
         double density = view.density(l.form, ray, hit, x, y, z);
@@ -400,19 +315,6 @@ public final class NextEventEstimation implements PathStrategy {
         }
         double probability = tookAll ? 1 : picker.probability(index, x, y, z, nx, ny, nz, choice);
         return (along == null ? probability : PowerHeuristic.both(probability, along.ratio(index))) * density;
-    }
-
-    /** Whether the vertex, a matte one, has all of the light from its closed form. */
-    private boolean isClosed(PhysicalLight l) {
-        if (l.texture != null) {
-            return false;
-        }
-        if (l.isBall) {
-            return l.form.irradiance(sample, nx, ny, nz) > 0;
-        }
-        return l.form.hasClosedForm()
-                && view.reaches(l.form, nx, ny, nz)
-                && shadow.visibility(l) != Tracer.Visibility.UNKNOWN;
     }
 
     private boolean isVisible(PhysicalLight l) {

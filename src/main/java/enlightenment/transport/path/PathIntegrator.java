@@ -184,7 +184,7 @@ public final class PathIntegrator extends EyePathTracer {
         }
         path.color(material, surface);
         if (isAlbedo && !material.isDelta) {
-            path.reflectance(ray, material, surface);
+            Albedo.find(path, ray, material, physical.hasUltraviolet, surface);
             return value.endsWith(surface);
         }
         if (material.isDelta) {

@@ -1,7 +1,6 @@
 package enlightenment.transport.ray;
 
 import enlightenment.bsdf.Bsdf;
-import enlightenment.bsdf.GlossyReflection;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
@@ -205,26 +204,6 @@ public final class PathFollower {
         Hit hit = at.hit;
         hit.primitive.textureCoordinates(hit);
         material.color(hit.u, hit.v, hit.primitive.repeatsTextures(), rgb);
-    }
-
-    /**
-     * Turns the colour of the surface that the path is at into its reflectance.
-     *
-     * @param rgb the colour; receives what share of light that comes along the normal is reflected, by band; of a fluorescent surface, how
-     *     much leaves of light that has the same in all bands that there are
-     */
-    public void reflectance(Ray ray, SurfaceMaterial material, double[] rgb) {
-        if (material.reradiation != null) {
-            double[] light = {1, 1, 1, scene.physical.hasUltraviolet ? 1 : 0};
-            material.reradiation.scatter(rgb, light);
-            System.arraycopy(light, 0, rgb, 0, rgb.length);
-        }
-        if (material.bsdf instanceof GlossyReflection metal) {
-            metal.reflectAtNormal(arrive(ray, rgb));
-            rgb[0] = scattering.valueR;
-            rgb[1] = scattering.valueG;
-            rgb[2] = scattering.valueB;
-        }
     }
 
     /**

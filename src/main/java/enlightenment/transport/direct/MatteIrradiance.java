@@ -1,0 +1,161 @@
+package enlightenment.transport.direct;
+
+import enlightenment.emitter.LightSample;
+import enlightenment.emitter.SphereLight;
+import enlightenment.sampling.Sampler;
+import enlightenment.transport.state.PowerHeuristic;
+import enlightenment.world.Tracer;
+import enlightenment.world.light.LightCone;
+import enlightenment.world.light.PhysicalLight;
+import enlightenment.world.parts.RayCounters;
+
+/**
+ * The irradiance of a light at a Lambertian vertex: by its closed form where nothing can occlude it, else by a point of it that is sampled,
+ * weighted against directions by the cosine. Mutable, one per thread.
+ */
+final class MatteIrradiance {
+    private final RayCounters counters;
+    private final ShadowRays shadow;
+    private final LightView view;
+    private final LightCone cone;
+    private final LightSample sample;
+
+    /** The vertex, and its normal on the side that the path came from. */
+    private double x;
+
+    private double y;
+    private double z;
+    private double nx;
+    private double ny;
+    private double nz;
+
+    /** Whether a random number has a part in what the last light gave. */
+    boolean isByChance;
+
+    /** @param view the light as the vertex sees it, which shadow rays ask about */
+    MatteIrradiance(RayCounters counters, ShadowRays shadow, LightView view) {
+        this.counters = counters;
+        this.shadow = shadow;
+        this.view = view;
+        cone = view.cone;
+        sample = view.sample;
+    }
+
+    /** Turns to a vertex and its normal on the side that the path came from. */
+    void begin(double px, double py, double pz, double normalX, double normalY, double normalZ) {
+        x = px;
+        y = py;
+        z = pz;
+        nx = normalX;
+        ny = normalY;
+        nz = normalZ;
+    }
+
+    /**
+     * The irradiance, estimated, of a light of radiance 1 or intensity 1.
+     *
+     * @param index of the light where several are sampled, for its random numbers; -1 where it was chosen
+     * @param probability of choosing it
+     */
+    double of(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
+        // What depends on the direction from a point is as little the same at the next corner as what is drawn.
+        isByChance = index < 0 || l.profile != null;
+        double e = l.isPoint ? ofPoint(l) : irradiance(l, index, probability, sampler, address);
+        // What is dimmed on its way is no matter of chance, but not the same at the next corner either.
+        isByChance |= shadow.isFiltered;
+        return e;
+    }
+
+    private double ofPoint(PhysicalLight l) {
+        view.aimAtPoint(l, x, y, z);
+        double cosine = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        return cosine > 0 && shadow.isVisible(l, sample) ? cosine / (cone.distance * cone.distance) : 0;
+    }
+
+    private double irradiance(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
+        if (l.isBall && l.texture == null) {
+            return ofBall(l, index, probability, sampler, address);
+        }
+        view.aim(l, x, y, z);
+        // Where a closed form is of no use it is not computed.
+        if (!view.reaches(l.form, nx, ny, nz)) {
+            counters.lightSamplesWithoutRay++;
+            return 0;
+        }
+        Tracer.Visibility known = shadow.visibility(l);
+        if (known == Tracer.Visibility.NONE) {
+            counters.lightSamplesWithoutRay++;
+            return 0;
+        }
+        if (known == Tracer.Visibility.ALL && l.texture == null && l.form.hasClosedForm()) {
+            counters.lightSamplesWithoutRay++;
+            return view.irradiance(l.form, nx, ny, nz);
+        }
+        return sampled(l, index, probability, sampler, address, known);
+    }
+
+    /**
+     * The same of a ball: if a part of it may be hidden, by the visibility of a point of it that is chosen by the cosine, or where it is
+     * cut by the horizon, evenly. It is too long to be compiled again into its callers, which costs nothing (docs/notes/benchmarks.md).
+     */
+    private double ofBall(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
+        SphereLight ball = (SphereLight) l.form;
+        ball.aim(sample, x, y, z);
+        cone.around(l);
+        if (cone.inside) {
+            Tracer.Visibility known = shadow.visibility(l);
+            return known == Tracer.Visibility.NONE ? 0 : sampled(l, index, probability, sampler, address, known);
+        }
+        double height = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        boolean isWhole = height >= cone.sine;
+        double e = isWhole ? Math.PI * height * cone.sine * cone.sine : ball.irradiance(sample, nx, ny, nz);
+        Tracer.Visibility known = e == 0 ? Tracer.Visibility.NONE : shadow.visibility(l);
+        if (known != Tracer.Visibility.UNKNOWN) {
+            counters.lightSamplesWithoutRay++;
+            return known == Tracer.Visibility.ALL ? e : 0;
+        }
+        isByChance = true;
+        view.draw(index, sampler, address);
+        if (isWhole) {
+            view.directByCosine(ball, nx, ny, nz);
+            return shadow.isBlocked(l, sample) ? 0 : e;
+        }
+        view.sample(ball);
+        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        return cosine > 0 && sample.pdf > 0 && !shadow.isBlocked(l, sample) ? cosine / sample.pdf : 0;
+    }
+
+    /** The same by a point of the light, weighted against directions by the cosine. */
+    private double sampled(
+            PhysicalLight l, int index, double probability, Sampler sampler, int address, Tracer.Visibility known) {
+        isByChance = true;
+        view.draw(index, sampler, address);
+        view.sample(l.form);
+        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        if (!(sample.pdf > 0) || !(cosine > 0)) {
+            counters.lightSamplesWithoutRay++;
+            return 0;
+        }
+        double weighed = cosine / sample.pdf * PowerHeuristic.weight(cosine / Math.PI, probability * sample.pdf);
+        if (known != Tracer.Visibility.ALL && shadow.isBlocked(l, sample)) {
+            return 0;
+        }
+        if (l.texture != null) {
+            shadow.weighByTexture(l, sample);
+        }
+        return weighed;
+    }
+
+    /** Whether the vertex, a matte one, has all of the light from its closed form. */
+    boolean isClosed(PhysicalLight l) {
+        if (l.texture != null) {
+            return false;
+        }
+        if (l.isBall) {
+            return l.form.irradiance(sample, nx, ny, nz) > 0;
+        }
+        return l.form.hasClosedForm()
+                && view.reaches(l.form, nx, ny, nz)
+                && shadow.visibility(l) != Tracer.Visibility.UNKNOWN;
+    }
+}

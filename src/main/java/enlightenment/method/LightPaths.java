@@ -35,10 +35,7 @@ public final class LightPaths implements SplatIntegrator {
         CompiledScene[] scenes = scene.moments();
         tracers = new LightPathTracer[scenes.length];
         for (int i = 0; i < scenes.length; i++) {
-            // Counters count by kinds of shapes, which a moment may lack.
-            RayCounters own = scenes[i].kindNames.equals(scene.kindNames)
-                    ? counters
-                    : new RayCounters(scenes[i].kindNames.size());
+            RayCounters own = scene.countersOf(scenes[i], counters);
             tracers[i] = of.of(scenes[i], settings.seed(), settings.width(), settings.height(), own);
         }
         moments = new Moments(scenes.length);

@@ -7,9 +7,9 @@ import enlightenment.sampling.Hash;
  * are moments sees every moment once; blocks begin at moments that are drawn by lot. Neighbours in a block are far apart in time, so that
  * a part of a block is spread over it.
  */
-final class Moments {
+public final class Moments {
     /** Tells these lots from those of samplers. */
-    static final long PURPOSE = 0x5348555454455221L;
+    public static final long PURPOSE = 0x5348555454455221L;
 
     /** What neighbours in a block are apart: the golden section leaves the most even gaps, however many there are. */
     private static final double STEP = (Math.sqrt(5) - 1) / 2;
@@ -17,7 +17,8 @@ final class Moments {
     private final int count;
     private final int step;
 
-    Moments(int count) {
+    /** @param count of moments, at least 1 */
+    public Moments(int count) {
         this.count = count;
         step = step(count);
     }
@@ -41,7 +42,7 @@ final class Moments {
      * @param hash of the row of samples, in which this is one
      * @param sample its number, at least 0
      */
-    int of(long hash, long sample) {
+    public int of(long hash, long sample) {
         long lot = Long.remainderUnsigned(Hash.next(hash, sample / count), count);
         return (int) ((lot + sample % count * step) % count);
     }

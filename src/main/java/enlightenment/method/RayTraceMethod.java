@@ -114,9 +114,7 @@ public final class RayTraceMethod implements TileIntegrator {
             RayCounters counters,
             double samples,
             BiFunction<CompiledScene, RayCounters, Shader> shader) {
-        // Counters count by kinds of shapes, which an instant may lack: a light that goes out.
-        Function<CompiledScene, Shader> counted = moment -> shader.apply(
-                moment, moment.kindNames.equals(scene.kindNames) ? counters : new RayCounters(moment.kindNames.size()));
+        Function<CompiledScene, Shader> counted = moment -> shader.apply(moment, scene.countersOf(moment, counters));
         Exposure exposure = scene.instants.length == 0 ? null : new Exposure(scene.instants, counted);
         return new RayTraceMethod(scene, settings, counted.apply(scene), null, exposure, samples);
     }

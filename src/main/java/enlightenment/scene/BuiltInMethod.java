@@ -103,7 +103,8 @@ public enum BuiltInMethod implements Method {
             case SCATTERING -> true;
             case FLUORESCENCE -> true;
             case DISPERSION -> true;
-            case MOTION -> this == RAYTRACE || this == LIGHT || this == BIDIRECTIONAL;
+            case MOTION -> this != METROPOLIS;
+            case CLASSIC_MOTION -> this == RAYTRACE;
             case SURROUNDINGS -> true;
         };
     }

@@ -143,7 +143,10 @@ public sealed interface Shading permits Shading.Classic, Shading.Physical {
         SURROUNDINGS("light from a picture, a sky or a distant light"),
 
         /** Of any shading: things that move while the shutter is open. */
-        MOTION("what moves while the shutter is open");
+        MOTION("what moves while the shutter is open"),
+
+        /** What moves while the shutter is open, in classic shading: asked for beside {@link #MOTION}. */
+        CLASSIC_MOTION("what moves while the shutter is open in classic shading");
 
         private final String description;
 
@@ -166,6 +169,9 @@ public sealed interface Shading permits Shading.Classic, Shading.Physical {
                 asked.put(MOTION, "/animation/shutter");
             }
             if (!(scene.shading() instanceof Shading.Physical shading)) {
+                if (asked.containsKey(MOTION)) {
+                    asked.put(CLASSIC_MOTION, "/animation/shutter");
+                }
                 return asked;
             }
             if (shading.medium().isPresent()) {

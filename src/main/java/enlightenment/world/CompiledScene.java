@@ -19,6 +19,7 @@ import enlightenment.world.light.OccluderSet;
 import enlightenment.world.material.FaceMaterials;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.CompiledPrimitives;
+import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -241,6 +242,11 @@ public final class CompiledScene {
     /** The moments that the picture is the mean of: this scene alone where there are no {@link #instants}. */
     public CompiledScene[] moments() {
         return instants.length == 0 ? new CompiledScene[] {this} : instants.clone();
+    }
+
+    /** What counts rays of a moment: what counts those of this scene, unless the moment lacks kinds of shapes, as where a light goes out. */
+    public RayCounters countersOf(CompiledScene moment, RayCounters counters) {
+        return moment.kindNames.equals(kindNames) ? counters : new RayCounters(moment.kindNames.size());
     }
 
     /** Whether caustics are the business of a pass of their own, at any moment. */

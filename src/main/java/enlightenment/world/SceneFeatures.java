@@ -37,7 +37,9 @@ final class SceneFeatures {
 
     private void addMatter(Set<Shading.LightFeature> asked) {
         for (Shading.LightFeature feature : Shading.LightFeature.values()) {
-            add(asked.contains(feature), feature.description(), feature.description());
+            if (feature != Shading.LightFeature.CLASSIC_MOTION) {
+                add(asked.contains(feature), feature.description(), feature.description());
+            }
         }
     }
 

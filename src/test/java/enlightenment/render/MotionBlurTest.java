@@ -12,11 +12,13 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.json.SceneReader;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 
 /** Pictures of what moves while the shutter is open are the means of pictures of its moments. */
 class MotionBlurTest {
@@ -24,6 +26,10 @@ class MotionBlurTest {
     private static final int INSTANTS = 8;
 
     private static Scene scene(String shading, String shutter) {
+        return scene(shading, shutter, 300);
+    }
+
+    private static Scene scene(String shading, String shutter, double power) {
         String text =
                 """
                 { "image": { "width": 32, "height": 24 },
@@ -33,7 +39,7 @@ class MotionBlurTest {
                     "red": { "type": "matte", "color": "#c02010" },
                     "mirror": { "type": "mirror", "color": "#f0f0f0" },
                     "floor": { "type": "matte", "color": "#a0c0a0" } },
-                  "lights": [{ "type": "sphere", "center": [2, 4, -3], "radius": 0.4, "color": "#ffffff", "power": 300 }],
+                  "lights": [{ "type": "sphere", "center": [2, 4, -3], "radius": 0.4, "color": "#ffffff", "power": POWER }],
                   "objects": [
                     { "type": "sphere", "center": [-1.5, 0.5, 0], "radius": 0.5, "material": "red" },
                     { "type": "sphere", "center": [0.8, 0.6, 0.5], "radius": 0.6, "material": "mirror" },
@@ -44,7 +50,8 @@ class MotionBlurTest {
                     { "target": "/camera/eye/1", "keys": { "0": 1, "3": 1.3 } } ] } }
                 """
                         .replace("SHADING", shading)
-                        .replace("SHUTTER", shutter);
+                        .replace("SHUTTER", shutter)
+                        .replace("POWER", Double.toString(power));
         return SceneReader.readBytes(
                 text.getBytes(java.nio.charset.StandardCharsets.UTF_8), Path.of(""), "test", OptionalInt.of(FRAME));
     }
@@ -88,6 +95,7 @@ class MotionBlurTest {
             value = {
                 "RAYTRACE | { \"model\": \"classic\" } | 1e-4",
                 "RAYTRACE | { \"model\": \"physical\", \"background\": { \"linear\": [0.3, 0.4, 0.5] }, \"maxBounces\": 4 } | 1e-3",
+                "CLUSTER | { \"model\": \"physical\", \"background\": { \"linear\": [0.3, 0.4, 0.5] }, \"maxBounces\": 4 } | 1e-3",
                 "LIGHT | { \"model\": \"physical\", \"maxBounces\": 4 } | 2e-3",
                 "BIDIRECTIONAL | { \"model\": \"physical\", \"maxBounces\": 4 } | 2e-3"
             })
@@ -98,7 +106,7 @@ class MotionBlurTest {
                 Renderer.render(scene, settings(scene, 17).withMethod(method)).toArray();
         float[] mean = bruteForce(scene, method, 6);
         double difference = meanSquare(blurred, mean);
-        Scene still = scene.withInstants(java.util.List.of());
+        Scene still = scene.withInstants(List.of());
         double ofStill = meanSquare(
                 Renderer.render(still, settings(still, 6).withMethod(method)).toArray(), mean);
         assertTrue(difference < most, "mean square " + difference);
@@ -132,6 +140,7 @@ class MotionBlurTest {
             value = {
                 "RAYTRACE | { \"model\": \"classic\" }",
                 "RAYTRACE | { \"model\": \"physical\", \"maxBounces\": 3 }",
+                "CLUSTER | { \"model\": \"physical\", \"maxBounces\": 3 }",
                 "LIGHT | { \"model\": \"physical\", \"maxBounces\": 3 }",
                 "BIDIRECTIONAL | { \"model\": \"physical\", \"maxBounces\": 3 }"
             })
@@ -154,8 +163,8 @@ class MotionBlurTest {
     /** Whatever the moments: if all are alike, it is the picture of one. */
     @Test
     void whereNothingMovesTheShutterChangesNothing() {
-        Scene still = blurred("{ \"model\": \"classic\" }").withInstants(java.util.List.of());
-        Scene same = still.withInstants(java.util.List.of(still, still, still));
+        Scene still = blurred("{ \"model\": \"classic\" }").withInstants(List.of());
+        Scene same = still.withInstants(List.of(still, still, still));
         assertArrayEquals(
                 Renderer.render(still, settings(still, 4)).toArray(),
                 Renderer.render(same, settings(same, 4)).toArray());
@@ -166,20 +175,57 @@ class MotionBlurTest {
         assertEquals(0, scene("{ \"model\": \"classic\" }", "").instants().size());
     }
 
-    @ParameterizedTest
-    @EnumSource(
-            value = BuiltInMethod.class,
-            names = {"CLUSTER", "METROPOLIS"})
-    void methodsThatCannotBlurSayWhoCan(BuiltInMethod method) {
-        Scene scene = blurred("{ \"model\": \"physical\" }");
+    /**
+     * A lamp shines at one moment of sixteen, and each pixel sees that in one of its samples or in none: how many samples it gets must not
+     * depend on whether it did. The mean of many pictures is that of all moments.
+     */
+    @Test
+    void aFlashThatFewSamplesSeeIsNotUnderestimated() {
+        String shading = "{ \"model\": \"physical\", \"maxBounces\": 2 }";
+        Scene dark = scene(shading, "", 1e-9);
+        List<Scene> moments = new ArrayList<>(Collections.nCopies(16, dark));
+        moments.set(5, scene(shading, "", 300));
+        Scene flash = dark.withInstants(moments);
+        int seeds = 300;
+        double[] mean = new double[2];
+        double square = 0;
+        for (int seed = 0; seed < seeds; seed++) {
+            RenderSettings small = settings(flash, 3).withSize(8, 6).withSeed(seed);
+            double one = mean(Renderer.render(flash, small.withMethod(BuiltInMethod.CLUSTER)));
+            mean[0] += one / seeds;
+            square += one * one / seeds;
+            mean[1] += mean(Renderer.render(flash, small.withMethod(BuiltInMethod.RAYTRACE))) / seeds;
+        }
+        double error = Math.sqrt((square - mean[0] * mean[0]) / seeds);
+        assertTrue(mean[1] > 0, "something is seen");
+        assertEquals(mean[1], mean[0], 4 * error, "standard error " + error);
+    }
+
+    private static double mean(Image image) {
+        double sum = 0;
+        float[] all = image.toArray();
+        for (float v : all) {
+            sum += v;
+        }
+        return sum / all.length;
+    }
+
+    @Test
+    void methodsThatCannotBlurSayWhoCan() {
+        refuses(BuiltInMethod.METROPOLIS, "physical", "");
+        refuses(BuiltInMethod.CLUSTER, "classic", " in classic shading");
+    }
+
+    private static void refuses(BuiltInMethod method, String model, String more) {
+        Scene scene = blurred("{ \"model\": \"" + model + "\" }");
         SceneException e = assertThrows(
                 SceneException.class,
                 () -> Renderer.render(scene, settings(scene, 2).withMethod(method)));
         assertTrue(e.getMessage().contains("/animation/shutter"), e.getMessage());
         assertTrue(
                 e.getMessage()
-                        .contains(
-                                "the method " + method.word() + " cannot render what moves while the shutter is open"),
+                        .contains("the method " + method.word() + " cannot render what moves while the shutter is open"
+                                + more),
                 e.getMessage());
         assertTrue(e.getMessage().contains("raytrace"), e.getMessage());
     }

@@ -1,23 +1,44 @@
 package enlightenment.method.cluster;
 
 import enlightenment.film.SampleSpread;
+import enlightenment.method.Moments;
 import enlightenment.primitive.Ray;
+import enlightenment.sampling.Hash;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.RenderSettings;
 import enlightenment.transport.path.PathConnections;
 import enlightenment.transport.path.PathCut;
 import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
+import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
 
-/** One sample of each pixel of a group that still gets any; their paths may share what they bring. One per thread. */
+/**
+ * One sample of each pixel of a group that still gets any; their paths may share what they bring. Where things move while the shutter is open,
+ * all of them see the same moment. One per thread.
+ */
 final class GroupPaths {
     private static final int NONE = -1;
 
-    private final CompiledScene scene;
     private final RenderSettings settings;
-    private final PathIntegrator tracer;
-    private final PathConnections connections;
+
+    /** The scene at each moment that samples see, and what follows paths there. */
+    private final CompiledScene[] moments;
+
+    private final PathIntegrator[] tracers;
+
+    /** These, and what follows rays at the time of the frame. */
+    private final Set<PathIntegrator> all;
+
+    private final Moments lots;
+
+    /** Tells which moments the samples of the group see. */
+    private long groupHash;
+
     private final PixelGroup group;
     private final Ray ray = new Ray();
 
@@ -39,18 +60,48 @@ final class GroupPaths {
     private final double[] placeX = new double[PixelGroup.MOST_MEMBERS];
     private final double[] placeY = new double[PixelGroup.MOST_MEMBERS];
 
-    GroupPaths(CompiledScene scene, RenderSettings settings, PathIntegrator tracer, PixelGroup group) {
-        this.scene = scene;
+    /**
+     * @param counters what this thread counts
+     * @param atFrame follows paths in the scene at the time of its frame
+     */
+    GroupPaths(
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            PathIntegrator atFrame,
+            PixelGroup group) {
         this.settings = settings;
-        this.tracer = tracer;
         this.group = group;
-        connections = tracer.connections();
+        moments = scene.moments();
+        lots = new Moments(moments.length);
+        tracers = new PathIntegrator[moments.length];
+        Arrays.setAll(
+                tracers,
+                i -> moments[i] == scene
+                        ? atFrame
+                        : new PathIntegrator(moments[i], scene.countersOf(moments[i], counters)));
+        all = new LinkedHashSet<>(List.of(tracers));
+        all.add(atFrame);
         Arrays.setAll(paths, k -> new PathCut());
         Arrays.setAll(samplers, m -> new SobolSampler());
     }
 
+    void stopWhen(BooleanSupplier cancelled) {
+        for (PathIntegrator tracer : all) {
+            tracer.stopWhen(cancelled);
+        }
+    }
+
+    /** Turns to a rectangle of the picture, 0..1, that all paths come from. */
+    void beginTile(double x0, double y0, double x1, double y1) {
+        for (PathIntegrator tracer : all) {
+            tracer.beginTile(x0, y0, x1, y1);
+        }
+    }
+
     /** Turns to the pixels of the group. */
     void toPixels(long seed) {
+        groupHash = group.hash(Hash.of(seed, Moments.PURPOSE));
         for (int m = 0; m < group.members; m++) {
             samplers[m].pixel(seed, group.x(m), group.y(m));
         }
@@ -88,24 +139,27 @@ final class GroupPaths {
     void take(int number, int[] counts, SharingGain sharing) {
         begin(number, counts);
         boolean shares = sharing.isWorthIt(group.field);
+        int moment = lots.of(groupHash, number);
         for (int m = 0; m < group.members; m++) {
             if (has(m)) {
-                shade(m, number, sampleOf[m], shares);
+                shade(m, number, sampleOf[m], shares, moment);
             }
         }
         if (shares) {
+            PathConnections connections = tracers[moment].connections();
             sharing.before(group.field, paths, colors, size);
             connections.share(paths, size, colors);
             sharing.after(group.field, colors, events, size, connections);
         }
     }
 
-    private void shade(int m, int number, int k, boolean shares) {
+    private void shade(int m, int number, int k, boolean shares, int moment) {
+        PathIntegrator tracer = tracers[moment];
         SobolSampler sampler = samplers[m];
         sampler.sample(number);
         placeX[k] = sampler.filmX();
         placeY[k] = sampler.filmY();
-        scene.camera.ray(
+        moments[moment].camera.ray(
                 (group.x(m) + placeX[k]) / settings.width(),
                 (group.y(m) + placeY[k]) / settings.height(),
                 sampler,
@@ -117,7 +171,7 @@ final class GroupPaths {
             tracer.shade(ray, sampler, colors[k]);
         }
         keys[k] = tracer.certain(certain[k]);
-        if (scene.camera.hasLens()) {
+        if (moments.length > 1 || moments[moment].camera.hasLens()) {
             // The film position alone does not say where the path leads.
             Arrays.fill(certain[k], 0);
         }

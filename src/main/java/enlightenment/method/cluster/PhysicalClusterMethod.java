@@ -54,7 +54,6 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     /** Made with the first block that is rendered. */
     private BlockLimits limits;
 
-    private final PathIntegrator tracer;
     private final PhysicalSurvey survey;
     private final PathNoise noise;
     private final SharingGain sharing = new SharingGain();
@@ -96,10 +95,10 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         this.firstSamples = firstSamples;
         first = new double[3 * PIXELS << firstSamples];
         spreadOver = Math.scalb(1.0, Math.min(Math.max(Math.getExponent(samples), 0), MOST_SPREAD));
-        tracer = new PathIntegrator(scene, counters);
+        PathIntegrator tracer = new PathIntegrator(scene, counters);
         survey = new PhysicalSurvey(scene, settings, tracer);
         noise = new PathNoise(scene.display, survey);
-        paths = new GroupPaths(scene, settings, tracer, group);
+        paths = new GroupPaths(scene, settings, counters, tracer, group);
         for (int m = 0; m < MOST_MEMBERS; m++) {
             spreads[m] = new SampleSpread();
         }
@@ -127,7 +126,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
 
     @Override
     public void stopWhen(BooleanSupplier cancelled) {
-        tracer.stopWhen(cancelled);
+        paths.stopWhen(cancelled);
     }
 
     /** Pixels learn from the first samples of others. */
@@ -255,7 +254,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     void look(Block block, long seed) {
         double width = settings.width();
         double height = settings.height();
-        tracer.beginTile(
+        paths.beginTile(
                 block.x() / width,
                 block.y() / height,
                 (block.x() + block.width()) / width,

@@ -12,7 +12,8 @@ import enlightenment.world.CompiledScene;
  * What is certain of the paths through the corners of a block's pixels: the light that no random number has a part in, and what
  * they meet ({@link PathIntegrator#certain}). They are followed no further; so they cost a fraction of a path.
  *
- * <p>What a corner shows is a pure function of the scene and the corner.
+ * <p>What a corner shows is a pure function of the scene and the corner; of things that move while the shutter is open it shows where they
+ * are at the time of the frame.
  */
 final class PhysicalSurvey extends Corners {
     private final CompiledScene scene;
@@ -33,7 +34,7 @@ final class PhysicalSurvey extends Corners {
 
     /** Looks through each corner of the pixels of a block. */
     void take(Block block) {
-        empty = tracer.seesNothing();
+        empty = scene.instants.length == 0 && tracer.seesNothing();
         if (empty) {
             // The background is the same everywhere.
             look(block, 0, 0);

@@ -33,10 +33,12 @@ final class PixelGroup {
     final int[] row = new int[MOST_MEMBERS];
 
     private Block block;
+    private int number;
 
     /** Makes it the group of a block with this number. */
-    void gather(Block of, int number) {
+    void gather(Block of, int numbered) {
         block = of;
+        number = numbered;
         field = number % COLOURS;
         int second = number / COLOURS;
         members = 0;
@@ -53,6 +55,11 @@ final class PixelGroup {
     /** 0 or 1: whether the first group of the colour has the upper or the lower field of it in these 2 × 2 pixels of the picture. */
     private int turn(int x, int y) {
         return (int) (Hash.of(PURPOSE, x, y) >>> field) & 1;
+    }
+
+    /** A 64-bit hash of which group of the whole picture it is. */
+    long hash(long seed) {
+        return Hash.of(Hash.of(seed, number), block.x(), block.y());
     }
 
     /** The column of a member in the whole picture. */

@@ -41,7 +41,9 @@ public final class SeenBlocks {
         List<Block> blocks = Block.spread(width, height, side, MOST_LOOKED_AT);
         for (Block block : blocks) {
             pixels += block.pixels();
-            if (seesSomething(shader, settings, block.x(), block.y(), block.width(), block.height())) {
+            // What moves while the shutter is open may be anywhere.
+            if (scene.instants.length > 0
+                    || seesSomething(shader, settings, block.x(), block.y(), block.width(), block.height())) {
                 seen.add(block);
                 pixelsSeen += block.pixels();
             }

@@ -37,16 +37,16 @@ class LanguageTest {
 
     /** By phrase: how often pages have it, the list of changes aside. */
     private static final Map<String, Integer> IN_PAGES = Map.ofEntries(
-            Map.entry("so many", 1),
-            Map.entry("for who", 1),
-            Map.entry("whoever", 23),
-            Map.entry("nobody", 21),
+            Map.entry("so many", 0),
+            Map.entry("for who", 0),
+            Map.entry("whoever", 0),
+            Map.entry("nobody", 0),
             Map.entry("nobodys", 0),
             Map.entry("business of", 0),
-            Map.entry("left to chance", 3),
-            Map.entry("is told", 19),
-            Map.entry("are told", 9),
-            Map.entry("tells that", 2),
+            Map.entry("left to chance", 0),
+            Map.entry("is told", 0),
+            Map.entry("are told", 0),
+            Map.entry("tells that", 0),
             Map.entry("dear", 0),
             Map.entry("as likely as", 0));
 

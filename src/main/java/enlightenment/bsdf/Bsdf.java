@@ -35,6 +35,11 @@ public interface Bsdf {
         return false;
     }
 
+    /** The Bsdf for code on another device; null if that does not know it. */
+    default FlatBsdf flatForm() {
+        return null;
+    }
+
     /**
      * Evaluates the non-delta lobes for the directions o and i: sets f·|cosθ|, θ the angle between i and the normal, for each colour
      * component (1/sr), and {@link #pdf}. Both are 0 if all lobes are delta lobes. The sign of the cosine of i tells reflection (positive)

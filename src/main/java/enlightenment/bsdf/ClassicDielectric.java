@@ -10,6 +10,11 @@ public final class ClassicDielectric implements DeltaBsdf {
     private ClassicDielectric() {}
 
     @Override
+    public FlatBsdf flatForm() {
+        return new FlatBsdf(FlatBsdf.Kind.GLASS);
+    }
+
+    @Override
     public boolean transmits() {
         return true;
     }

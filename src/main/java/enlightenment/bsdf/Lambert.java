@@ -12,6 +12,11 @@ public final class Lambert implements Bsdf {
     }
 
     @Override
+    public FlatBsdf flatForm() {
+        return new FlatBsdf(FlatBsdf.Kind.MATTE);
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

@@ -7,6 +7,11 @@ public final class SpecularReflection implements DeltaBsdf {
     private SpecularReflection() {}
 
     @Override
+    public FlatBsdf flatForm() {
+        return new FlatBsdf(FlatBsdf.Kind.MIRROR);
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

@@ -2,17 +2,30 @@ package enlightenment.device;
 
 import enlightenment.scene.RenderSettings;
 import enlightenment.world.CompiledScene;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
- * A compiled scene of classic shading in three flat arrays, as devices take it. Each array begins with numbers at fixed places: where the rest
+ * A compiled scene in three flat arrays, as devices take it. Each array begins with numbers at fixed places: where the rest
  * is, and what belongs to the scene as a whole.
  *
+ * @param program what shades it
  * @param doubles begins with the {@link Number}s
  * @param ints begins with the {@link Int}s
  * @param floats boxes of hierarchies, vertices and texels
  */
-public record DeviceScene(double[] doubles, int[] ints, float[] floats) {
+public record DeviceScene(Program program, double[] doubles, int[] ints, float[] floats) {
+    /** What shades a scene: a kernel, and the code that it needs. */
+    public enum Program {
+        CLASSIC,
+        PHYSICAL;
+
+        /** The name of the kernel. */
+        public String kernel() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
     /** What stands first among the integers: where records begin, how many there are, and limits. */
     enum Int {
         PRIMITIVES,
@@ -32,7 +45,11 @@ public record DeviceScene(double[] doubles, int[] ints, float[] floats) {
         MAX_STRAIGHT,
         LIGHT_POINTS,
         GLASS_BOXES,
-        GLASS_BOX_COUNT
+        GLASS_BOX_COUNT,
+        HAS_CAUSTIC_PASS,
+        PICKER,
+        PICKER_WEIGHTS,
+        PICKER_TREE
     }
 
     /** What stands first among the numbers, one behind the other. */
@@ -59,13 +76,6 @@ public record DeviceScene(double[] doubles, int[] ints, float[] floats) {
             }
             return place;
         }
-    }
-
-    /** What a material is. */
-    enum Surface {
-        MATTE,
-        MIRROR,
-        GLASS
     }
 
     /** What its colour is. */

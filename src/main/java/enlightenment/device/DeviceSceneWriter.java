@@ -1,15 +1,19 @@
 package enlightenment.device;
 
+import enlightenment.bsdf.FlatBsdf;
 import enlightenment.bvh.BvhBuilder;
 import enlightenment.bvh.ItemBoxes;
 import enlightenment.frame.Bounds;
 import enlightenment.primitive.FlatForm;
 import enlightenment.primitive.MeshUnion;
 import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Shading;
 import enlightenment.texture.ImageTexture;
 import enlightenment.world.CompiledScene;
+import enlightenment.world.PhysicalScene;
 import enlightenment.world.light.ClassicLight;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.material.TextureLookup;
@@ -65,8 +69,9 @@ final class DeviceSceneWriter {
         set(DeviceScene.Int.MESHES, meshes.write(doubles, ints, floats));
         writeMaterials();
         writeImages();
-        writeLights();
-        set(DeviceScene.Int.MAX_BOUNCES, scene.classic.maxBounces());
+        new LightWriter(scene, doubles, ints).write();
+        boolean isPhysical = scene.physical != null;
+        set(DeviceScene.Int.MAX_BOUNCES, isPhysical ? scene.physical.maxBounces : scene.classic.maxBounces());
         set(DeviceScene.Int.MAX_STRAIGHT, scene.crossings);
         set(
                 DeviceScene.Int.LIGHT_POINTS,
@@ -74,7 +79,11 @@ final class DeviceSceneWriter {
         double[] boxes = scene.glassBoxes.numbers();
         set(DeviceScene.Int.GLASS_BOXES, doubles.add(boxes));
         set(DeviceScene.Int.GLASS_BOX_COUNT, boxes.length / 6);
-        return new DeviceScene(doubles.toArray(), ints.toArray(), floats.toArray());
+        return new DeviceScene(
+                isPhysical ? DeviceScene.Program.PHYSICAL : DeviceScene.Program.CLASSIC,
+                doubles.toArray(),
+                ints.toArray(),
+                floats.toArray());
     }
 
     private void set(DeviceScene.Int slot, int value) {
@@ -83,11 +92,18 @@ final class DeviceSceneWriter {
 
     /** In the order of {@link DeviceScene.Number}. */
     private void writeWhole() {
-        doubles.add(scene.classic.ambient(), scene.classic.shadow(), 0, 0, settings.width(), settings.height());
-        doubles.add(
-                scene.classic.background().r(),
-                scene.classic.background().g(),
-                scene.classic.background().b());
+        Shading.Classic classic = scene.classic;
+        double ambient = classic == null ? 0 : classic.ambient();
+        doubles.add(ambient, classic == null ? 0 : classic.shadow(), 0, 0, settings.width(), settings.height());
+        if (classic == null) {
+            PhysicalScene physical = scene.physical;
+            doubles.add(physical.backgroundR, physical.backgroundG, physical.backgroundB);
+        } else {
+            doubles.add(
+                    classic.background().r(),
+                    classic.background().g(),
+                    classic.background().b());
+        }
         doubles.add(scene.camera.linearForm());
     }
 
@@ -147,13 +163,32 @@ final class DeviceSceneWriter {
                     areFew ? doubles.add(contacts) : 0,
                     areFew ? contacts.length / CONTACT : NONE,
                     scene.glassSolids.length == 0 ? 0 : scene.mediumRank[id],
-                    doubles.add(scene.inside(id).indexOfRefraction));
+                    doubles.add(scene.inside(id).indexOfRefraction),
+                    traits(p),
+                    faceLights(id));
         }
         for (ClassicLight light : scene.visibleLights) {
             FlatForm form = light.surface.flatForm();
-            records.add(form.kind().ordinal(), write(form, NONE), 0, 0, 0, 0, 0, 0);
+            records.add(form.kind().ordinal(), write(form, NONE), 0, 0, 0, 0, 0, 0, 0, NONE);
         }
         set(DeviceScene.Int.PRIMITIVES, ints.add(records.toArray()));
+    }
+
+    /** As rays.cl has them. */
+    private static int traits(Primitive p) {
+        return (p.isFlat() ? 1 : 0) | (p.isConvex() ? 2 : 0) | (p.support(0).isFlat() ? 4 : 0);
+    }
+
+    /** Where the indices of the lights are that the faces of a primitive are. */
+    private int faceLights(int id) {
+        if (scene.physical == null) {
+            return NONE;
+        }
+        PhysicalScene physical = scene.physical;
+        int[] all = IntStream.range(0, scene.primitives[id].faceCount())
+                .map(face -> physical.lightOf(id, face))
+                .toArray();
+        return Arrays.stream(all).allMatch(light -> light < 0) ? NONE : ints.add(all);
     }
 
     /** By id of those meshes that are searched together: their numbers among these. */
@@ -191,20 +226,25 @@ final class DeviceSceneWriter {
     }
 
     private void writeMaterials() {
+        boolean takesNarrow =
+                scene.physical != null && scene.physical.hasCausticPass() && scene.physical.caustics.takesNarrow();
         NumberList.Ints records = new NumberList.Ints();
         for (SurfaceMaterial m : materials) {
             TextureLookup texture = m.texture();
             int place = doubles.add(texture.numbers());
-            doubles.add(m.indexOfRefraction, m.transparency);
-            DeviceScene.Surface kind = m.isGlass
-                    ? DeviceScene.Surface.GLASS
-                    : m.isDelta ? DeviceScene.Surface.MIRROR : DeviceScene.Surface.MATTE;
+            FlatBsdf bsdf = m.bsdf.flatForm();
+            doubles.add(m.indexOfRefraction, m.transparency, m.glowR, m.glowG, m.glowB);
+            doubles.add(bsdf.numbers());
             records.add(
-                    kind.ordinal(),
+                    bsdf.kind().ordinal(),
                     lookup(texture).ordinal(),
                     imageNumber(texture.image()),
                     m.receivesShadows ? 1 : 0,
-                    place);
+                    place,
+                    m.isBlack ? 1 : 0,
+                    m.isDelta ? 1 : 0,
+                    takesNarrow && m.bsdf.isNarrow() ? 1 : 0,
+                    m.glows ? (m.glowsTo(Ray.OUTSIDE) ? 1 : 0) | (m.glowsTo(Ray.INSIDE) ? 2 : 0) : 0);
         }
         set(DeviceScene.Int.MATERIALS, ints.add(records.toArray()));
     }
@@ -238,23 +278,5 @@ final class DeviceSceneWriter {
                     isPacked ? doubles.add(image.values()) : 0);
         }
         set(DeviceScene.Int.IMAGES, ints.add(records.toArray()));
-    }
-
-    private void writeLights() {
-        NumberList.Ints records = new NumberList.Ints();
-        int seen = 0;
-        for (ClassicLight light : scene.lights) {
-            int place = doubles.add(light.r, light.g, light.b, light.ballX, light.ballY, light.ballZ, light.ballRadius);
-            doubles.add(light.x, light.y, light.z, light.right.x(), light.right.y(), light.right.z());
-            doubles.add(light.up.x(), light.up.y(), light.up.z());
-            int surface = light.surface == null ? NONE : scene.primitives.length + seen++;
-            DeviceScene.Form kind = light.isDelta
-                    ? DeviceScene.Form.POINT_LIGHT
-                    : light.radius > 0 ? DeviceScene.Form.BALL_LIGHT : DeviceScene.Form.RECTANGLE_LIGHT;
-            boolean isSearchedSingly = light.occluders != null && light.occluders.union() == null;
-            records.add(kind.ordinal(), surface, place, isSearchedSingly ? 1 : 0);
-        }
-        set(DeviceScene.Int.LIGHTS, ints.add(records.toArray()));
-        set(DeviceScene.Int.LIGHT_COUNT, scene.lights.length);
     }
 }

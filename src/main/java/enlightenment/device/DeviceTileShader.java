@@ -6,6 +6,9 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.SobolSampler;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
+import enlightenment.transport.image.EyeImages;
+import enlightenment.transport.path.PathIntegrator;
+import enlightenment.transport.ray.Shader;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
 import java.util.concurrent.CancellationException;
@@ -25,7 +28,11 @@ public final class DeviceTileShader implements TileShader {
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final RayCounters counters;
-    private final ClassicShader host;
+    private final Shader host;
+
+    /** Images of lamps that samples may show; null in classic shading. */
+    private final EyeImages images;
+
     private final Consumer<DeviceFailure> failures;
 
     /** Null after a failure. */
@@ -69,8 +76,15 @@ public final class DeviceTileShader implements TileShader {
         this.counters = counters;
         this.kernel = kernel;
         this.failures = failures;
-        host = ClassicShader.ofColors(
-                scene, BuiltInMethod.RayTraceSettings.of(settings).shadowSamples(), counters);
+        if (scene.physical == null) {
+            images = null;
+            host = ClassicShader.ofColors(
+                    scene, BuiltInMethod.RayTraceSettings.of(settings).shadowSamples(), counters);
+        } else {
+            PathIntegrator paths = new PathIntegrator(scene, counters);
+            images = paths.images();
+            host = paths;
+        }
     }
 
     /** How many samples the device has shaded. */
@@ -148,7 +162,31 @@ public final class DeviceTileShader implements TileShader {
             failures.accept(e);
             return;
         }
+        leaveImages();
         count(size);
+    }
+
+    /** Leaves samples to the host in pixels that show images of lamps: an image is a polygon of any number of corners. */
+    private void leaveImages() {
+        if (images == null || !images.mayShow()) {
+            return;
+        }
+        int at = pixel;
+        for (int k = begin; k < end; k++) {
+            while (start[at + 1] <= k) {
+                at++;
+            }
+            setSampler(at, k);
+            if (images.mayShow(sampler.column() + sampler.filmX(), sampler.row() + sampler.filmY())) {
+                states[k - begin] = 1;
+            }
+        }
+    }
+
+    /** Sets the sampler to a sample of the tile, by its pixel and its own number. */
+    private void setSampler(int ofPixel, int sample) {
+        sampler.pixel(settings.seed(), x + ofPixel % width, y + ofPixel / width);
+        sampler.sample(first[ofPixel] + sample - start[ofPixel]);
     }
 
     private void count(int size) {
@@ -167,13 +205,10 @@ public final class DeviceTileShader implements TileShader {
 
     private void shadeHere(double[] rgb) {
         leftToHost++;
-        int column = x + pixel % width;
-        int row = y + pixel / width;
-        sampler.pixel(settings.seed(), column, row);
-        sampler.sample(first[pixel] + index - start[pixel]);
+        setSampler(pixel, index);
         scene.camera.ray(
-                (column + sampler.filmX()) / settings.width(),
-                (row + sampler.filmY()) / settings.height(),
+                (sampler.column() + sampler.filmX()) / settings.width(),
+                (sampler.row() + sampler.filmY()) / settings.height(),
                 sampler,
                 ray);
         host.shade(ray, sampler, rgb);

@@ -1,5 +1,6 @@
 package enlightenment.device;
 
+import enlightenment.bsdf.FlatBsdf;
 import enlightenment.primitive.FlatForm;
 import java.io.IOException;
 import java.io.InputStream;
@@ -9,7 +10,7 @@ import java.util.List;
 
 /** The code that devices run, in OpenCL C 1.2. */
 public final class KernelSource {
-    private static final List<String> PARTS = List.of(
+    private static final List<String> COMMON = List.of(
             "numbers.cl",
             "arithmetic.cl",
             "rays.cl",
@@ -20,26 +21,41 @@ public final class KernelSource {
             "triangles.cl",
             "meshes.cl",
             "search.cl",
-            "shafts.cl",
             "materials.cl",
+            "cones.cl",
             "lights.cl",
-            "classic.cl");
+            "samples.cl");
+
+    private static final List<String> CLASSIC = List.of("shafts.cl", "classic.cl");
+
+    private static final List<String> PHYSICAL = List.of(
+            "irradiance.cl",
+            "rectangles.cl",
+            "areas.cl",
+            "occluders.cl",
+            "picker.cl",
+            "bsdfs.cl",
+            "direct.cl",
+            "paths.cl");
 
     private KernelSource() {}
 
-    /** All of it, with the places of a {@link DeviceScene}'s numbers. */
-    public static String text() {
+    /** All of a program, with the places of a {@link DeviceScene}'s numbers. */
+    public static String text(DeviceScene.Program program) {
         StringBuilder text = new StringBuilder();
         define(text, DeviceScene.Int.values());
         for (DeviceScene.Number slot : DeviceScene.Number.values()) {
             define(text, slot.name(), slot.place());
         }
         define(text, FlatForm.Kind.values());
-        define(text, DeviceScene.Surface.values());
+        define(text, FlatBsdf.Kind.values());
         define(text, DeviceScene.Lookup.values());
         define(text, DeviceScene.Form.values());
         define(text, "ARITHMETIC_RESULTS", Arithmetic.RESULTS);
-        for (String part : PARTS) {
+        for (String part : COMMON) {
+            text.append(read(part)).append('\n');
+        }
+        for (String part : program == DeviceScene.Program.CLASSIC ? CLASSIC : PHYSICAL) {
             text.append(read(part)).append('\n');
         }
         return text.toString();

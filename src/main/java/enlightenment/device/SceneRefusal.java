@@ -14,9 +14,6 @@ final class SceneRefusal {
     private SceneRefusal() {}
 
     static Optional<String> of(CompiledScene scene) {
-        if (scene.classic == null) {
-            return Optional.of("physical shading");
-        }
         if (scene.instants.length > 0) {
             return Optional.of("motion blur");
         }
@@ -36,7 +33,8 @@ final class SceneRefusal {
         if (!FloatSlabs.suits(scene.accelerator.bounds().maxAbs())) {
             return Optional.of("an extreme size");
         }
-        return ofPrimitives(scene).or(() -> ofLights(scene));
+        Optional<String> found = ofPrimitives(scene).or(() -> ofLights(scene));
+        return scene.physical == null ? found : found.or(() -> PhysicalRefusal.of(scene));
     }
 
     private static Optional<String> ofPrimitives(CompiledScene scene) {

@@ -80,6 +80,11 @@ public final class LightSampler {
         return sum;
     }
 
+    /** The sampler for code on another device. */
+    public FlatSampler flatForm() {
+        return new FlatSampler(indices, places, weights.kinds(), weights.data(), tree == null ? null : tree.flatForm());
+    }
+
     /**
      * The discrete probability, 0..1, with which {@link #choose} samples a light for this receiver, up to rounding.
      *

@@ -51,6 +51,11 @@ final class LightTree {
         return lay(n.second, second[at], at);
     }
 
+    /** The tree for code on another device. */
+    FlatSampler.Tree flatForm() {
+        return new FlatSampler.Tree(data, second, parents, leaves);
+    }
+
     /**
      * Splits, beginning with the root, the node that may contribute most, until there are enough: a cut through the
      * tree that depends on the receiver alone. Returns the sum of their importances.

@@ -71,6 +71,16 @@ final class LightWeights {
         data[k + 7] = strength;
     }
 
+    /** For each light, what it is: one of the kinds above. Not to be changed. */
+    int[] kinds() {
+        return kinds;
+    }
+
+    /** For each light, its numbers. Not to be changed. */
+    double[] data() {
+        return data;
+    }
+
     /** The light i as a leaf of a {@link LightTree}. */
     LightNode leaf(int i) {
         int k = STRIDE * i;

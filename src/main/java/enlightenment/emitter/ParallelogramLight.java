@@ -236,6 +236,32 @@ public final class ParallelogramLight extends FlatLight {
         point.setNormal(normal.x(), normal.y(), normal.z());
     }
 
+    /**
+     * The numbers that code on another device computes with: corner, both edges, these as unit vectors, the normal, the lengths of the edges,
+     * and the area; null unless it is a rectangle.
+     */
+    public double[] flatForm() {
+        if (!rectangular) {
+            return null;
+        }
+        double[] all = new double[21];
+        int at = 0;
+        for (Vec3 v : new Vec3[] {corner, right, up, unitRight, unitUp, normal}) {
+            all[at++] = v.x();
+            all[at++] = v.y();
+            all[at++] = v.z();
+        }
+        all[at++] = width;
+        all[at++] = length;
+        all[at] = area;
+        return all;
+    }
+
+    /** The sides that shine. */
+    public LightSides sides() {
+        return sides;
+    }
+
     @Override
     public double[] parameters() {
         return Numbers.of(sides, corner, right, up);

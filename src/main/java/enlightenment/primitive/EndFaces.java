@@ -77,6 +77,15 @@ public final class EndFaces {
         return (sides & bit(side)) != 0;
     }
 
+    /**
+     * If these are one face of a primitive and nothing else, and it hides nothing, the distance between it and the light that rounding may
+     * cause; else −1.
+     */
+    public double toleranceIfOnly(int id, int face) {
+        boolean isOnly = ids.length == 1 && ids[0] == id && faces[0] == face && !hides;
+        return isOnly ? tolerances[0] : -1;
+    }
+
     /** Whether there are none. */
     public boolean isEmpty() {
         return ids.length == 0;

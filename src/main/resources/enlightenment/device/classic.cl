@@ -5,8 +5,7 @@
 #define MAX_SOLIDS 8
 
 typedef struct {
-    ulong pixelHash;
-    uint sample;
+    Sampler sampler;
     // The surfaces left behind.
     int surfaces;
     int bounces;
@@ -69,8 +68,8 @@ double lightMean(Scene *s, const Path *path, Vec n, int index, double keeps) {
     if (!rays && known) {
         return unshadowed;
     }
-    ulong seed = hashOf(hashOf(path->pixelHash, 1 + (ulong) index), (ulong) path->surfaces);
-    uint first = shuffledIndex(path->sample, mixed(seed)) * (uint) count;
+    ulong seed = seedOfLight(&path->sampler, index, path->surfaces);
+    uint first = shuffledIndex(path->sampler.sample, mixed(seed)) * (uint) count;
     if (!known) {
         double sum = 0;
         for (int j = 0; j < count; j++) {
@@ -202,17 +201,6 @@ bool turn(Scene *s, Path *path, double eta, bool mayRefract) {
     return through;
 }
 
-// Whether a ray leaves a mirror where a border of glass may have been missed.
-bool isInGlassBox(const Scene *s, Vec p) {
-    __global const double *b = s->d + s->i[GLASS_BOXES];
-    for (int k = 0; k < s->i[GLASS_BOX_COUNT]; k++, b += 6) {
-        if (p.x >= b[0] && p.y >= b[1] && p.z >= b[2] && p.x <= b[3] && p.y <= b[4] && p.z <= b[5]) {
-            return true;
-        }
-    }
-    return false;
-}
-
 // Crosses a surface of glass; whether the path has one more event.
 void crossGlass(Scene *s, Path *path, __global const int *material, bool *passedStraight) {
     Ray *r = &path->ray;
@@ -329,15 +317,6 @@ bool follow(Scene *s, Path *path) {
     return ++path->bounces <= s->i[MAX_BOUNCES];
 }
 
-void startAtCamera(Scene *s, Path *path, int column, int row) {
-    ulong filmSeed = hashOf(path->pixelHash, 0);
-    double x = (column + sobolX(path->sample, filmSeed)) / s->d[WIDTH];
-    double y = (row + sobolY(path->sample, filmSeed)) / s->d[HEIGHT];
-    __global const double *c = s->d + CAMERA;
-    setRay(s, &path->ray, fma(x, c[3], fma(y, c[6], c[0])), fma(x, c[4], fma(y, c[7], c[1])), fma(x, c[5], fma(y, c[8], c[2])),
-            fma(x, c[12], fma(y, c[15], c[9])), fma(x, c[13], fma(y, c[16], c[10])), fma(x, c[14], fma(y, c[17], c[11])), c[18]);
-}
-
 // Shades samples of a tile, pixel by pixel in rows: work item i is the sample begin + i. first[k] is the number of the first sample of the
 // tile's pixel k, start[k] its index among all of the tile.
 __kernel void classic(__global const double *doubles, __global const int *ints, __global const float *floats, ulong seed, int left, int top,
@@ -348,49 +327,19 @@ __kernel void classic(__global const double *doubles, __global const int *ints, 
     if (item >= end) {
         return;
     }
-    int low = 0;
-    int high = pixels;
-    while (high - low > 1) {
-        int middle = (low + high) / 2;
-        if (start[middle] <= item) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    int column = left + low % width;
-    int row = top + low / width;
     Scene s;
-    s.d = doubles;
-    s.i = ints;
-    s.f = floats;
-    s.state = DONE;
-    s.shadowRays = 0;
-    s.mirrorRays = 0;
-    s.refractedRays = 0;
-    s.lightSamples = 0;
-    s.textureLookups = 0;
+    beginScene(&s, doubles, ints, floats);
+    int pixel = pixelOf(start, pixels, item);
     Path path;
-    path.pixelHash = hashOf(hashOf(seed, (ulong) column), (ulong) row);
-    path.sample = (uint) (first[low] + item - start[low]);
+    path.sampler = samplerOf(seed, left + pixel % width, top + pixel / width, (uint) (first[pixel] + item - start[pixel]));
     path.surfaces = 0;
     path.bounces = 0;
     path.straight = 0;
     path.solidCount = 0;
     path.throughput = vec(1, 1, 1);
     path.light = vec(0, 0, 0);
-    startAtCamera(&s, &path, column, row);
+    setCameraRay(&s, &path.ray, &path.sampler);
     while (s.state == DONE && follow(&s, &path)) {
     }
-    rgb[3 * place] = path.light.x;
-    rgb[3 * place + 1] = path.light.y;
-    rgb[3 * place + 2] = path.light.z;
-    states[place] = s.state;
-    if (s.state == DONE) {
-        atomic_add(counts, s.shadowRays);
-        atomic_add(counts + 1, s.mirrorRays);
-        atomic_add(counts + 2, s.refractedRays);
-        atomic_add(counts + 3, s.lightSamples);
-        atomic_add(counts + 4, s.textureLookups);
-    }
+    finish(&s, path.light, place, rgb, states, counts);
 }

@@ -1,13 +1,22 @@
 // Materials and textures: world.material.SurfaceMaterial, TextureLookup and texture.ImageTexture.
 
 // A material among the integers: what it is, its texture, its image, whether shadows show on it, and where its numbers are: colour, second
-// colour of a checkerboard, number of squares, index of refraction, transparency.
-#define MATERIAL_SIZE 5
+// colour of a checkerboard, number of squares, index of refraction, transparency. In physical shading also whether it is black, whether all of
+// its lobes are single directions, whether they are narrow where that counts, and the sides that glow (1 is the outside, 2 the inside); its
+// radiance and the numbers of its kind are behind the others.
+#define MATERIAL_SIZE 9
 #define MATERIAL_KIND 0
 #define TEXTURE 1
 #define IMAGE 2
 #define RECEIVES_SHADOWS 3
 #define MATERIAL_NUMBERS 4
+#define IS_BLACK 5
+#define IS_DELTA 6
+#define IS_NARROW 7
+#define GLOWING_SIDES 8
+
+#define GLOW 9
+#define BSDF_NUMBERS 12
 
 // An image among the integers: width, height, where its texels are (packed, or three floats each), and where the values of bytes are.
 #define IMAGE_SIZE 5

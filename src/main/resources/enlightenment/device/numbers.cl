@@ -233,3 +233,51 @@ Vec toDisk(double u, double v) {
     double q = r * sineNearZero(phi);
     return vec(swaps ? q : p, swaps ? p : q, r * r);
 }
+
+// numeric.Arcs, beyond small angles
+#define HALF_PI (PI / 2)
+#define HALF_PI_REST 6.123233995736766e-17
+#define LEAST_ARC_COSINE (-0.5)
+
+double restOfQuarters(double x, double quarters) {
+    return fma(-quarters, HALF_PI_REST, fma(-quarters, HALF_PI, x));
+}
+
+double sineOf(double x) {
+    double quarter = rint(x * (2 / PI));
+    double rest = restOfQuarters(x, quarter);
+    double s = ((int) quarter & 1) == 0 ? sineNearZero(rest) : cosineNearZero(rest);
+    return ((int) quarter & 2) == 0 ? s : -s;
+}
+
+double cosineOf(double x) {
+    double quarter = rint(x * (2 / PI));
+    double rest = restOfQuarters(x, quarter);
+    double c = ((int) quarter & 1) == 0 ? cosineNearZero(rest) : sineNearZero(rest);
+    return (((int) quarter + 1) & 2) == 0 ? c : -c;
+}
+
+double arcOverSineNearOne(double t) {
+    double z = t * t;
+    double even = fma(z, -0.000132157752596636, 1.4743017805349805e-05);
+    even = fma(z, even, 0.000539566898913318);
+    even = fma(z, even, 0.002485954425869126);
+    even = fma(z, even, 0.011544008764042558);
+    even = fma(z, even, 0.05714285714079507);
+    even = fma(z, even, 1.0 / 3);
+    double odd = fma(z, 9.195087903114487e-05, 0.00023105799880840196);
+    odd = fma(z, odd, 0.0003126151535212897);
+    odd = fma(z, odd, 0.0011731553423059266);
+    odd = fma(z, odd, 0.00532804927222027);
+    odd = fma(z, odd, 0.02539682550179677);
+    odd = fma(z, odd, 0.13333333333334924);
+    return fma(t, fma(t, odd, even), 1);
+}
+
+double arcOverSine(double cosine) {
+    if (cosine >= 0.5) {
+        return arcOverSineNearOne(1 - cosine);
+    }
+    double halfCosine = sqrt(fma(0.5, cosine, 0.5));
+    return arcOverSineNearOne(1 - halfCosine) / halfCosine;
+}

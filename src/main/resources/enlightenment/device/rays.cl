@@ -21,6 +21,11 @@ typedef struct {
     int start;
     int startElement;
     int startSide;
+    // The face that the ray ends on, or no primitive's; where it ends, and how far off that may be: no matter where it is flat.
+    int end;
+    int endFace;
+    double tEnd;
+    double endTolerance;
     // The element that the last test found.
     int element;
     int kx;
@@ -58,9 +63,9 @@ typedef struct {
 } Scene;
 
 // A record of a primitive among the integers: what it is, where its numbers are, where the materials of its faces are, whether it encloses
-// a volume, where the boxes are in which its faces touch others and how many, its rank as a medium, and where that one's index of
-// refraction is.
-#define PRIMITIVE_SIZE 8
+// a volume, where the boxes are in which its faces touch others and how many, its rank as a medium, where that one's index of refraction
+// is, whether it is flat, convex, or has flat faces only, and where the lights are that its faces are (or -1).
+#define PRIMITIVE_SIZE 10
 #define KIND 0
 #define NUMBERS 1
 #define FACES 2
@@ -69,7 +74,12 @@ typedef struct {
 #define CONTACT_COUNT 5
 #define RANK 6
 #define INDEX_OF_REFRACTION 7
+#define TRAITS 8
+#define FACE_LIGHTS 9
 
+#define IS_FLAT 1
+#define IS_CONVEX 2
+#define HAS_FLAT_FACES 4
 
 __global const int *primitive(const Scene *s, int id) {
     return s->i + s->i[PRIMITIVES] + PRIMITIVE_SIZE * id;
@@ -91,6 +101,7 @@ void setRay(Scene *s, Ray *r, double x, double y, double z, double dx, double dy
     r->start = NOTHING;
     r->startElement = 0;
     r->startSide = 0;
+    r->end = NOTHING;
     r->sheared = false;
     double oo = x * x + y * y + z * z;
     // An extreme ray.

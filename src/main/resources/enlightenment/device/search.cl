@@ -143,10 +143,19 @@ void offer(const Scene *s, Ray *r, int item, Closest *best) {
     }
 }
 
+// Whether a crossing is the end of the ray: primitive.EndFaces.isEnd of the face of a light.
+bool isEnd(const Scene *s, const Ray *r, int id, double t) {
+    Hit hit;
+    completeOf(s, id, r, t, &hit);
+    double across = fabs(hit.n.x * r->dx + hit.n.y * r->dy + hit.n.z * r->dz);
+    bool isFlat = (primitive(s, id)[TRAITS] & HAS_FLAT_FACES) != 0;
+    return hit.face == r->endFace && (isFlat || (r->tEnd - t) * across <= r->endTolerance);
+}
+
 bool blocks(const Scene *s, Ray *r, int item, double tMax) {
     int id;
     double t = item == JOINED ? nearestUnion(s, r, tMax, true, &id) : nearestOf(s, item, r, tMax, true);
-    return t <= tMax;
+    return t <= tMax && !(item != JOINED && item == r->end && isEnd(s, r, item, t));
 }
 
 // The closest primitive that a ray meets; or, where any will do, whether it meets one that is no farther than the limit. Hierarchy 0 has meshes
@@ -198,6 +207,17 @@ bool touchesOther(const Scene *s, const Hit *hit) {
     for (int k = 0; k < count; k++, b += 7) {
         if (b[0] == hit->face && hit->p.x >= b[1] && hit->p.y >= b[2] && hit->p.z >= b[3] && hit->p.x <= b[4] && hit->p.y <= b[5]
                 && hit->p.z <= b[6]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Whether a border of glass may have been missed by a ray that leaves an opaque surface there.
+bool isInGlassBox(const Scene *s, Vec p) {
+    __global const double *b = s->d + s->i[GLASS_BOXES];
+    for (int k = 0; k < s->i[GLASS_BOX_COUNT]; k++, b += 6) {
+        if (p.x >= b[0] && p.y >= b[1] && p.z >= b[2] && p.x <= b[3] && p.y <= b[4] && p.z <= b[5]) {
             return true;
         }
     }

@@ -1,13 +1,8 @@
 // Whether anything may be in the way of any shadow ray from a point to a light: no, only where that is certain. What the rays themselves
 // would find is the same, so nothing here has to be rounded as in Java.
 typedef struct {
-    // The apex, the direction to the centre of the ball around the light, its distance and radius, sine and cosine of the half angle.
-    Vec at;
-    Vec w;
-    double distance;
-    double radius;
-    double sine;
-    double cosine;
+    // Around the light's ball.
+    Cone cone;
     // A box around apex and ball.
     Vec low;
     Vec high;
@@ -16,68 +11,40 @@ typedef struct {
     int side;
 } Shaft;
 
-#define SHAFT_ERROR GAMMA(64)
-
 // Whether the apex is outside of the ball: else there is no shaft.
 bool setShaft(Shaft *f, Vec at, __global const double *ball, int start, int side) {
-    double dx = ball[0] - at.x;
-    double dy = ball[1] - at.y;
-    double dz = ball[2] - at.z;
-    double d = sqrt(dx * dx + dy * dy + dz * dz);
-    double r = ball[3];
-    if (!(d > r)) {
+    setCone(&f->cone, ball[0], ball[1], ball[2], ball[3], at);
+    if (f->cone.inside) {
         return false;
     }
-    double inverse = 1 / d;
-    f->at = at;
-    f->w = vec(dx * inverse, dy * inverse, dz * inverse);
-    f->distance = d;
-    f->radius = r;
-    f->sine = r * inverse;
-    f->cosine = sqrt((d - r) * (d + r)) * inverse;
+    double d = f->cone.distance;
+    double r = ball[3];
     f->start = start;
     f->side = side;
-    double slack = SHAFT_ERROR * (fabs(at.x) + fabs(at.y) + fabs(at.z) + d + r);
+    double slack = CONE_ERROR * (fabs(at.x) + fabs(at.y) + fabs(at.z) + d + r);
     f->low = vec(fmin(at.x, ball[0] - r) - slack, fmin(at.y, ball[1] - r) - slack, fmin(at.z, ball[2] - r) - slack);
     f->high = vec(fmax(at.x, ball[0] + r) + slack, fmax(at.y, ball[1] + r) + slack, fmax(at.z, ball[2] + r) + slack);
     return true;
-}
-
-// frame.BallCone.misses
-bool shaftMissesBall(const Shaft *f, double x, double y, double z, double radius) {
-    double dx = x - f->at.x;
-    double dy = y - f->at.y;
-    double dz = z - f->at.z;
-    double end = f->distance + f->radius;
-    double along = dx * f->w.x + dy * f->w.y + dz * f->w.z;
-    double slack = radius * (1 + SHAFT_ERROR) + SHAFT_ERROR * (fabs(dx) + fabs(dy) + fabs(dz) + end);
-    if (along < -slack || along - slack > end) {
-        return true;
-    }
-    double cc = dx * dx + dy * dy + dz * dz;
-    double reach = slack + along * f->sine;
-    double across2 = cc - along * along - SHAFT_ERROR * cc;
-    return reach < 0 || across2 * f->cosine * f->cosine > reach * reach * (1 + SHAFT_ERROR);
 }
 
 bool shaftMissesBox(const Shaft *f, double cx, double cy, double cz, double hx, double hy, double hz) {
     if (cx + hx < f->low.x || cx - hx > f->high.x || cy + hy < f->low.y || cy - hy > f->high.y || cz + hz < f->low.z || cz - hz > f->high.z) {
         return true;
     }
-    return shaftMissesBall(f, cx, cy, cz, sqrt(hx * hx + hy * hy + hz * hz));
+    return coneMisses(&f->cone, cx, cy, cz, sqrt(hx * hx + hy * hy + hz * hz));
 }
 
 // Whether all of the shaft is on one side of a plane through a with the normal n.
 bool isOnOneSide(const Shaft *f, __global const double *a, __global const double *n) {
-    double x = f->at.x - a[0];
-    double y = f->at.y - a[1];
-    double z = f->at.z - a[2];
+    double x = f->cone.at.x - a[0];
+    double y = f->cone.at.y - a[1];
+    double z = f->cone.at.z - a[2];
     double here = n[0] * x + n[1] * y + n[2] * z;
-    double there = here + f->distance * (n[0] * f->w.x + n[1] * f->w.y + n[2] * f->w.z);
+    double there = here + f->cone.distance * (n[0] * f->cone.w.x + n[1] * f->cone.w.y + n[2] * f->cone.w.z);
     double size = fabs(n[0]) + fabs(n[1]) + fabs(n[2]);
-    double largest = fabs(a[0]) + fabs(a[1]) + fabs(a[2]) + fabs(f->at.x) + fabs(f->at.y) + fabs(f->at.z) + f->distance + f->radius;
-    double slack = SHAFT_ERROR * size * largest;
-    double reach = f->radius * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) + slack;
+    double largest = fabs(a[0]) + fabs(a[1]) + fabs(a[2]) + fabs(f->cone.at.x) + fabs(f->cone.at.y) + fabs(f->cone.at.z) + f->cone.distance + f->cone.radius;
+    double slack = CONE_ERROR * size * largest;
+    double reach = f->cone.radius * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) + slack;
     return here > slack && there - reach > 0 || here < -slack && there + reach < 0;
 }
 
@@ -94,14 +61,14 @@ bool mayBlock(const Scene *s, const Shaft *f, int item) {
     }
     switch (kind) {
         case SPHERE:
-            return !shaftMissesBall(f, q[0], q[1], q[2], q[3]);
+            return !coneMisses(&f->cone, q[0], q[1], q[2], q[3]);
         case RECTANGLE:
         case TRIANGLE:
         case DISK:
             return !isOnOneSide(f, q, q + 3);
         case BOX:
-            return !shaftMissesBox(f, (q[0] + q[3]) / 2, (q[1] + q[4]) / 2, (q[2] + q[5]) / 2, (q[3] - q[0]) / 2 * (1 + SHAFT_ERROR),
-                    (q[4] - q[1]) / 2 * (1 + SHAFT_ERROR), (q[5] - q[2]) / 2 * (1 + SHAFT_ERROR));
+            return !shaftMissesBox(f, (q[0] + q[3]) / 2, (q[1] + q[4]) / 2, (q[2] + q[5]) / 2, (q[3] - q[0]) / 2 * (1 + CONE_ERROR),
+                    (q[4] - q[1]) / 2 * (1 + CONE_ERROR), (q[5] - q[2]) / 2 * (1 + CONE_ERROR));
         default:
             return true;
     }

@@ -208,7 +208,7 @@ class ArchitectureTest {
             .whereLayer("classic shading")
             .mayOnlyBeAccessedByLayers("probe", "method", "device", "classic cluster")
             .whereLayer("transport")
-            .mayOnlyBeAccessedByLayers("classic shading", "probe", "method", "classic cluster")
+            .mayOnlyBeAccessedByLayers("classic shading", "device", "probe", "method", "classic cluster")
             .whereLayer("film")
             .mayOnlyBeAccessedByLayers(
                     "classic shading",
@@ -224,9 +224,9 @@ class ArchitectureTest {
             .whereLayer("denoise")
             .mayOnlyBeAccessedByLayers("render")
             .whereLayer("bsdf")
-            .mayOnlyBeAccessedByLayers("classic shading", "probe", "classic cluster", "world", "transport")
+            .mayOnlyBeAccessedByLayers("device", "classic shading", "probe", "classic cluster", "world", "transport")
             .whereLayer("emitter")
-            .mayOnlyBeAccessedByLayers("classic shading", "probe", "classic cluster", "world", "transport")
+            .mayOnlyBeAccessedByLayers("device", "classic shading", "probe", "classic cluster", "world", "transport")
             .whereLayer("primitive")
             .mayOnlyBeAccessedByLayers(
                     "classic shading",

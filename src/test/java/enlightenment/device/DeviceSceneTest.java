@@ -15,6 +15,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class DeviceSceneTest {
     private static CompiledScene compiled(String name) throws IOException {
@@ -25,15 +26,22 @@ class DeviceSceneTest {
     @ParameterizedTest
     @CsvSource({
         "torus, an object of the kind torus",
-        "cornell-box, physical shading",
+        "fog, a medium that scatters light",
+        "lanterns, surroundings that are not the same everywhere",
+        "knot, surfaces with holes",
+        "minerals, a fluorescent material",
+        "panorama, a lens or a panorama",
+        "fire-and-ice-physical, a mirror ball in which lamps are seen",
+        "glass-physical, glass in physical shading",
     })
     void whatNoDeviceCanDoIsNamed(String name, String reason) throws IOException {
         assertEquals(Optional.of(reason), DeviceScene.refusal(compiled(name)));
     }
 
-    @Test
-    void thePapersSceneIsTaken() throws IOException {
-        assertEquals(Optional.empty(), DeviceScene.refusal(compiled("fire-and-ice")));
+    @ParameterizedTest
+    @ValueSource(strings = {"fire-and-ice", "cornell-box"})
+    void whatDevicesCanDoIsTaken(String name) throws IOException {
+        assertEquals(Optional.empty(), DeviceScene.refusal(compiled(name)));
     }
 
     /** The kernel looks for them there. */
@@ -59,7 +67,7 @@ class DeviceSceneTest {
 
     @Test
     void theProgramKnowsEveryPlaceByItsName() {
-        String text = KernelSource.text();
+        String text = KernelSource.text(DeviceScene.Program.CLASSIC) + KernelSource.text(DeviceScene.Program.PHYSICAL);
         for (DeviceScene.Int slot : DeviceScene.Int.values()) {
             assertTrue(text.contains("#define " + slot.name() + " " + slot.ordinal() + "\n"));
             // What belongs to the second hierarchy stands behind what belongs to the first.

@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongFunction;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -62,7 +63,7 @@ class OpenClPictureTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"fire-and-ice", "bounce", "cone", "cube", "cylinders", "glass", "keyhole"})
+    @ValueSource(strings = {"fire-and-ice", "bounce", "cone", "cube", "cylinders", "glass", "keyhole", "cornell-box"})
     void aShippedSceneHasTheSameBits(String name) throws IOException {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
         RenderSettings settings =
@@ -71,10 +72,19 @@ class OpenClPictureTest {
     }
 
     @Test
-    void anySceneHasTheSameBits() {
+    void anySceneOfClassicShadingHasTheSameBits() {
+        assertSameBits(RandomScene::classic);
+    }
+
+    @Test
+    void anySceneOfPhysicalShadingHasTheSameBits() {
+        assertSameBits(RandomScene::physical);
+    }
+
+    private static void assertSameBits(LongFunction<Scene> scenes) {
         double done = 0;
         for (int seed = 0; seed < SCENES; seed++) {
-            Scene scene = RandomClassicScene.of(seed);
+            Scene scene = scenes.apply(seed);
             RenderSettings settings =
                     RenderSettings.of(scene).toBuilder().antialias(2).build();
             CompiledScene compiled = SceneCompiler.compile(scene, settings);

@@ -80,7 +80,7 @@ final class OpenClDevice implements ComputeDevice {
 
     @Override
     public double measureDoubleRate() {
-        try (OpenClProgram program = new OpenClProgram(this)) {
+        try (OpenClProgram program = new OpenClProgram(this, DeviceScene.Program.CLASSIC)) {
             OpenClTrial.checkArithmetic(program);
             return OpenClTrial.doubleRate(program);
         }

@@ -17,7 +17,7 @@ final class OpenClKernel implements DeviceKernel {
 
     private OpenClKernel(OpenClProgram program, DeviceScene scene) {
         this.program = program;
-        kernel = program.kernel("classic");
+        kernel = program.kernel(scene.program().kernel());
         CL10.clSetKernelArg1p(kernel, 0, program.constant(scene.doubles()));
         CL10.clSetKernelArg1p(kernel, 1, program.constant(scene.ints()));
         CL10.clSetKernelArg1p(kernel, 2, program.constant(scene.floats()));
@@ -31,7 +31,7 @@ final class OpenClKernel implements DeviceKernel {
 
     /** Compiles the program, asks the device whether it computes as Java does, and gives it the scene. */
     static OpenClKernel of(OpenClDevice device, DeviceScene scene) {
-        OpenClProgram program = new OpenClProgram(device);
+        OpenClProgram program = new OpenClProgram(device, scene.program());
         try {
             OpenClTrial.checkArithmetic(program);
             return new OpenClKernel(program, scene);

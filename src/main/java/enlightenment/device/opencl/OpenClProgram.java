@@ -7,6 +7,7 @@ import static org.lwjgl.opencl.CL10.CL_MEM_READ_WRITE;
 import static org.lwjgl.opencl.CL10.CL_PROGRAM_BUILD_LOG;
 
 import enlightenment.device.DeviceFailure;
+import enlightenment.device.DeviceScene;
 import enlightenment.device.KernelSource;
 import java.nio.DoubleBuffer;
 import java.nio.IntBuffer;
@@ -44,14 +45,14 @@ final class OpenClProgram implements AutoCloseable {
     private long program;
 
     /**
-     * Compiles the program.
+     * Compiles a program.
      *
      * @throws DeviceFailure if that fails
      */
-    OpenClProgram(OpenClDevice device) {
+    OpenClProgram(OpenClDevice device, DeviceScene.Program which) {
         try {
             open(device);
-            compile(device);
+            compile(device, which);
         } catch (DeviceFailure e) {
             close();
             throw e;
@@ -71,10 +72,10 @@ final class OpenClProgram implements AutoCloseable {
         }
     }
 
-    private void compile(OpenClDevice device) {
+    private void compile(OpenClDevice device, DeviceScene.Program which) {
         try (MemoryStack stack = MemoryStack.stackPush()) {
             IntBuffer code = stack.mallocInt(1);
-            program = CL10.clCreateProgramWithSource(context, KernelSource.text(), code);
+            program = CL10.clCreateProgramWithSource(context, KernelSource.text(which), code);
             OpenClCalls.check(code.get(0), "take the program");
             releases.push(() -> CL10.clReleaseProgram(program));
             int built = CL10.clBuildProgram(program, device.id, OPTIONS, null, 0);

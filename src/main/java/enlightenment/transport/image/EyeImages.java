@@ -26,6 +26,9 @@ public final class EyeImages implements PathStrategy {
     /** Direct-mapped cache of 16 × 16 pixels: blocks are smaller. */
     private static final int CACHE_SIDE = 16;
 
+    /** A part of a pixel, far more than by how much the projection of a camera ray misses the position that it was made for. */
+    private static final double BORDER = 0x1p-20;
+
     private final CompiledScene scene;
     private final PathFollower path;
     private final EyeProjection eye;
@@ -90,6 +93,26 @@ public final class EyeImages implements PathStrategy {
                 near[nearCount++] = image;
             }
         }
+    }
+
+    /** Whether any path that begins in a tile may show an image. */
+    public boolean mayShow() {
+        return nearCount > 0;
+    }
+
+    /**
+     * Whether a path may show an image that begins at a position on the film of the tile, in pixels, or as near to it as rounding may move
+     * that.
+     */
+    public boolean mayShow(double filmX, double filmY) {
+        for (int k = 0; k < 4 && nearCount > 0; k++) {
+            int column = (int) (filmX + ((k & 1) == 0 ? -BORDER : BORDER));
+            int row = (int) (filmY + ((k & 2) == 0 ? -BORDER : BORDER));
+            if (pixel(column, row).count > 0) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Begins with a camera ray of the tile, which the path has begun with. */

@@ -52,6 +52,11 @@ abstract class EyePathTracer implements Shader {
         images.beginTile(x0, y0, x1, y1);
     }
 
+    /** The images of lamps in the tile, which are sampled apart. */
+    public final EyeImages images() {
+        return images;
+    }
+
     @Override
     public final boolean seesNothing() {
         return path.tracer.seesNothing() && physical.hasConstantEnvironment();

@@ -6,6 +6,7 @@ import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.CubePrimitive;
 import enlightenment.primitive.Primitive;
+import java.util.Arrays;
 
 /**
  * The pyramids of segments from points to a light that is a rectangle, and the primitives, each in a box, that stand beside them. Of what
@@ -57,6 +58,33 @@ public final class LightPyramid {
         boolean isRectangle = across.maxAbs() > 0
                 && Math.abs(light.right.normalized().dot(light.up.normalized())) <= RIGHT_ANGLE_ERROR;
         return isRectangle ? new LightPyramid(light, across.normalized(), primitives) : null;
+    }
+
+    /**
+     * The pyramids for code on another device: corner, unit edges, normal, the lengths of the edges and the scale; then twelve numbers for
+     * each primitive, as they are found by id.
+     */
+    public double[] flatForm() {
+        double[] own = {
+            corner.x(),
+            corner.y(),
+            corner.z(),
+            right.x(),
+            right.y(),
+            right.z(),
+            up.x(),
+            up.y(),
+            up.z(),
+            normal.x(),
+            normal.y(),
+            normal.z(),
+            width,
+            length,
+            scale
+        };
+        double[] all = Arrays.copyOf(own, own.length + boxes.length);
+        System.arraycopy(boxes, 0, all, own.length, boxes.length);
+        return all;
     }
 
     private void set(Primitive p, int at) {

@@ -7,6 +7,7 @@ import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.SpherePrimitive;
 import enlightenment.primitive.SupportSurface;
+import java.util.Arrays;
 
 /**
  * Finds the primitives that can occlude a light from a point.
@@ -83,6 +84,33 @@ public final class OccluderSet {
             common &= (byte) ((least >= -error ? LightBody.ABOVE : 0) | (most <= error ? LightBody.BELOW : 0));
         }
         return common == 0;
+    }
+
+    /**
+     * A primitive for code on another device: centre and radius of the ball around it, then unit normal and offset of its plane, if it has
+     * one.
+     */
+    public double[] flatForm(int id) {
+        double[] all = Arrays.copyOfRange(balls, 4 * id, 4 * id + 8);
+        for (int k = 0; k < 4; k++) {
+            all[4 + k] = planeAt[id] == NO_PLANE ? 0 : planes[planeAt[id] + k];
+        }
+        return all;
+    }
+
+    /** Whether a primitive is the ball around it. */
+    public boolean isBall(int id) {
+        return isBall[id];
+    }
+
+    /** Whether a primitive lies in a plane. */
+    public boolean hasPlane(int id) {
+        return planeAt[id] != NO_PLANE;
+    }
+
+    /** Of a primitive that {@link #hasPlane lies in a plane}: whether no point of a light is below that plane, or none above it. */
+    public boolean isOnSide(int id, LightBody light, boolean above) {
+        return (sidesOf(light, planeAt[id]) & (above ? LightBody.ABOVE : LightBody.BELOW)) != 0;
     }
 
     private void setPlane(Vec3 n, Vec3 point, int at) {

@@ -2,6 +2,7 @@ package enlightenment.device;
 
 import enlightenment.camera.Camera;
 import enlightenment.color.DisplayRgb;
+import enlightenment.color.Rgb;
 import enlightenment.geometry.Box;
 import enlightenment.geometry.Cone;
 import enlightenment.geometry.Cube;
@@ -25,13 +26,15 @@ import enlightenment.scene.Shading;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Random;
 
 /**
  * Scenes of any shapes, materials, textures, lights and cameras that devices know. Half of the numbers are multiples of a half, so that faces
  * are parallel to axes, lie in one plane, and touch; the others are anything.
  */
-final class RandomClassicScene {
+final class RandomScene {
     private final Random random;
 
     /** In two scenes of three, so that there are hierarchies of all kinds. */
@@ -40,30 +43,57 @@ final class RandomClassicScene {
     /** Meshes that there may be instances of. */
     private final List<TriangleMesh> meshes = new ArrayList<>();
 
-    private RandomClassicScene(long seed) {
+    private final boolean isPhysical;
+
+    private RandomScene(long seed, boolean physical) {
+        isPhysical = physical;
         random = new Random(seed);
         hasMeshes = random.nextInt(3) > 0;
     }
 
-    static Scene of(long seed) {
-        return new RandomClassicScene(seed).make();
+    static Scene classic(long seed) {
+        return new RandomScene(seed, false).make();
+    }
+
+    static Scene physical(long seed) {
+        return new RandomScene(seed, true).make();
     }
 
     private Scene make() {
         Scene.Builder builder = Scene.builder().size(48, 32).camera(camera());
-        builder.shading(new Shading.Classic(
-                random.nextInt(3) / 4.0, random.nextInt(3) / 3.0, new DisplayRgb(0.1, 0.2, 0.4), random.nextInt(8)));
+        builder.shading(
+                isPhysical
+                        ? physicalShading()
+                        : new Shading.Classic(
+                                random.nextInt(3) / 4.0,
+                                random.nextInt(3) / 3.0,
+                                new DisplayRgb(0.1, 0.2, 0.4),
+                                random.nextInt(8)));
         int objects = 1 + random.nextInt(random.nextInt(5) == 0 ? 60 : 9);
         for (int k = 0; k < objects; k++) {
-            builder.object(shape(), material());
+            Shape shape = shape();
+            builder.object(shape, isPhysical ? physicalMaterial(shape) : material());
         }
         if (random.nextBoolean()) {
-            builder.object(rectangle(at(0, -1.5, 4), new Vec3(0, 0, 6), new Vec3(6, 0, 0)), material());
+            builder.object(
+                    rectangle(at(0, -1.5, 4), new Vec3(0, 0, 6), new Vec3(6, 0, 0)),
+                    isPhysical ? opaque() : material());
         }
-        for (int k = random.nextInt(3); k >= 0; k--) {
+        for (int k = lightCount(); k > 0; k--) {
             builder.light(light());
         }
         return builder.build();
+    }
+
+    private Shading physicalShading() {
+        OptionalInt most = random.nextBoolean() ? OptionalInt.empty() : OptionalInt.of(random.nextInt(6));
+        return new Shading.Physical(most, random.nextBoolean() ? Rgb.BLACK : new Rgb(0.2, 0.3, 0.1));
+    }
+
+    /** In physical shading also so many that one of them is chosen, by its weight or by a tree. */
+    private int lightCount() {
+        int few = 1 + random.nextInt(3);
+        return !isPhysical || random.nextInt(3) > 0 ? few : 4 + random.nextInt(16);
     }
 
     /** A number around 0. */
@@ -240,6 +270,26 @@ final class RandomClassicScene {
                         random.nextBoolean() ? Texture.Encoding.SRGB : Texture.Encoding.LINEAR);
             default -> Texture.of(color());
         };
+    }
+
+    private Material.Matte opaque() {
+        return Material.Matte.of(texture());
+    }
+
+    /** Of a shape that may be a light, now and then one that glows. */
+    private Material physicalMaterial(Shape shape) {
+        boolean canGlow =
+                shape instanceof Sphere || shape instanceof Rectangle || shape instanceof Box || shape instanceof Cube;
+        if (!canGlow || random.nextInt(8) > 0) {
+            return opaque();
+        }
+        Rgb radiance = new Rgb(1, 2, 0.5 * random.nextInt(3));
+        return opaque().withRadiance(radiance)
+                .withPattern(Material.EmissionPattern.of(Optional.empty()).withSide(side()));
+    }
+
+    private Material.EmissionPattern.Side side() {
+        return Material.EmissionPattern.Side.values()[random.nextInt(3)];
     }
 
     private Material material() {

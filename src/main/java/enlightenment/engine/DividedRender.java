@@ -46,6 +46,7 @@ public final class DividedRender implements UnitSource {
     private final Planner planner;
 
     private final RenderCourse course;
+    private final FilmRoom room;
 
     DividedRender(
             CompiledScene compiled,
@@ -54,13 +55,15 @@ public final class DividedRender implements UnitSource {
             Planner planner,
             Rounds rounds,
             int round,
-            Stopwatch time) {
+            Stopwatch time,
+            FilmRoom room) {
         this.compiled = compiled;
         this.planner = planner;
         this.outline = outline;
         units = WorkUnits.forMachines(outline.settings(), outline.plan());
         form = ResultForm.of(units, outline);
-        course = new RenderCourse(outline, phases, rounds, round, time);
+        course = new RenderCourse(outline, phases, rounds, round, time, room);
+        this.room = room;
     }
 
     /**
@@ -72,32 +75,47 @@ public final class DividedRender implements UnitSource {
      * @throws java.util.concurrent.CancellationException if it is cancelled, or the calling thread interrupted, before it is planned
      */
     public static DividedRender prepare(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
-        return prepare(scene, settings, new SharedImages(), cancelled);
+        return prepare(scene, settings, new SharedImages(), FilmRoom.MEMORY, cancelled);
     }
 
     /**
      * The same for one of several scenes.
      *
      * @param images is asked for image files
+     * @param room where finished pixels may be
      */
     public static DividedRender prepare(
-            Scene scene, RenderSettings settings, SharedImages images, BooleanSupplier cancelled) {
-        return prepare(scene, settings, images, cancelled, false);
+            Scene scene, RenderSettings settings, SharedImages images, FilmRoom room, BooleanSupplier cancelled) {
+        return prepare(scene, settings, images, Optional.of(room), cancelled, false);
     }
 
     /**
      * The same of a render whose {@link #next} is never asked for: its plan is all that keeps an error.
      *
+     * @param room where finished pixels may be
      * @throws enlightenment.math.InvalidValueException also if an error is all that limits a method that has no trials for it
      */
-    public static DividedRender prepareOnce(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
-        return prepare(scene, settings, new SharedImages(), cancelled, true);
+    public static DividedRender prepareOnce(
+            Scene scene, RenderSettings settings, FilmRoom room, BooleanSupplier cancelled) {
+        return prepare(scene, settings, new SharedImages(), Optional.of(room), cancelled, true);
+    }
+
+    /** As {@link #prepareOnce}, of a render of whose picture nothing is put together here: only some of its units are made. */
+    public static DividedRender preparePart(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
+        return prepare(scene, settings, new SharedImages(), Optional.empty(), cancelled, true);
     }
 
     private static DividedRender prepare(
-            Scene scene, RenderSettings asked, SharedImages images, BooleanSupplier cancelled, boolean isLast) {
+            Scene scene,
+            RenderSettings asked,
+            SharedImages images,
+            Optional<FilmRoom> room,
+            BooleanSupplier cancelled,
+            boolean isLast) {
         Stopwatch time = Stopwatch.started();
-        PictureMemory.of(scene, asked, PictureMemory.Films.TILES, 0).check();
+        // Before what takes long; AUTO takes no method whose pictures must be in memory where this one need not be.
+        room.ifPresent(r -> r.place(
+                PictureMemory.of(scene, asked, PictureMemory.Films.TILES, 0), FilmRoom.wholeInMemory(asked.method())));
         Phases phases = new Phases();
         BooleanSupplier stopped = Cancellation.of(cancelled);
         CompiledScene compiled =
@@ -111,7 +129,8 @@ public final class DividedRender implements UnitSource {
         RenderPlan plan = phases.run("plan", () -> isLast ? planner.planOnce(time) : planner.plan(time, 0));
         Rounds rounds = new Rounds(settings.budget());
         RenderOutline outline = RenderOutline.of(scene.name(), compiled, settings, plan);
-        return new DividedRender(compiled, outline, phases, planner, rounds, 1, time);
+        room.ifPresent(r -> FilmAssembly.place(outline, r));
+        return new DividedRender(compiled, outline, phases, planner, rounds, 1, time, room.orElse(FilmRoom.MEMORY));
     }
 
     /** What cannot be kept of the budget, or only at a price, in plain words. */
@@ -178,7 +197,7 @@ public final class DividedRender implements UnitSource {
     /** A render that no other follows. */
     private static DividedRender alone(CompiledScene compiled, RenderOutline outline, Phases phases) {
         Rounds rounds = new Rounds(outline.settings().budget());
-        return new DividedRender(compiled, outline, phases, null, rounds, 1, Stopwatch.started());
+        return new DividedRender(compiled, outline, phases, null, rounds, 1, Stopwatch.started(), FilmRoom.MEMORY);
     }
 
     @Override
@@ -195,6 +214,7 @@ public final class DividedRender implements UnitSource {
         RenderSettings settings = outline.settings();
         boolean isLinear = outline.display().encoding() == Color.Encoding.LINEAR;
         if (!units.haveTiles()
+                || room.isExceededBy(units.memory(settings, isLinear, 0))
                 || !units.memory(settings, isLinear, IMAGES_OF_PREVIEW).isEnough()) {
             return Optional.empty();
         }
@@ -229,7 +249,7 @@ public final class DividedRender implements UnitSource {
 
     /** A picture of which nothing is there yet, whose units are not taken out again, with finished pixels in this place. */
     public FilmAssembly assembly(FilmPlace place) {
-        return course.assembly(false, place);
+        return course.assembly(place);
     }
 
     /** Does units, for one thread. */

@@ -44,9 +44,14 @@ public final class FilmAssembly implements UnitAssembly {
 
     private long peakMemory;
 
-    /** A picture of which nothing is there yet. */
-    public FilmAssembly(RenderOutline outline) {
-        this(outline, new Phases(), 1, true, FilmPlace.MEMORY);
+    /**
+     * A picture of which nothing is there yet, whose units are not taken out again.
+     *
+     * @param room where finished pixels may be
+     * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space on the disk
+     */
+    public FilmAssembly(RenderOutline outline, FilmRoom room) {
+        this(outline, new Phases(), 1, false, place(outline, room));
     }
 
     /**
@@ -69,6 +74,17 @@ public final class FilmAssembly implements UnitAssembly {
         counters = new RayCounters[units.count()];
         surveyRays = new long[units.count()];
         lost = new long[units.count()];
+    }
+
+    /**
+     * Where the finished pixels of a picture are whose units come in any order.
+     *
+     * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space on the disk
+     */
+    static FilmPlace place(RenderOutline outline, FilmRoom room) {
+        WorkUnits units = WorkUnits.forMachines(outline.settings(), outline.plan());
+        boolean isLinear = outline.display().encoding() == Color.Encoding.LINEAR;
+        return room.place(units.memory(outline.settings(), isLinear, 0), units.wholeInMemory(outline.plan()));
     }
 
     @Override

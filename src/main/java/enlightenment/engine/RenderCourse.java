@@ -25,7 +25,11 @@ public final class RenderCourse {
     /** Since the picture was asked for. */
     private final Stopwatch time;
 
-    RenderCourse(RenderOutline outline, Phases phases, Rounds rounds, int round, Stopwatch time) {
+    private final FilmRoom room;
+
+    /** @param room where finished pixels may be */
+    RenderCourse(RenderOutline outline, Phases phases, Rounds rounds, int round, Stopwatch time, FilmRoom room) {
+        this.room = room;
         this.outline = outline;
         this.phases = phases;
         this.rounds = rounds;
@@ -37,14 +41,15 @@ public final class RenderCourse {
      * A picture of which nothing is there yet.
      *
      * @param canLose whether units may have to be taken out again, which takes more memory
+     * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space on the disk
      */
     public FilmAssembly assembly(boolean canLose) {
-        return assembly(canLose, FilmPlace.MEMORY);
+        return new FilmAssembly(outline, phases, round, canLose, FilmAssembly.place(outline, room));
     }
 
-    /** As {@link #assembly(boolean)}, with finished pixels in this place. */
-    FilmAssembly assembly(boolean canLose, FilmPlace place) {
-        return new FilmAssembly(outline, phases, round, canLose, place);
+    /** A picture of which nothing is there yet, whose units are not taken out again, with finished pixels in this place. */
+    FilmAssembly assembly(FilmPlace place) {
+        return new FilmAssembly(outline, phases, round, false, place);
     }
 
     /** Which render of the picture this is: 1, or more where those before were not as exact as asked. */
@@ -93,6 +98,6 @@ public final class RenderCourse {
         further.again();
         RenderPlan more = further.run("plan", () -> planner.withSamples(samples, rounds.decidedBy(samples)));
         RenderOutline next = RenderOutline.of(outline.sceneName(), compiled, outline.settings(), more);
-        return new DividedRender(compiled, next, further, planner, rounds, round + 1, time);
+        return new DividedRender(compiled, next, further, planner, rounds, round + 1, time, room);
     }
 }

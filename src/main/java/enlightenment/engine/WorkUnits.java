@@ -8,6 +8,7 @@ import enlightenment.plan.RenderPlan;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.PictureMemory;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * The units of work of a render, numbered from 0: each is a pure function of compiled scene, settings, plan and its number, and may
@@ -173,6 +174,14 @@ public final class WorkUnits {
                 ? PictureMemory.Films.SPLATS
                 : batches > 0 ? PictureMemory.Films.BOTH : PictureMemory.Films.TILES;
         return new PictureMemory(settings, isLinear, films, moreImages + (passes > 1 ? IMAGES_OF_PASSES : 0));
+    }
+
+    /** What needs a picture in memory while units are added up in any order, as {@link FilmRoom#place} wants it. */
+    Optional<String> wholeInMemory(RenderPlan plan) {
+        if (batches > 0) {
+            return FilmRoom.wholeInMemory(plan.method()).or(() -> Optional.of("the pass of caustics"));
+        }
+        return passes > 1 ? Optional.of("a render of " + passes + " passes over each tile") : Optional.empty();
     }
 
     /** The tile that a unit belongs to, counted from 0. */

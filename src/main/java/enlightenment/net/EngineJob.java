@@ -3,6 +3,7 @@ package enlightenment.net;
 import enlightenment.checkpoint.Origin;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.FilmRoom;
 import enlightenment.file.ContentHash;
 import enlightenment.job.Build;
 import enlightenment.net.job.Canary;
@@ -66,7 +67,7 @@ public final class EngineJob implements Closeable {
         if (checkpoint != null && settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException("a render with a checkpoint must not depend on the time that it takes");
         }
-        DividedRender render = DividedRender.prepareOnce(scene, settings, cancelled);
+        DividedRender render = DividedRender.prepareOnce(scene, settings, FilmRoom.MEMORY, cancelled);
         render.notes().forEach(log);
         FilmAssembly film = render.assembly();
         ServerJob job = ServerJob.of(render, film, JobContent.of(scene, render.outline(), Build.number()), log);

@@ -1,6 +1,7 @@
 package enlightenment.net;
 
 import enlightenment.engine.DividedRender;
+import enlightenment.engine.FilmRoom;
 import enlightenment.engine.FrameLayout;
 import enlightenment.engine.Rendered;
 import enlightenment.engine.SharedImages;
@@ -40,6 +41,7 @@ final class FilmQueue {
     record Wish(Scene scene, RenderSettings settings) {}
 
     private final IntFunction<Wish> frames;
+    private final FilmRoom room;
     private final String build;
     private final Consumer<String> log;
     private final BooleanSupplier cancelled;
@@ -51,8 +53,10 @@ final class FilmQueue {
 
     private Round latest;
 
-    FilmQueue(IntFunction<Wish> frames, String build, Consumer<String> log, BooleanSupplier cancelled) {
+    /** @param room where finished pixels of frames may be */
+    FilmQueue(IntFunction<Wish> frames, FilmRoom room, String build, Consumer<String> log, BooleanSupplier cancelled) {
         this.frames = frames;
+        this.room = room;
         this.build = build;
         this.log = log;
         this.cancelled = cancelled;
@@ -105,7 +109,7 @@ final class FilmQueue {
                 throw new IllegalArgumentException("the frames of a film that many machines make must not depend on the"
                         + " time that they take: give samples or an error");
             }
-            return DividedRender.prepare(frame.scene(), frame.settings(), images, cancelled);
+            return DividedRender.prepare(frame.scene(), frame.settings(), images, room, cancelled);
         });
     }
 

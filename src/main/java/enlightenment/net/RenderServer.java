@@ -3,6 +3,7 @@ package enlightenment.net;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.Preview;
 import enlightenment.engine.Rendered;
+import enlightenment.engine.SharedImages;
 import enlightenment.listen.ServerLog;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
@@ -61,7 +62,7 @@ public final class RenderServer implements Closeable {
         // Before what takes long: these files may be of no use.
         Secrets secrets = Secrets.open(options.secrets(), log::say);
         Canary.hash();
-        DividedRender render = DividedRender.prepare(scene, settings, cancelled);
+        DividedRender render = DividedRender.prepare(scene, settings, new SharedImages(), options.room, cancelled);
         render.notes().forEach(log::say);
         Preview preview =
                 options.statusPort < 0 ? null : render.preview(cancelled).orElse(null);
@@ -229,7 +230,8 @@ public final class RenderServer implements Closeable {
             // Before what takes long: these files may be of no use.
             Secrets secrets = Secrets.open(options.secrets(), log::say);
             Canary.hash();
-            FilmQueue queue = new FilmQueue(number -> wish(frames.apply(number)), options.version, log::say, cancelled);
+            FilmQueue queue = new FilmQueue(
+                    number -> wish(frames.apply(number)), options.room, options.version, log::say, cancelled);
             FilmQueue.Round round = queue.first(List.copyOf(numbers));
             return new OfFilm(queue, round, ServerRound.start(options, log, secrets, round.job()));
         }

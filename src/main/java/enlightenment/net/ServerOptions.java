@@ -1,13 +1,16 @@
 package enlightenment.net;
 
 import enlightenment.check.Check;
+import enlightenment.engine.FilmRoom;
 import enlightenment.job.Build;
+import enlightenment.net.job.PictureRoom;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Timing;
 import enlightenment.net.schedule.CoordinatorSettings;
 import enlightenment.net.secure.OwnCertificate;
 import enlightenment.net.secure.Secrets;
 import enlightenment.net.worker.MachineIdentity;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
@@ -57,6 +60,9 @@ public final class ServerOptions {
     final Timing timing;
     final Path keytool;
 
+    /** Where finished pixels may be. */
+    final FilmRoom room;
+
     private ServerOptions(Builder b) {
         host = b.host;
         port = b.port;
@@ -78,6 +84,7 @@ public final class ServerOptions {
         threads = b.threads;
         timing = b.timing;
         keytool = b.keytool;
+        room = b.room;
     }
 
     /**
@@ -115,6 +122,7 @@ public final class ServerOptions {
         private ThreadFactory threads = Thread::new;
         private Timing timing = Timing.DEFAULT;
         private Path keytool = OwnCertificate.keytool();
+        private FilmRoom room = FilmRoom.MEMORY;
 
         private Builder() {}
 
@@ -139,6 +147,7 @@ public final class ServerOptions {
             threads = o.threads;
             timing = o.timing;
             keytool = o.keytool;
+            room = o.room;
         }
 
         /**
@@ -234,6 +243,12 @@ public final class ServerOptions {
          */
         public Builder archives(List<RenderResult.Archive> all) {
             archives = List.copyOf(all);
+            return this;
+        }
+
+        /** Where a picture is kept while it is made, if it is too large for the memory; without it such a picture is refused. */
+        public Builder scratch(RenderRequest.ScratchFolder folder) {
+            room = PictureRoom.of(Optional.of(folder));
             return this;
         }
 

@@ -1,11 +1,13 @@
 package enlightenment.store;
 
 import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.FilmRoom;
 import enlightenment.engine.KeptPlan;
 import enlightenment.engine.RenderOutline;
 import enlightenment.engine.Rendered;
 import enlightenment.engine.WorkUnits;
 import enlightenment.math.InvalidValueException;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -28,11 +30,13 @@ public record StorePicture(RenderResult result, Map<String, String> texts, int u
     /**
      * Puts a picture together.
      *
+     * @param scratch where it is if it is too large for the memory; empty if it is refused
      * @throws IOException if there is nothing to put together
      */
-    public static StorePicture of(SampleStore store, RenderRow render) throws IOException {
+    public static StorePicture of(SampleStore store, RenderRow render, Optional<RenderRequest.ScratchFolder> scratch)
+            throws IOException {
         PlanRow plan = plan(store, render);
-        FilmAssembly film = assembly(outline(plan).orElseThrow(() -> unknown(store, render)));
+        FilmAssembly film = assembly(outline(plan).orElseThrow(() -> unknown(store, render)), scratch);
         List<String> notes = new ArrayList<>();
         long[] wrong = new long[1];
         long damaged = store.results(render, plan, (unit, bytes) -> {
@@ -50,14 +54,18 @@ public record StorePicture(RenderResult result, Map<String, String> texts, int u
             notes.add(damaged + " units are damaged");
         }
         Rendered rendered = film.result();
+        film.film().release();
         RenderResult result = new RenderResult(
                 rendered.image(), rendered.report(), rendered.complete(), rendered.shownPixels(), Map.of(), List.of());
         return new StorePicture(result, plan.texts(), film.units(), film.units() - film.done(), notes);
     }
 
-    private static FilmAssembly assembly(RenderOutline outline) throws StoreException {
+    private static FilmAssembly assembly(RenderOutline outline, Optional<RenderRequest.ScratchFolder> scratch)
+            throws StoreException {
         try {
-            return new FilmAssembly(outline);
+            FilmRoom room = scratch.map(s -> new FilmRoom(Optional.of(s.folder()), s.memory()))
+                    .orElse(FilmRoom.MEMORY);
+            return new FilmAssembly(outline, room);
         } catch (InvalidValueException | ArithmeticException e) {
             throw new StoreException("the plan in the store cannot be used: " + e.getMessage(), e);
         }

@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
@@ -95,7 +96,7 @@ class MatterUnitsTest {
                     scene, settings, part, 2, n -> Map.of(), file, RenderProgress.NONE, () -> false));
             files.add(file);
         }
-        RenderParts.Merged all = RenderParts.merge(files);
+        RenderParts.Merged all = RenderParts.merge(files, Optional.empty());
         assertEquals(List.of(), all.missing());
         return all.result().image().toArray();
     }

@@ -22,6 +22,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.IntFunction;
 import org.junit.jupiter.api.Timeout;
@@ -142,11 +143,14 @@ class UnitKindsTest {
                     kind.scene, kind.settings, part, 3, n -> Map.of("n", "" + n), file, progress, () -> false));
             files.add(file);
         }
-        RenderParts.Merged some = RenderParts.merge(files.subList(0, 2));
+        RenderParts.Merged some = RenderParts.merge(files.subList(0, 2), Optional.empty());
         assertEquals(List.of("part 1/3"), some.missing());
-        RenderParts.Merged all = RenderParts.merge(files);
+        RenderParts.Merged all = RenderParts.merge(files, Optional.empty());
         assertEquals(List.of(), all.missing());
         kind.check(all.result());
+        // No picture is small enough for memory where it can be in a file.
+        kind.check(RenderParts.merge(files, Optional.of(new RenderRequest.ScratchFolder(folder, 0)))
+                .result());
     }
 
     @ParameterizedTest

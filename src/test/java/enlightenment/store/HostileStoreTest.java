@@ -18,6 +18,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Properties;
 import java.util.jar.JarOutputStream;
 import java.util.zip.ZipEntry;
@@ -136,7 +137,7 @@ class HostileStoreTest {
         try (SampleStore store = SampleStore.open(TestStores.at(file), StoreLogin.NONE)) {
             RenderRow render = store.choose("");
             assertTrue(StorePicture.units(store.plans(render).get(0)).isEmpty());
-            IOException e = assertThrows(IOException.class, () -> StorePicture.of(store, render));
+            IOException e = assertThrows(IOException.class, () -> StorePicture.of(store, render, Optional.empty()));
             assertTrue(e.getMessage().contains("can make a picture of"), e.getMessage());
         }
         sql("UPDATE render_plan SET data = zeroblob(100000000)");

@@ -5,9 +5,11 @@ import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import java.io.IOException;
 import java.util.Map;
+import java.util.Optional;
 import picocli.CommandLine.Mixin;
 
 /** The options of commands that make a picture of results which are there, and what they do with it. */
@@ -26,6 +28,11 @@ public final class ResultPicture {
     /** What messages call it. */
     public String name() {
         return output.name();
+    }
+
+    /** Where it is kept if it is too large for the memory; empty if it must be in memory. */
+    public Optional<RenderRequest.ScratchFolder> scratch() {
+        return output.scratch();
     }
 
     /** Fails if it cannot be written so, or not beside these files, which are read. */

@@ -38,7 +38,7 @@ public final class MergeCommand extends Subcommand {
         CommandFiles files = new CommandFiles();
         parts.forEach(part -> files.reads("a part", part));
         output.check(files);
-        RenderParts.Merged merged = RenderParts.merge(parts);
+        RenderParts.Merged merged = RenderParts.merge(parts, output.scratch());
         String missing = merged.missing().isEmpty() ? "" : inWords(merged.missing());
         if (!missing.isEmpty() && !partial) {
             terminal.say(missing);

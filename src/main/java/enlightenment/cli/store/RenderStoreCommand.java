@@ -37,7 +37,7 @@ public final class RenderStoreCommand extends Subcommand {
         StorePicture picture;
         try (SampleStore store = argument.open()) {
             RenderRow render = argument.choose(store);
-            picture = StorePicture.of(store, render);
+            picture = StorePicture.of(store, render, output.scratch());
         }
         picture.notes().forEach(terminal::say);
         if (picture.result().shownPixels() == 0) {

@@ -1,6 +1,7 @@
 package enlightenment.net.job;
 
 import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.FilmRoom;
 import enlightenment.engine.OutlineBytes;
 import enlightenment.engine.RenderOutline;
 import enlightenment.file.ContentHash;
@@ -25,6 +26,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntFunction;
 
 /**
  * The tiles of a part of a render in a file: magic, head, number of tiles, tiles (number, length, bytes), and the SHA-256 of
@@ -52,18 +54,24 @@ public final class PartFile implements Closeable {
     /** A tile. */
     public record Tile(int tile, byte[] bytes) {}
 
-    /** Writes a part, whole or not at all. */
-    public static void write(Path file, Head head, Map<Integer, byte[]> tiles) throws IOException {
+    /**
+     * Writes a part, whole or not at all.
+     *
+     * @param tiles their numbers, ascending
+     * @param results gives the bytes of a tile, one after the other
+     */
+    public static void write(Path file, Head head, int[] tiles, IntFunction<byte[]> results) throws IOException {
         WholeFile.write(file, plain -> {
             MessageDigest digest = ContentHash.sha256();
             DataOutputStream out = new DataOutputStream(new DigestOutputStream(plain, digest));
             out.write(MAGIC);
             writeHead(out, head);
-            out.writeInt(tiles.size());
-            for (Map.Entry<Integer, byte[]> tile : tiles.entrySet()) {
-                out.writeInt(tile.getKey());
-                out.writeInt(tile.getValue().length);
-                out.write(tile.getValue());
+            out.writeInt(tiles.length);
+            for (int tile : tiles) {
+                byte[] bytes = results.apply(tile);
+                out.writeInt(tile);
+                out.writeInt(bytes.length);
+                out.write(bytes);
             }
             out.flush();
             plain.write(digest.digest());
@@ -129,11 +137,12 @@ public final class PartFile implements Closeable {
     /**
      * A picture to put the tiles into.
      *
+     * @param room where its pixels may be
      * @throws IOException if there can be no picture of the kind that the head tells of
      */
-    public FilmAssembly assembly() throws IOException {
+    public FilmAssembly assembly(FilmRoom room) throws IOException {
         try {
-            return new FilmAssembly(head.outline());
+            return new FilmAssembly(head.outline(), room);
         } catch (IllegalArgumentException | ArithmeticException e) {
             throw senseless(file, e);
         }

@@ -2,21 +2,28 @@ package enlightenment.net.parts;
 
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.FilmRoom;
+import enlightenment.engine.Rendered;
 import enlightenment.file.ContentHash;
+import enlightenment.image.Image;
 import enlightenment.job.Build;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.job.PartFile;
+import enlightenment.net.job.PictureRoom;
 import enlightenment.net.job.Results;
 import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
@@ -59,20 +66,23 @@ public final class RenderParts {
         if (settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException("parts of a render must not depend on the time that they take");
         }
-        DividedRender render = DividedRender.prepareOnce(scene, settings, cancelled);
+        DividedRender render = DividedRender.preparePart(scene, settings, cancelled);
         render.notes().forEach(progress::note);
         ContentHash job = JobContent.of(scene, render.outline(), Build.number()).hash();
         requireSamePart(file, part, parts);
         int[] tiles = IntStream.range(0, render.units())
                 .filter(tile -> tile % parts == part - 1)
                 .toArray();
-        Map<Integer, byte[]> made = make(render, tiles, progress, cancelled);
-        PartFile.write(
-                file,
-                new PartFile.Head(
-                        job, render.outline(), text.apply(render.plan().samples()), part, parts),
-                made);
-        return made.size() == tiles.length;
+        PartFile.Head head = new PartFile.Head(
+                job, render.outline(), text.apply(render.plan().samples()), part, parts);
+        Path folder = file.toAbsolutePath().getParent();
+        try (PartResults results = new PartResults(tiles, folder)) {
+            make(render, tiles, results, FilmRoom.in(folder), progress, cancelled);
+            PartFile.write(file, head, results.units(), results::get);
+            return results.made() == tiles.length;
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        }
     }
 
     /** What another part's render has made is not lost by a number that was forgotten in a name. */
@@ -98,19 +108,33 @@ public final class RenderParts {
         }
     }
 
-    private static Map<Integer, byte[]> make(
-            DividedRender render, int[] tiles, RenderProgress progress, BooleanSupplier cancelled) {
-        Map<Integer, byte[]> made = new TreeMap<>();
-        FilmAssembly film = render.assembly();
-        long pixels = film.pixels() * tiles.length / render.units();
+    private static void make(
+            DividedRender render,
+            int[] tiles,
+            PartResults results,
+            FilmRoom room,
+            RenderProgress progress,
+            BooleanSupplier cancelled) {
+        RenderSettings.Crop region = render.outline().settings().region();
+        long pixels = (long) region.width() * region.height() * tiles.length / render.units();
         render.make(tiles, cancelled, (tile, bytes) -> {
-            synchronized (made) {
-                made.put(tile, bytes);
-                film.put(tile, bytes);
-                progress.progress(Math.min(film.pixelsDone(), pixels), pixels, film::image);
+            results.keep(tile, bytes);
+            synchronized (progress) {
+                progress.progress(
+                        (long) ((double) pixels * results.made() / tiles.length),
+                        pixels,
+                        () -> picture(render, results, room));
             }
         });
-        return made;
+    }
+
+    /** The part so far, made of its results: hardly anybody looks, and others need no memory for it. */
+    private static Image picture(DividedRender render, PartResults results, FilmRoom room) {
+        FilmAssembly film = new FilmAssembly(render.outline(), room);
+        for (int unit : results.units()) {
+            film.put(unit, results.get(unit));
+        }
+        return film.image();
     }
 
     /**
@@ -125,9 +149,10 @@ public final class RenderParts {
     /**
      * Puts parts together. The same tile may be in several files, if it is the same there.
      *
+     * @param scratch where the picture is if it is too large for the memory; empty if it is refused
      * @throws IOException if a file cannot be read or is damaged, or files do not go together; the message names it
      */
-    public static Merged merge(List<Path> files) throws IOException {
+    public static Merged merge(List<Path> files, Optional<RenderRequest.ScratchFolder> scratch) throws IOException {
         PartFile.Head first = null;
         FilmAssembly film = null;
         ContentHash[] hashes = null;
@@ -136,7 +161,7 @@ public final class RenderParts {
             try (PartFile part = PartFile.open(file)) {
                 if (first == null) {
                     first = part.head();
-                    film = part.assembly();
+                    film = part.assembly(PictureRoom.of(scratch));
                     hashes = new ContentHash[film.units()];
                     from = new Path[film.units()];
                 }
@@ -147,7 +172,9 @@ public final class RenderParts {
         if (first == null) {
             throw new IOException("there are no parts to merge");
         }
-        return new Merged(Results.of(film.result()), first.text(), missing(first, film));
+        Rendered rendered = film.result();
+        film.film().release();
+        return new Merged(Results.of(rendered), first.text(), missing(first, film));
     }
 
     private static void add(PartFile part, FilmAssembly film, ContentHash[] hashes, Path[] from) throws IOException {

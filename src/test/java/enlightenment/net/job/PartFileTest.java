@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -50,7 +51,8 @@ class PartFileTest {
         RenderParts.render(
                 scene, settings, 1, 1, samples -> Map.of("Title", "part"), file, RenderProgress.NONE, () -> false);
         good = Files.readAllBytes(file);
-        assertEquals(List.of(), RenderParts.merge(List.of(file)).missing());
+        assertEquals(
+                List.of(), RenderParts.merge(List.of(file), Optional.empty()).missing());
     }
 
     private Scene other(double radius) {
@@ -109,7 +111,7 @@ class PartFileTest {
     private boolean isRefused(byte[] bytes, String what) throws IOException {
         Files.write(file, bytes);
         try {
-            RenderParts.merge(List.of(file));
+            RenderParts.merge(List.of(file), Optional.empty());
             return false;
         } catch (IOException e) {
             assertTrue(e.getMessage().startsWith(file + ": "), () -> what + ": " + e.getMessage());
@@ -162,7 +164,8 @@ class PartFileTest {
         int at = new String(bad, StandardCharsets.ISO_8859_1).indexOf("part");
         bad[at] = 'P';
         Files.write(file, withHash(bad));
-        IOException e = assertThrows(IOException.class, () -> RenderParts.merge(List.of(other, file)));
+        IOException e =
+                assertThrows(IOException.class, () -> RenderParts.merge(List.of(other, file), Optional.empty()));
         assertTrue(e.getMessage().contains("part.film: "), e.getMessage());
     }
 }

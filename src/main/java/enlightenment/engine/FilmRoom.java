@@ -1,0 +1,88 @@
+package enlightenment.engine;
+
+import enlightenment.check.Check;
+import enlightenment.file.ScratchFile;
+import enlightenment.film.FilmInFile;
+import enlightenment.plan.Integrators;
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
+import enlightenment.work.PictureMemory;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/**
+ * Where the pixels of a picture may be while it is made: in memory, or in a file if they are too large for it.
+ *
+ * @param folder of the file; empty if the pixels must be in memory
+ * @param memory the most bytes that pixels take in memory where there is a folder
+ */
+public record FilmRoom(Optional<Path> folder, long memory) {
+    /** In memory only. */
+    public static final FilmRoom MEMORY = new FilmRoom(Optional.empty(), Long.MAX_VALUE);
+
+    /** The most that a written picture takes per pixel. */
+    private static final long WRITTEN_BYTES = 3 * Float.BYTES;
+
+    /** Rows of pixels that are in a file may take one half of the memory. */
+    private static final int SHARE_OF_ROWS = 2;
+
+    /** Pixels that take more than half of the memory there is are in a file in this folder. */
+    public static FilmRoom in(Path folder) {
+        return new FilmRoom(Optional.of(folder), Runtime.getRuntime().maxMemory() / 2);
+    }
+
+    /** {@link #in}, or memory only where there is no folder. */
+    public static FilmRoom in(Optional<Path> folder) {
+        return folder.map(FilmRoom::in).orElse(MEMORY);
+    }
+
+    /** Whether a picture is too large for the memory that it may take. */
+    public boolean isExceededBy(PictureMemory picture) {
+        return folder.isPresent() && picture.bytes() > memory;
+    }
+
+    /**
+     * Decides where the pixels of a picture are, before anything is allocated.
+     *
+     * @param picture what it takes in memory
+     * @param wholeInMemory what needs all of the picture in memory, such as {@code the method light}; empty if nothing does
+     * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space in the folder
+     */
+    public FilmPlace place(PictureMemory picture, Optional<String> wholeInMemory) {
+        if (isExceededBy(picture) && wholeInMemory.isEmpty()) {
+            checkFile(picture);
+            return FilmPlace.in(folder.get());
+        }
+        picture.check(wholeInMemory
+                .map(what -> "; " + what + " needs all of it in memory")
+                .orElse(""));
+        return FilmPlace.MEMORY;
+    }
+
+    /** The method, as {@link #place} wants it, if its pictures are in memory whatever the scene. */
+    public static Optional<String> wholeInMemory(Method method) {
+        return method.kind() != Method.Kind.TILES || Integrators.alwaysHasLightPaths(method)
+                ? Optional.of("the method " + method.word())
+                : Optional.empty();
+    }
+
+    private void checkFile(PictureMemory picture) {
+        RenderSettings.Crop region = picture.settings().region();
+        String name = "a picture of " + region.width() + "x" + region.height() + " pixels needs ";
+        long most = Runtime.getRuntime().maxMemory();
+        long rows = FilmInFile.memory(region.width(), picture.isLinear());
+        Check.that(
+                rows <= most / SHARE_OF_ROWS,
+                "size",
+                name + SHARE_OF_ROWS * rows + " bytes of memory for some of its rows; at most " + most
+                        + " are there (java -Xmx sets the limit)");
+        long pixels = (long) region.width() * region.height();
+        long needed = pixels * (FilmInFile.bytesPerPixel(picture.isLinear()) + WRITTEN_BYTES);
+        long usable = ScratchFile.usableSpace(folder.get());
+        Check.that(
+                needed <= usable,
+                "size",
+                name + needed + " bytes on the disk, for a file in " + folder.get() + " while it is rendered; only "
+                        + usable + " are free");
+    }
+}

@@ -1,0 +1,91 @@
+package enlightenment.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.process.JavaProcess;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import enlightenment.scene.json.SceneReader;
+import enlightenment.work.PictureMemory;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Pictures that take more than all of the memory of the commands that make them, against those made in memory. */
+class LargePictureTest {
+    private static final int HEAP_MIB = 64;
+    private static final String FIRE = "scenes/fire-and-ice.json";
+    private static final String ROOM = "scenes/cornell-box.json";
+
+    @TempDir
+    private Path folder;
+
+    private Path whole;
+
+    @BeforeEach
+    void files() {
+        whole = folder.resolve("whole.png");
+    }
+
+    private static String output(Process process, int code) throws IOException, InterruptedException {
+        String output = new String(process.getInputStream().readAllBytes());
+        process.waitFor();
+        assertEquals(code, process.exitValue(), output);
+        return output;
+    }
+
+    /** Starts a command in little memory. */
+    private static Process start(Object... args) throws IOException {
+        ProcessBuilder builder = JavaProcess.of(Main.class, (Object[]) CliRun.quiet(CliRun.texts(args)));
+        builder.command().replaceAll(o -> o.startsWith("-Xmx") ? "-Xmx" + HEAP_MIB + "m" : o);
+        return builder.redirectErrorStream(true).start();
+    }
+
+    private static String run(Object... args) throws IOException, InterruptedException {
+        return output(start(args), 0);
+    }
+
+    /** The picture made in memory, which is more than the others have. */
+    private byte[] inMemory(String scene, String size) throws IOException {
+        Scene read = SceneReader.read(Path.of(scene));
+        String[] sides = size.split("x");
+        RenderSettings settings =
+                RenderSettings.of(read).withSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]));
+        long bytes =
+                PictureMemory.of(read, settings, PictureMemory.Films.TILES, 0).bytes();
+        assertTrue(bytes > (long) HEAP_MIB << 20, bytes + " bytes would fit");
+        CliRun run = CliRun.of("render", scene, "-o", whole, "--size", size, "--samples", 1, "--progress", "none");
+        assertEquals(0, run.code(), run.err());
+        return Files.readAllBytes(whole);
+    }
+
+    @ParameterizedTest
+    @CsvSource({FIRE + ", 1500x1000", ROOM + ", 900x720"})
+    void partsAreMadeAndMergedInLittleMemory(String scene, String size) throws Exception {
+        byte[] expected = inMemory(scene, size);
+        List<Object> merge = new ArrayList<>(List.of("merge", "-o", folder.resolve("merged.png")));
+        for (int part = 1; part <= 2; part++) {
+            Path file = folder.resolve(part + ".film");
+            run("render", scene, "-o", file, "--part", part + "/2", "--size", size, "--samples", 1);
+            merge.add(file);
+        }
+        run(merge.toArray());
+        assertArrayEquals(expected, Files.readAllBytes(folder.resolve("merged.png")));
+    }
+
+    @Test
+    void whatNeedsThePictureInMemoryIsRefusedByName() throws Exception {
+        String said = output(
+                start("render", ROOM, "-o", folder.resolve("p.png"), "--method", "light", "--size", "4000x3000"), 2);
+        assertTrue(said.contains("the method light needs all of it in memory"), said);
+    }
+}

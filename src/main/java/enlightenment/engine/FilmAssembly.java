@@ -209,7 +209,7 @@ public final class FilmAssembly implements UnitAssembly {
 
     @Override
     public synchronized Image image() {
-        Image image = film.image();
+        Image image = film.shown();
         return preview == null || film.isComplete() ? image : preview.beneath(film, image);
     }
 

@@ -164,6 +164,11 @@ public abstract class PictureFilm {
     /** The picture so far; what is missing is black. */
     public abstract Image image();
 
+    /** The picture so far for those who look at it: where it is not in memory only some of its columns and rows. */
+    public Image shown() {
+        return image();
+    }
+
     /** A stand-in for tiles that are missing, with what paths have brought so far that may end anywhere. */
     public Image completed(Image tiles) {
         return tiles;

@@ -188,4 +188,9 @@ public final class TilePicture extends PictureFilm {
     public Image image() {
         return film.toImage();
     }
+
+    @Override
+    public Image shown() {
+        return film.shown();
+    }
 }

@@ -37,7 +37,10 @@ public interface UnitAssembly {
     /** Number of pixels in all. */
     long pixels();
 
-    /** The picture so far, or that of many which is made now; what is missing is black. */
+    /**
+     * The picture so far, or that of many which is made now, for those who look at it; what is missing is black. Where it is not in memory
+     * only some of its columns and rows.
+     */
     Image image();
 
     /** Whether {@link #remove}, and {@link #put} in place of something else, needs a {@linkplain #keepIn store}. */

@@ -25,6 +25,9 @@ public final class FilmInFile implements TileFilm {
     /** Of the figures that the error is found from. */
     private static final int FIGURE_BYTES = 2 * Float.BYTES + Integer.BYTES;
 
+    /** The most pixels that are read one by one, for those who look: a second's work at most. */
+    private static final int MOST_SHOWN = 1 << 18;
+
     private final int x;
     private final int y;
     private final int width;
@@ -291,6 +294,33 @@ public final class FilmInFile implements TileFilm {
             rows.add(numbers);
         }
         return Image.of(width, height, rows, curve);
+    }
+
+    /** Every n-th column and row, with the n that leaves {@link #MOST_SHOWN} pixels at most. */
+    @Override
+    public Image shown() {
+        int step = 1;
+        while ((long) shown(width, step) * shown(height, step) > MOST_SHOWN) {
+            step++;
+        }
+        int columns = shown(width, step);
+        float[] rgb = new float[3 * columns * shown(height, step)];
+        byte[] bytes = new byte[3 * Double.BYTES];
+        ByteBuffer means = ByteBuffer.wrap(bytes);
+        for (int i = 0; i < rgb.length; i += 3) {
+            int column = x + i / 3 % columns * step;
+            int row = y + i / 3 / columns * step;
+            int within = FilmBand.index(column % SIDE, row);
+            file.read(position(column / SIDE, row / SIDE) + (long) pixelBytes * within, bytes, bytes.length);
+            for (int c = 0; c < 3; c++) {
+                rgb[i + c] = FloatLight.of(means.getDouble(Double.BYTES * c), curve);
+            }
+        }
+        return new Image(columns, shown(height, step), rgb, curve);
+    }
+
+    private static int shown(int side, int step) {
+        return (side + step - 1) / step;
     }
 
     @Override

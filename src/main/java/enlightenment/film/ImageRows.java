@@ -25,6 +25,11 @@ final class ImageRows implements Image.Rows {
     }
 
     @Override
+    public void release() {
+        file.close();
+    }
+
+    @Override
     public void read(int y, float[] components) {
         byte[] bytes = new byte[rowBytes];
         file.read((long) rowBytes * y, bytes, rowBytes);

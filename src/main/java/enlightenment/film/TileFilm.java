@@ -54,6 +54,11 @@ public sealed interface TileFilm permits Film, FilmInFile {
     /** The picture as it stands. */
     Image toImage();
 
+    /** The picture as it stands for those who look at it: where it is not in memory only some of its columns and rows. */
+    default Image shown() {
+        return toImage();
+    }
+
     /** Gives up what is not in memory; only images that were taken before can be used then. */
     default void release() {}
 }

@@ -105,6 +105,16 @@ public final class Image {
         return new Image(width, height, Objects.requireNonNull(curve, "curve"), Objects.requireNonNull(rows, "rows"));
     }
 
+    /**
+     * Gives up what is not in memory, such as a file: afterwards no component can be read, of this picture or one that was made from it.
+     * Has no effect on a picture in memory.
+     */
+    public void release() {
+        if (rows != null) {
+            rows.release();
+        }
+    }
+
     /** What the components are. */
     public Color.Encoding encoding() {
         return curve.encoding();
@@ -275,5 +285,8 @@ public final class Image {
          * @throws java.io.UncheckedIOException if that fails
          */
         void read(int y, float[] components);
+
+        /** Gives up the file, or whatever holds the rows; none is read any more. */
+        default void release() {}
     }
 }

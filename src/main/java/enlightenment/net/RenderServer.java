@@ -1,6 +1,7 @@
 package enlightenment.net;
 
 import enlightenment.engine.DividedRender;
+import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.Preview;
 import enlightenment.engine.Rendered;
 import enlightenment.engine.SharedImages;
@@ -287,11 +288,15 @@ public final class RenderServer implements Closeable {
         private void give(FilmQueue.Round now, Sink sink) throws IOException {
             FrameAssemblies film = now.film();
             for (var whole = film.takeWhole(); whole.isPresent(); whole = film.takeWhole()) {
-                Rendered rendered = whole.get().film().result();
-                film.show(rendered.image());
+                FilmAssembly picture = whole.get().film();
+                Rendered rendered = picture.result();
+                film.show(picture.image());
+                picture.film().release();
                 int number = now.number(whole.get().frame());
                 if (queue.isEnough(now, whole.get().frame(), rendered)) {
                     sink.frame(number, Results.of(rendered));
+                } else {
+                    rendered.image().release();
                 }
             }
         }

@@ -30,6 +30,7 @@ final class ServerRounds {
             try {
                 Rendered result = result(next, progress, cancelled);
                 if (result.complete()) {
+                    best.image().release();
                     best = result;
                     audits = audits(next);
                     next = after(best, cancelled);
@@ -69,9 +70,11 @@ final class ServerRounds {
             round.end(false);
             return null;
         }
-        ServedPicture next = picture.with(more);
+        ServedPicture before = picture;
+        ServedPicture next = before.with(more);
         picture = next;
         ServerRound further = chain.follow(() -> next.job(round.log()));
+        before.film().film().release();
         if (further == null && chain.isStopped()) {
             sayStopped(result);
         }

@@ -90,8 +90,11 @@ final class KeptRender implements PictureRender {
 
     /** The picture so far for those who look at it. */
     private Image shown() {
+        if (preview == null) {
+            return assembly.image();
+        }
         Image image = assembly.finished();
-        return preview == null || film().isComplete() ? image : preview.beneath(film(), image);
+        return film().isComplete() ? image : preview.beneath(film(), image);
     }
 
     private boolean keepsPreview() {

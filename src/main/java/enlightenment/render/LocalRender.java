@@ -159,7 +159,7 @@ final class LocalRender implements PictureRender {
 
     /** The picture so far for those who look at it. */
     private Image shown() {
-        return preview == null || film.isComplete() ? film.image() : film.completed(preview.image());
+        return preview == null || film.isComplete() ? film.shown() : film.completed(preview.image());
     }
 
     private void gather(List<ClusterStatistics> records) {

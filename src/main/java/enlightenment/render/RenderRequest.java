@@ -253,7 +253,7 @@ public record RenderRequest(
 
     /**
      * Where a picture is kept while it is rendered, if it is too large for the memory. Its file there has no name or a new one, and is gone with
-     * the picture, or with the process.
+     * the picture, or with the process. Listeners see some of its columns and rows only: those of a picture of at most 2¹⁸ pixels.
      *
      * @param folder best that of the finished picture
      * @param memory the most bytes that the pixels may take in memory, at least 0

@@ -97,6 +97,9 @@ final class RenderRounds {
             if (!result.complete()) {
                 return best == null ? result : stopped(best);
             }
+            if (best != null) {
+                best.image().release();
+            }
             best = result;
             double now = time.seconds();
             OptionalDouble next = rounds.next(result.report(), now - before, now);

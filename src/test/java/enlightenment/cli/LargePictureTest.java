@@ -10,6 +10,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import enlightenment.work.PictureMemory;
 import java.io.IOException;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Pictures that take more than all of the memory of the commands that make them, against those made in memory. */
 class LargePictureTest {
@@ -80,6 +82,47 @@ class LargePictureTest {
         }
         run(merge.toArray());
         assertArrayEquals(expected, Files.readAllBytes(folder.resolve("merged.png")));
+    }
+
+    @ParameterizedTest
+    @CsvSource({FIRE + ", 1500x1000", ROOM + ", 900x720"})
+    void aServerAndItsWorkerMakeThemInLittleMemory(String scene, String size) throws Exception {
+        byte[] expected = inMemory(scene, size);
+        Path served = folder.resolve("served.png");
+        int port;
+        try (ServerSocket free = new ServerSocket(0)) {
+            port = free.getLocalPort();
+        }
+        Process server = start(
+                "server", scene, "-o", served, "--size", size, "--samples", 1, "--port", port, "--local-threads", 0);
+        Process worker = start("worker", "127.0.0.1:" + port);
+        try {
+            output(server, 0);
+            output(worker, 0);
+        } finally {
+            server.destroyForcibly();
+            worker.destroyForcibly();
+        }
+        assertArrayEquals(expected, Files.readAllBytes(served));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "--server --port 0"})
+    void framesAreMadeInLittleMemory(String more) throws Exception {
+        Path pattern = folder.resolve("f-%d.png");
+        List<Object> words = new ArrayList<>(List.of("animate", "scenes/fire-and-ice-tween.json", "--frames", "3-4"));
+        words.addAll(List.of("--size", "1500x1000", "--samples", 1, "-o"));
+        words.add(folder.resolve("m-%d.png"));
+        CliRun inMemory = CliRun.of(words.toArray());
+        assertEquals(0, inMemory.code(), inMemory.err());
+        words.set(words.size() - 1, pattern);
+        words.addAll(more.isEmpty() ? List.of() : List.of(more.split(" ")));
+        run(words.toArray());
+        for (int frame = 3; frame <= 4; frame++) {
+            assertArrayEquals(
+                    Files.readAllBytes(folder.resolve("m-" + frame + ".png")),
+                    Files.readAllBytes(folder.resolve("f-" + frame + ".png")));
+        }
     }
 
     @Test

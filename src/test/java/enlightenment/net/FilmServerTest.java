@@ -10,6 +10,7 @@ import enlightenment.engine.DividedRender;
 import enlightenment.image.Image;
 import enlightenment.physical.InvarianceScenes;
 import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.render.TestScenes;
@@ -33,6 +34,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The frames of a film as one job: workers come, stay, die and lie, and each frame is that of one process. */
 @Timeout(600)
@@ -133,6 +135,15 @@ class FilmServerTest {
         if (server != null) {
             server.close();
         }
+    }
+
+    @Test
+    void framesWhosePixelsAreInFilesAreThoseOfOneProcess(@TempDir Path folder) throws Exception {
+        ServerOptions.Builder options = Farm.options().awaitWorkers(1, Farm.TIMEOUT_SECONDS);
+        CompletableFuture<Boolean> film = serve(4, options.scratch(new RenderRequest.ScratchFolder(folder, 0)));
+        worker(Farm.worker(2), server.port());
+        assertTrue(film.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
+        check(frames, 4);
     }
 
     @Test

@@ -132,6 +132,9 @@ class RenderServerTest {
         Path checkpoint = folder.resolve("checkpoint");
         ServerOptions.Builder options =
                 Farm.options().awaitWorkers(1, Farm.TIMEOUT_SECONDS).checkpoint(checkpoint);
+        if (isRestarted) {
+            options.scratch(new RenderRequest.ScratchFolder(folder, 0));
+        }
         for (int run = 0; run < (isRestarted ? 2 : 1); run++) {
             try (Farm farm = new Farm(Farm.SCENE, settings, options).begin()) {
                 CompletableFuture<RenderWorker.Outcome> worker = farm.join(Farm.worker(2));

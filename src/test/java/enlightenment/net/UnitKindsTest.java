@@ -189,6 +189,11 @@ class UnitKindsTest {
         }
     }
 
+    /** No picture is small enough for memory where it can be in a file. */
+    private ServerOptions.Builder inFile() {
+        return Farm.options().scratch(new RenderRequest.ScratchFolder(folder, 0));
+    }
+
     @ParameterizedTest
     @EnumSource
     void aServerThatWasStoppedGoesOnFromItsCheckpoint(Kind kind) throws Exception {
@@ -196,7 +201,7 @@ class UnitKindsTest {
         // Whichever these are, there is a finished tile, or a share of all pixels, among them.
         int done = kind.units - 1;
         CountDownLatch stop = new CountDownLatch(1);
-        try (Farm farm = new Farm(kind.scene, kind.settings, Farm.options().checkpoint(checkpoint)).begin()) {
+        try (Farm farm = new Farm(kind.scene, kind.settings, inFile().checkpoint(checkpoint)).begin()) {
             farm.join(Farm.stuckAfter(done, stop));
             Farm.until(() -> farm.server.round().job().film().done() == done, "all units but one are done");
             RenderResult stopped = farm.stop();
@@ -206,9 +211,7 @@ class UnitKindsTest {
             stop.countDown();
         }
         try (Farm farm = new Farm(
-                kind.scene,
-                kind.settings,
-                Farm.options().checkpoint(checkpoint).awaitWorkers(1, Farm.TIMEOUT_SECONDS))) {
+                kind.scene, kind.settings, inFile().checkpoint(checkpoint).awaitWorkers(1, Farm.TIMEOUT_SECONDS))) {
             assertEquals(done, farm.server.round().job().film().done());
             farm.begin().join(Farm.worker(2));
             kind.check(farm.result());
@@ -219,7 +222,7 @@ class UnitKindsTest {
     @ParameterizedTest
     @EnumSource
     void whatAMachineSaidThatIsFoundOutLeavesNothing(Kind kind) throws Exception {
-        ServerOptions.Builder options = Farm.options().auditRate(1).localThreads(1);
+        ServerOptions.Builder options = inFile().auditRate(1).localThreads(1);
         try (Farm farm = new Farm(kind.scene, kind.settings, options.awaitWorkers(2, Farm.TIMEOUT_SECONDS)).begin()) {
             farm.join(Farm.worker(1).machine("liar").tamper((unit, bytes) -> liesLike(kind, bytes)));
             farm.join(Farm.worker(1).machine("honest"));

@@ -5,6 +5,7 @@ import enlightenment.cli.serve.ServingOptions;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
+import enlightenment.render.RenderRequest;
 import java.io.IOException;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -22,9 +23,13 @@ final class FilmServing {
 
     FilmServing() {}
 
-    /** What the options ask for; null without {@code --server}. */
-    ServerOptions options(Terminal terminal) throws IOException {
-        return server ? serving.options(terminal).build() : null;
+    /**
+     * What the options ask for; null without {@code --server}.
+     *
+     * @param scratch where a frame is kept that is too large for the memory
+     */
+    ServerOptions options(RenderRequest.ScratchFolder scratch, Terminal terminal) throws IOException {
+        return server ? serving.options(terminal).scratch(scratch).build() : null;
     }
 
     /** The options of a server. */

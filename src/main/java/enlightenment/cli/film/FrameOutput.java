@@ -3,6 +3,7 @@ package enlightenment.cli.film;
 import enlightenment.cli.picture.AovFiles;
 import enlightenment.cli.picture.AovSet;
 import enlightenment.cli.picture.PictureOutput;
+import enlightenment.render.RenderRequest;
 import picocli.CommandLine.Option;
 
 /** The options that say where frames are written, and how. */
@@ -50,6 +51,11 @@ final class FrameOutput {
 
     FramePattern pattern() {
         return pattern;
+    }
+
+    /** Where a frame is kept that is too large for the memory. */
+    RenderRequest.ScratchFolder scratch() {
+        return RenderRequest.ScratchFolder.of(pattern.folder().toAbsolutePath());
     }
 
     /** Bits per component. */

@@ -54,7 +54,9 @@ final class FrameRenderer implements FrameMaker {
             if (!result.complete()) {
                 return false;
             }
-            listener.written(frame, !writer.write(writer.subject(frame, scene, chosen), result));
+            boolean isAsAsked = writer.write(writer.subject(frame, scene, chosen), result);
+            result.image().release();
+            listener.written(frame, !isAsAsked);
             told.frameFinished();
         }
         return true;
@@ -62,13 +64,14 @@ final class FrameRenderer implements FrameMaker {
 
     private RenderResult render(int frame, Scene scene, RenderSettings chosen, RenderProgress progress) {
         try {
-            return film.render(RenderRequest.of(scene, chosen)
+            RenderRequest request = RenderRequest.of(scene, chosen)
                     .withProgress(new BudgetNotes(
                             progress, chosen.budget(), terminal, FrameWriter.named(frame), said -> writer.notes()
                                     .say(frame, said)))
                     .withAuxiliary(output.aov().kinds())
                     .withWatched(isWatched)
-                    .withCancelled(terminal.stop()));
+                    .withCancelled(terminal.stop());
+            return film.render(isWatched ? request : request.withScratch(output.scratch()));
         } catch (InvalidValueException | SceneException e) {
             throw settings.told(frame, e);
         }

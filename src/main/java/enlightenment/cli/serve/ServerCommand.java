@@ -102,7 +102,9 @@ public final class ServerCommand extends Subcommand {
         output.check();
         view.check(output);
         store.check();
-        ServerOptions serverOptions = keep.addTo(serving.options(terminal)).build();
+        ServerOptions.Builder builder = keep.addTo(serving.options(terminal));
+        output.scratch().ifPresent(builder::scratch);
+        ServerOptions serverOptions = builder.build();
         input = argument.open(foreign, terminal);
         Scene scene = frame.read(input);
         RenderSettings settings = PictureOutput.withRounding(options.settings(scene, input), output.writtenDepth());

@@ -3,7 +3,7 @@ package enlightenment.engine;
 import enlightenment.check.Check;
 import enlightenment.file.ScratchFile;
 import enlightenment.film.FilmInFile;
-import enlightenment.plan.Integrators;
+import enlightenment.film.SplatFilmInFile;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.work.PictureMemory;
@@ -45,7 +45,7 @@ public record FilmRoom(Optional<Path> folder, long memory) {
      * Decides where the pixels of a picture are, before anything is allocated.
      *
      * @param picture what it takes in memory
-     * @param wholeInMemory what needs all of the picture in memory, such as {@code the method light}; empty if nothing does
+     * @param wholeInMemory what needs all of the picture in memory, such as {@code a preview}; empty if nothing does
      * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space in the folder
      */
     public FilmPlace place(PictureMemory picture, Optional<String> wholeInMemory) {
@@ -61,23 +61,33 @@ public record FilmRoom(Optional<Path> folder, long memory) {
 
     /** The method, as {@link #place} wants it, if its pictures are in memory whatever the scene. */
     public static Optional<String> wholeInMemory(Method method) {
-        return method.kind() != Method.Kind.TILES || Integrators.alwaysHasLightPaths(method)
-                ? Optional.of("the method " + method.word())
-                : Optional.empty();
+        return method.kind() != Method.Kind.TILES ? Optional.of("the method " + method.word()) : Optional.empty();
     }
 
     private void checkFile(PictureMemory picture) {
         RenderSettings.Crop region = picture.settings().region();
         String name = "a picture of " + region.width() + "x" + region.height() + " pixels needs ";
         long most = Runtime.getRuntime().maxMemory();
+        boolean hasSplats = picture.films() == PictureMemory.Films.BOTH;
         long rows = FilmInFile.memory(region.width(), picture.isLinear());
+        if (hasSplats) {
+            rows = 2 * rows + SplatFilmInFile.memory(region.width(), region.height());
+        }
         Check.that(
                 rows <= most / SHARE_OF_ROWS,
                 "size",
                 name + SHARE_OF_ROWS * rows + " bytes of memory for some of its rows; at most " + most
                         + " are there (java -Xmx sets the limit)");
         long pixels = (long) region.width() * region.height();
-        long needed = pixels * (FilmInFile.bytesPerPixel(picture.isLinear()) + WRITTEN_BYTES);
+        Check.that(
+                !hasSplats || pixels <= Integer.MAX_VALUE,
+                "size",
+                "a picture that paths from lights add to has at most " + Integer.MAX_VALUE + " pixels, not "
+                        + region.width() + "x" + region.height());
+        long films = hasSplats
+                ? FilmInFile.bytesPerPixelWithSplats(picture.isLinear())
+                : FilmInFile.bytesPerPixel(picture.isLinear());
+        long needed = pixels * (films + WRITTEN_BYTES);
         long usable = ScratchFile.usableSpace(folder.get());
         Check.that(
                 needed <= usable,

@@ -1,10 +1,8 @@
 package enlightenment.engine;
 
 import enlightenment.film.ErrorEstimate;
-import enlightenment.film.Film;
 import enlightenment.film.FilmTile;
-import enlightenment.film.FloatLight;
-import enlightenment.film.SplatFilm;
+import enlightenment.film.TileFilm;
 import enlightenment.image.Image;
 import enlightenment.plan.Integrators;
 
@@ -17,14 +15,17 @@ final class MixedPicture extends PictureFilm {
     /** Whose share of the work the tiles are. */
     private final double shareOfTiles;
 
-    /** The sum of complete parts, since both image and error are asked of it; null before. */
-    private Film total;
+    private final boolean isInMemory;
+
+    /** The sum of complete parts, or of parts in files, since both image and error are asked of it; null before. */
+    private TileFilm total;
 
     /** How often the parts had changed when it was made. */
     private long totalOf;
 
-    MixedPicture(WorkUnits units, TilePicture tiles, SplatPicture splats, RenderOutline outline) {
+    MixedPicture(WorkUnits units, TilePicture tiles, SplatPicture splats, RenderOutline outline, FilmPlace place) {
         super(units, outline);
+        isInMemory = place.folder().isEmpty();
         this.tiles = tiles;
         this.splats = splats;
         this.outline = outline;
@@ -88,13 +89,13 @@ final class MixedPicture extends PictureFilm {
 
     @Override
     synchronized void samplesAreDifferences(boolean are) {
-        total = null;
+        forgetTotal();
         tiles.samplesAreDifferences(are);
     }
 
     @Override
     synchronized void samplesAreLost(long number) {
-        total = null;
+        forgetTotal();
         tiles.samplesAreLost(number);
     }
 
@@ -118,30 +119,50 @@ final class MixedPicture extends PictureFilm {
         return sum().toImage();
     }
 
-    private synchronized Film sum() {
-        long changes = tiles.changes() + splats.changes();
-        if (total != null && totalOf == changes) {
+    /** What is in files is not added up for those who look: they see the tiles until it is added up for the picture. */
+    @Override
+    public synchronized Image shown() {
+        if (isInMemory) {
+            return image();
+        }
+        return isTotal() ? total.shown() : tiles.shown();
+    }
+
+    private boolean isTotal() {
+        return total != null && totalOf == tiles.changes() + splats.changes();
+    }
+
+    private synchronized TileFilm sum() {
+        if (isTotal()) {
             return total;
         }
+        forgetTotal();
+        long changes = tiles.changes() + splats.changes();
         boolean isLast = isComplete();
-        Film sum = tiles.film().plus(splats.film());
-        total = isLast ? sum : null;
+        TileFilm sum = tiles.tileFilm().plus(splats.splats());
+        total = isLast || !isInMemory ? sum : null;
         totalOf = changes;
         return sum;
+    }
+
+    private void forgetTotal() {
+        if (total != null) {
+            total.release();
+            total = null;
+        }
+    }
+
+    @Override
+    public synchronized void release() {
+        forgetTotal();
+        tiles.release();
+        splats.release();
     }
 
     @Override
     public Image completed(Image image) {
         float[] rgb = image.toArray();
-        SplatFilm film = splats.film();
-        int i = 0;
-        for (int y = region.y(); y < region.y() + region.height(); y++) {
-            for (int x = region.x(); x < region.x() + region.width(); x++) {
-                for (int c = 0; c < 3; c++, i++) {
-                    rgb[i] += FloatLight.of(film.component(x, y, c), outline.display());
-                }
-            }
-        }
+        splats.film().addTo(rgb);
         return new Image(image.width(), image.height(), rgb, outline.display());
     }
 }

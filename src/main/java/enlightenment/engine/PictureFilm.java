@@ -39,17 +39,19 @@ public abstract class PictureFilm {
      * A picture of which nothing is there yet.
      *
      * @param isKept whether units can be taken out again
-     * @throws IllegalArgumentException if finished pixels are not in memory, and there are paths that may end anywhere
+     * @throws IllegalArgumentException if pixels are not in memory, and all paths may end anywhere
      */
     static PictureFilm of(WorkUnits units, RenderOutline outline, boolean isKept, FilmPlace place) {
-        if (place.folder().isPresent() && units.batches() > 0) {
-            throw new IllegalArgumentException("paths that may end anywhere need the picture in memory");
-        }
         if (!units.haveTiles()) {
-            return new SplatPicture(units, outline);
+            if (place.folder().isPresent()) {
+                throw new IllegalArgumentException("paths that may all end anywhere need the picture in memory");
+            }
+            return new SplatPicture(units, outline, place);
         }
         TilePicture tiles = new TilePicture(units, outline, isKept, place);
-        return units.batches() == 0 ? tiles : new MixedPicture(units, tiles, new SplatPicture(units, outline), outline);
+        return units.batches() == 0
+                ? tiles
+                : new MixedPicture(units, tiles, new SplatPicture(units, outline, place), outline, place);
     }
 
     /** That of which a unit is a part: this, or one of two pictures that are added. */

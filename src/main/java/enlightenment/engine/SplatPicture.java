@@ -3,33 +3,60 @@ package enlightenment.engine;
 import enlightenment.film.ErrorEstimate;
 import enlightenment.film.FilmTile;
 import enlightenment.film.SplatFilm;
+import enlightenment.film.SplatFilmInFile;
 import enlightenment.film.SplatSums;
+import enlightenment.film.Splats;
 import enlightenment.image.Image;
 import enlightenment.scene.RenderSettings;
 
 /** A picture that each batch of paths adds something to everywhere: all of its pixels get finished together. */
 final class SplatPicture extends PictureFilm {
-    private final SplatFilm film;
+    private final Splats film;
     private final long picturePixels;
     private int batches;
 
-    SplatPicture(WorkUnits units, RenderOutline outline) {
+    /** @param place where the sums are; of a picture of such paths alone in memory */
+    SplatPicture(WorkUnits units, RenderOutline outline, FilmPlace place) {
         super(units, outline);
         RenderSettings settings = outline.settings();
         picturePixels = (long) settings.width() * settings.height();
-        film = new SplatFilm(
-                region.x(),
-                region.y(),
-                region.width(),
-                region.height(),
-                picturePixels,
-                outline.splatScale(),
-                outline.display());
+        film = place.folder().isEmpty()
+                ? new SplatFilm(
+                        region.x(),
+                        region.y(),
+                        region.width(),
+                        region.height(),
+                        picturePixels,
+                        outline.splatScale(),
+                        outline.display())
+                : new SplatFilmInFile(
+                        region.x(),
+                        region.y(),
+                        region.width(),
+                        region.height(),
+                        picturePixels,
+                        outline.splatScale(),
+                        outline.display(),
+                        place.folder().get());
     }
 
     /** What the batches have brought so far. */
-    SplatFilm film() {
+    Splats splats() {
         return film;
+    }
+
+    /**
+     * The same.
+     *
+     * @throws ClassCastException if it is not in memory
+     */
+    SplatFilm film() {
+        return (SplatFilm) film;
+    }
+
+    @Override
+    public void release() {
+        film.release();
     }
 
     /** The share of the batches that is there. */
@@ -88,16 +115,16 @@ final class SplatPicture extends PictureFilm {
 
     @Override
     public float[] quarterMeans() {
-        return film.quarterMeans();
+        return film().quarterMeans();
     }
 
     @Override
     public ErrorEstimate error() {
-        return film.error();
+        return film().error();
     }
 
     @Override
     public Image image() {
-        return film.toImage();
+        return film().toImage();
     }
 }

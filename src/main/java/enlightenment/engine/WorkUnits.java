@@ -178,8 +178,8 @@ public final class WorkUnits {
 
     /** What needs a picture in memory while units are added up in any order, as {@link FilmRoom#place} wants it. */
     Optional<String> wholeInMemory(RenderPlan plan) {
-        if (batches > 0) {
-            return FilmRoom.wholeInMemory(plan.method()).or(() -> Optional.of("the pass of caustics"));
+        if (cut == null) {
+            return FilmRoom.wholeInMemory(plan.method());
         }
         return passes > 1 ? Optional.of("a render of " + passes + " passes over each tile") : Optional.empty();
     }

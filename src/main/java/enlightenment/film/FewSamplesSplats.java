@@ -18,23 +18,53 @@ final class FewSamplesSplats {
     private final DisplayCurve curve;
 
     /** Per pixel: both figures of its samples, and both of what was splatted. */
-    private final float[] figures;
+    private final Figures figures;
 
     private final double[] means = new double[QuarterMeans.PER_PIXEL];
+    private final float[] four = new float[4];
 
-    private FewSamplesSplats(DisplayCurve curve, int pixels) {
-        this.curve = curve;
-        figures = new float[Math.multiplyExact(4, pixels)];
+    /** Sums over pixels with few samples: the first figure of the samples, and both of what was splatted. */
+    private double ofSamples;
+
+    private double first;
+    private double second;
+    private boolean areSome;
+
+    /** Keeps four numbers of each pixel, which come and go in the order of pixels. */
+    interface Figures {
+        /** Keeps those of a pixel. */
+        void put(long pixel, float[] four);
+
+        /** Reads those of a pixel; zeros if none were kept. */
+        void get(long pixel, float[] four);
+
+        /** Gives up what is not in memory. */
+        default void release() {}
     }
 
-    /** Those of pixels with these numbers of samples; null where none of them has few. */
-    static FewSamplesSplats of(DisplayCurve curve, int[] counts) {
-        for (int count : counts) {
-            if (areFew(count)) {
-                return new FewSamplesSplats(curve, counts.length);
+    FewSamplesSplats(DisplayCurve curve, Figures figures) {
+        this.curve = curve;
+        this.figures = figures;
+    }
+
+    /** Those of a picture whose figures are in memory, which they take only where there are some. */
+    static FewSamplesSplats inMemory(DisplayCurve curve, int pixels) {
+        return new FewSamplesSplats(curve, new Figures() {
+            private float[] all;
+
+            @Override
+            public void put(long pixel, float[] four) {
+                if (all == null) {
+                    all = new float[Math.multiplyExact(4, pixels)];
+                }
+                System.arraycopy(four, 0, all, 4 * (int) pixel, 4);
             }
-        }
-        return null;
+
+            @Override
+            public void get(long pixel, float[] four) {
+                System.arraycopy(all, 4 * (int) pixel, four, 0, 4);
+            }
+        });
     }
 
     /** Whether these are so few samples that they have no quarters. */
@@ -43,51 +73,65 @@ final class FewSamplesSplats {
     }
 
     /**
-     * Adds a pixel with few samples.
+     * Adds a pixel with few samples, in the order of pixels.
      *
-     * @param before the film before paths were splatted
-     * @param after the film with them, which has what one or two samples tell of their error
+     * @param before the pixel before paths were splatted
+     * @param after with them; has what one or two samples tell of their error
      */
-    void add(int pixel, int count, Film before, Film after) {
-        float[] out = figures;
-        out[4 * pixel] = after.halves(pixel);
-        out[4 * pixel + 1] = after.quarters(pixel);
+    void add(long pixel, FilmPixel before, FilmPixel after) {
+        int count = after.samples;
+        four[0] = after.halves;
+        four[1] = after.quarters;
         if (count == MANY - 1) {
             for (int i = 0; i < means.length; i++) {
-                means[i] = before.ofQuarter(pixel, i) + after.mean(pixel, i % 3) - before.mean(pixel, i % 3);
+                means[i] = before.ofQuarters[i] + after.means[i % 3] - before.means[i % 3];
             }
-            out[4 * pixel] = (float) QuarterMeans.halves(curve, means, count);
-            out[4 * pixel + 1] = (float) QuarterMeans.quarters(curve, means, count);
+            four[0] = (float) QuarterMeans.halves(curve, means, count);
+            four[1] = (float) QuarterMeans.quarters(curve, means, count);
         }
         for (int i = 0; i < means.length; i++) {
-            means[i] = before.mean(pixel, i % 3) + after.ofQuarter(pixel, i) - before.ofQuarter(pixel, i);
+            means[i] = before.means[i % 3] + after.ofQuarters[i] - before.ofQuarters[i];
         }
-        out[4 * pixel + 2] = (float) QuarterMeans.halves(curve, means, MANY);
-        out[4 * pixel + 3] = (float) QuarterMeans.quarters(curve, means, MANY);
+        four[2] = (float) QuarterMeans.halves(curve, means, MANY);
+        four[3] = (float) QuarterMeans.quarters(curve, means, MANY);
+        figures.put(pixel, four);
+        ofSamples += four[0];
+        first += four[2];
+        second += four[3];
+        areSome = true;
     }
 
-    /**
-     * Writes the figures of pixels with few samples, so that what was splatted is as large in both as the variance that it leaves.
-     *
-     * @return whether most of the error is of splats that make pixels bright one by one, and most of those that will be are not so yet
-     */
-    boolean putTo(float[] first, float[] second, int[] counts) {
-        double a = 0;
-        double b = 0;
-        double samples = 0;
-        for (int i = 0; i < counts.length; i++) {
-            samples += figures[4 * i];
-            a += figures[4 * i + 2];
-            b += figures[4 * i + 3];
+    private double share() {
+        return first > 0 ? PathDecay.share(Curve.MIDDLE, LEVEL, second / first) : 0;
+    }
+
+    /** Shows all pixels with the figures of those with few samples, so that what was splatted is as large in both as the variance that it leaves. */
+    PixelFigures.Visitor over(PixelFigures.Visitor visitor) {
+        if (!areSome) {
+            return visitor;
         }
-        double share = a > 0 ? PathDecay.share(Curve.MIDDLE, LEVEL, b / a) : 0;
-        for (int i = 0; i < counts.length; i++) {
-            if (areFew(counts[i])) {
-                double splatted = share * figures[4 * i + 2];
-                first[i] = (float) (figures[4 * i] + splatted);
-                second[i] = (float) (figures[4 * i + 1] + splatted);
+        double share = share();
+        float[] own = new float[4];
+        long[] next = new long[1];
+        return (a, b, count, rare) -> {
+            long pixel = next[0]++;
+            if (areFew(count)) {
+                figures.get(pixel, own);
+                double splatted = share * own[2];
+                visitor.pixel((float) (own[0] + splatted), (float) (own[1] + splatted), count, rare);
+            } else {
+                visitor.pixel(a, b, count, rare);
             }
-        }
-        return b < a && share * a > samples;
+        };
+    }
+
+    /** Whether most of the error is of splats that make pixels bright one by one, and most of those that will be are not so yet. */
+    boolean isGrowing() {
+        return second < first && share() * first > ofSamples;
+    }
+
+    /** Gives up what is not in memory. */
+    void release() {
+        figures.release();
     }
 }

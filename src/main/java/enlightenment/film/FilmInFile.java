@@ -1,6 +1,5 @@
 package enlightenment.film;
 
-import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
 import enlightenment.file.ScratchFile;
 import enlightenment.image.Image;
@@ -13,7 +12,7 @@ import java.util.Arrays;
  *
  * <p>The file has 8 × 8 pixels of the whole picture together: tiles are wide and low or narrow and high, and rows are read.
  */
-public final class FilmInFile implements TileFilm {
+public final class FilmInFile extends TileFilm {
     private static final int SIDE = FilmBand.SIDE;
 
     /** Rows of blocks that are kept: those of a pixel and of its neighbours. */
@@ -28,11 +27,6 @@ public final class FilmInFile implements TileFilm {
     /** The most pixels that are read one by one, for those who look: a second's work at most. */
     private static final int MOST_SHOWN = 1 << 18;
 
-    private final int x;
-    private final int y;
-    private final int width;
-    private final int height;
-    private final DisplayCurve curve;
     private final boolean isLinear;
     private final Path folder;
     private final ScratchFile file;
@@ -50,9 +44,9 @@ public final class FilmInFile implements TileFilm {
 
     private LinearFigures light;
     private double contrast;
-    private long surveyRays;
-    private long lost;
-    private boolean differences;
+
+    /** What was splatted over pixels of one to three samples of linear light; null for nothing. */
+    private final FewSamplesSplats fewSplats;
 
     /**
      * A film for a rectangle of the whole picture.
@@ -60,13 +54,15 @@ public final class FilmInFile implements TileFilm {
      * @param folder where its files are, as long as the film and its image are in use
      */
     public FilmInFile(int x, int y, int width, int height, DisplayCurve curve, Path folder) {
-        this.x = x;
-        this.y = y;
-        this.width = width;
-        this.height = height;
-        this.curve = curve;
+        this(x, y, width, height, curve, folder, null);
+    }
+
+    private FilmInFile(
+            int x, int y, int width, int height, DisplayCurve curve, Path folder, FewSamplesSplats fewSplats) {
+        super(x, y, width, height, curve);
+        this.fewSplats = fewSplats;
         this.folder = folder;
-        isLinear = curve.encoding() == Color.Encoding.LINEAR;
+        isLinear = isLinear();
         pixelBytes = FilmPixel.bytes(isLinear);
         firstBlock = x / SIDE;
         blocks = (x + width - 1) / SIDE - firstBlock + 1;
@@ -79,19 +75,17 @@ public final class FilmInFile implements TileFilm {
         return FilmPixel.bytes(isLinear) + IMAGE_BYTES + FIGURE_BYTES;
     }
 
+    /** Bytes per pixel of all files together where splats are added: of two films, the splats, and pixels with few samples. */
+    public static int bytesPerPixelWithSplats(boolean isLinear) {
+        return FilmPixel.bytes(isLinear)
+                + bytesPerPixel(isLinear)
+                + SplatFilmInFile.bytesPerPixel()
+                + (isLinear ? FewSamplesFile.BYTES : 0);
+    }
+
     /** Bytes of memory that a film with this number of columns takes. */
     public static long memory(int columns, boolean isLinear) {
         return (BANDS + 1L) * SIDE * (columns + 2L * SIDE) * FilmPixel.bytes(isLinear);
-    }
-
-    @Override
-    public void put(FilmTile tile) {
-        put(tile.x, tile.y, tile.width, tile.height, (column, row, pixel) -> pixel.take(tile, column, row));
-        synchronized (this) {
-            surveyRays += tile.surveyRays();
-            differences |= tile.hasKnown();
-            lost += tile.lostSamples();
-        }
     }
 
     @Override
@@ -213,21 +207,6 @@ public final class FilmInFile implements TileFilm {
     }
 
     @Override
-    public synchronized void samplesAreLost(long number) {
-        lost = number;
-    }
-
-    @Override
-    public synchronized long lostSamples() {
-        return lost;
-    }
-
-    @Override
-    public synchronized void samplesAreDifferences(boolean are) {
-        differences = are;
-    }
-
-    @Override
     public int count(int column, int row) {
         return band(row).count(column, row);
     }
@@ -241,14 +220,29 @@ public final class FilmInFile implements TileFilm {
     public synchronized ErrorEstimate error() {
         findFigures();
         return isLinear
-                ? ErrorEstimate.ofLight(figures).with(light.error(false))
-                : ErrorEstimate.of(figures, ErrorEstimate.kind(differences), contrast);
+                ? ErrorEstimate.ofLight(figures).with(light.error(fewSplats != null && fewSplats.isGrowing()))
+                : ErrorEstimate.of(figures, ErrorEstimate.kind(areDifferences()), contrast);
     }
 
     @Override
-    public synchronized long cameraSamples() {
+    synchronized long samples() {
         findFigures();
-        return surveyRays + figures.samples();
+        return figures.samples();
+    }
+
+    @Override
+    FilmView view() {
+        return new View();
+    }
+
+    @Override
+    FewSamplesSplats fewSamples() {
+        return new FewSamplesSplats(curve, new FewSamplesFile(folder));
+    }
+
+    @Override
+    FilmInFile empty(FewSamplesSplats few) {
+        return new FilmInFile(x, y, width, height, curve, folder, few);
     }
 
     private void findFigures() {
@@ -258,7 +252,7 @@ public final class FilmInFile implements TileFilm {
         FigureFile found = new FigureFile(folder);
         if (isLinear) {
             LightPass pass = new LightPass(curve, x, y, width, height);
-            light = pass.run(new View(), pass.bandMeans(new View()), found);
+            light = pass.run(view(), pass.bandMeans(view()), fewSplats == null ? found : fewSplats.over(found));
         } else {
             contrast = showFigures(found);
         }
@@ -267,7 +261,7 @@ public final class FilmInFile implements TileFilm {
 
     /** Shows what display-referred pixels tell; returns the difference between their largest and smallest component. */
     private double showFigures(PixelFigures.Visitor visitor) {
-        FilmView view = new View();
+        FilmView view = view();
         ErrorEstimate.Contrast range = new ErrorEstimate.Contrast();
         for (int row = y; row < y + height; row++) {
             for (int column = x; column < x + width; column++) {
@@ -284,7 +278,7 @@ public final class FilmInFile implements TileFilm {
     /** The picture as it stands, in a file of its own that goes with it. */
     @Override
     public Image toImage() {
-        FilmView view = new View();
+        FilmView view = view();
         ImageRows rows = new ImageRows(width, folder);
         float[] numbers = new float[3 * width];
         for (int row = y; row < y + height; row++) {
@@ -326,6 +320,9 @@ public final class FilmInFile implements TileFilm {
     @Override
     public synchronized void release() {
         forgetFigures();
+        if (fewSplats != null) {
+            fewSplats.release();
+        }
         file.close();
     }
 }

@@ -1,41 +1,96 @@
 package enlightenment.film;
 
+import enlightenment.color.Color;
+import enlightenment.color.DisplayCurve;
 import enlightenment.image.Image;
 
 /**
  * The picture in the making: the mean of each finished pixel, and what its samples tell about the error of that. Tiles cover disjoint
  * pixels, so the order in which threads put them does not matter. All columns and rows are those of the whole picture.
  */
-public sealed interface TileFilm permits Film, FilmInFile {
+public abstract sealed class TileFilm permits Film, FilmInFile {
+    public final int x;
+    public final int y;
+    public final int width;
+    public final int height;
+    final DisplayCurve curve;
+
+    /** Camera rays that only showed where samples are needed. */
+    private long surveyRays;
+
+    private long lost;
+    private boolean differences;
+
+    /**
+     * A film for a rectangle of the whole picture.
+     *
+     * @param curve what pixels are, and how they become what a screen takes
+     */
+    TileFilm(int x, int y, int width, int height, DisplayCurve curve) {
+        this.x = x;
+        this.y = y;
+        this.width = width;
+        this.height = height;
+        this.curve = curve;
+    }
+
     /** Gives pixels. */
     @FunctionalInterface
-    interface Source {
+    public interface Source {
         /** Makes {@code pixel} the one at a place; places are asked for row by row within blocks of 8 rows. */
         void read(int column, int row, FilmPixel pixel);
     }
 
+    /** What the pixels mean. */
+    public final Color.Encoding encoding() {
+        return curve.encoding();
+    }
+
+    final boolean isLinear() {
+        return curve.encoding() == Color.Encoding.LINEAR;
+    }
+
     /** Puts a finished tile. */
-    void put(FilmTile tile);
+    public void put(FilmTile tile) {
+        put(tile.x, tile.y, tile.width, tile.height, (column, row, pixel) -> pixel.take(tile, column, row));
+        count(tile.surveyRays(), tile.hasKnown(), tile.lostSamples());
+    }
+
+    private synchronized void count(long rays, boolean known, long lostSamples) {
+        surveyRays += rays;
+        differences |= known;
+        lost += lostSamples;
+    }
 
     /** Puts a rectangle of pixels. */
-    void put(int left, int top, int columns, int rows, Source source);
+    public abstract void put(int left, int top, int columns, int rows, Source source);
 
     /** Leaves nothing of a rectangle of pixels. */
-    default void clear(int left, int top, int columns, int rows) {
+    public final void clear(int left, int top, int columns, int rows) {
         put(left, top, columns, rows, (column, row, pixel) -> pixel.clear());
     }
 
     /** Says how many samples were no finite numbers, by what there is now. */
-    void samplesAreLost(long number);
+    public final synchronized void samplesAreLost(long number) {
+        lost = number;
+    }
 
     /** How many samples were no finite numbers ({@link FilmTile#lostSamples}). */
-    long lostSamples();
+    public final synchronized long lostSamples() {
+        return lost;
+    }
 
     /** Says whether the samples of pixels are differences from something known ({@link FilmTile#known}), by what there is now. */
-    void samplesAreDifferences(boolean are);
+    public final synchronized void samplesAreDifferences(boolean are) {
+        differences = are;
+    }
+
+    final synchronized boolean areDifferences() {
+        return differences;
+    }
 
     /** The number of samples of a pixel; 0 if it is not finished. */
-    int count(int column, int row);
+    public abstract int count(int column, int row);
 
     /**
      * The means of the quarters of each pixel's samples of linear light: red, green and blue of the first quarter, then of the others, row by
@@ -43,22 +98,67 @@ public sealed interface TileFilm permits Film, FilmInFile {
      *
      * @throws IllegalStateException if pixels are display-referred, or the film is in a file
      */
-    float[] quarterMeans();
+    public abstract float[] quarterMeans();
 
     /** How far the samples say that the pixels are from the truth, in what a screen shows. */
-    ErrorEstimate error();
+    public abstract ErrorEstimate error();
 
     /** Camera rays of all finished pixels: their samples, and those that only showed where samples are needed. */
-    long cameraSamples();
+    public final long cameraSamples() {
+        long rays;
+        synchronized (this) {
+            rays = surveyRays;
+        }
+        return rays + samples();
+    }
+
+    /** The samples of all finished pixels. */
+    abstract long samples();
+
+    /**
+     * This film with light that was splatted: exact means, and quarters each with a group of the paths' units, so that errors are those
+     * of the sum. Pixels that are not finished stay so. It is where this is, in memory or in a file of its own.
+     *
+     * @param splats of the same rectangle; may go on growing
+     * @throws IllegalArgumentException if it is of another rectangle, or one film's pixels are linear light and the other's are not
+     */
+    public TileFilm plus(Splats splats) {
+        boolean same = splats.x == x && splats.y == y && splats.width == width && splats.height == height;
+        if (!same || splats.encoding() != encoding()) {
+            throw new IllegalArgumentException("films of different pixels");
+        }
+        FewSamplesSplats few = fewSamples();
+        TileFilm sum = empty(few);
+        synchronized (splats) {
+            sum.put(x, y, width, height, new SplattedPixels(view(), splats.light(), curve, few));
+        }
+        synchronized (this) {
+            sum.count(surveyRays, differences, lost);
+        }
+        return sum;
+    }
+
+    /** Keeps what was splatted over pixels with few samples, for a film as this. */
+    abstract FewSamplesSplats fewSamples();
+
+    /**
+     * A film of the same rectangle of which nothing is there yet.
+     *
+     * @param few what was splatted over pixels with few samples, which the error is told with
+     */
+    abstract TileFilm empty(FewSamplesSplats few);
+
+    /** The pixels as they stand, to be read by one thread, row by row. */
+    abstract FilmView view();
 
     /** The picture as it stands. */
-    Image toImage();
+    public abstract Image toImage();
 
     /** The picture as it stands for those who look at it: where it is not in memory only some of its columns and rows. */
-    default Image shown() {
+    public Image shown() {
         return toImage();
     }
 
     /** Gives up what is not in memory; only images that were taken before can be used then. */
-    default void release() {}
+    public void release() {}
 }

@@ -40,11 +40,11 @@ final class FilmChoice {
     /**
      * Refuses, before anything is planned, a scene of which paths from lights must be added.
      *
-     * @throws enlightenment.math.InvalidValueException if there is too little memory for them
+     * @throws enlightenment.math.InvalidValueException if there is too little memory for them, or too little space in the folder
      */
     void check(CompiledScene scene) {
         if (Integrators.hasLightPaths(settings.method(), scene, settings)) {
-            checkPaths();
+            room.place(memory(PictureMemory.Films.BOTH), inMemoryFor());
         }
     }
 
@@ -52,10 +52,6 @@ final class FilmChoice {
     boolean hasRoom() {
         PictureMemory more = PictureMemory.of(request.scene(), settings, PictureMemory.Films.BOTH, images + 1);
         return !room.isExceededBy(memory(films(settings.method()))) && more.isEnough();
-    }
-
-    private void checkPaths() {
-        room.place(memory(PictureMemory.Films.BOTH), inMemoryFor().or(() -> Optional.of("the pass of caustics")));
     }
 
     private PictureMemory memory(PictureMemory.Films films) {
@@ -84,14 +80,11 @@ final class FilmChoice {
     /**
      * Where the pixels are.
      *
-     * @throws enlightenment.math.InvalidValueException if paths that may end anywhere are planned, and there is too little memory
+     * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space in the folder
      */
     FilmPlace place(RenderPlan plan) {
-        if (plan.lightPaths() > 0) {
-            checkPaths();
-            return FilmPlace.MEMORY;
-        }
-        return room.place(memory(films(settings.method())), inMemoryFor());
+        PictureMemory.Films films = plan.lightPaths() > 0 ? PictureMemory.Films.BOTH : films(settings.method());
+        return room.place(memory(films), inMemoryFor());
     }
 
     /** What of the request needs the whole picture in memory; empty if nothing does. */

@@ -15,6 +15,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -57,7 +58,7 @@ class LargePictureTest {
     }
 
     /** The picture made in memory, which is more than the others have. */
-    private byte[] inMemory(String scene, String size) throws IOException {
+    private byte[] inMemory(String scene, String size, Object... more) throws IOException {
         Scene read = SceneReader.read(Path.of(scene));
         String[] sides = size.split("x");
         RenderSettings settings =
@@ -65,7 +66,10 @@ class LargePictureTest {
         long bytes =
                 PictureMemory.of(read, settings, PictureMemory.Films.TILES, 0).bytes();
         assertTrue(bytes > (long) HEAP_MIB << 20, bytes + " bytes would fit");
-        CliRun run = CliRun.of("render", scene, "-o", whole, "--size", size, "--samples", 1, "--progress", "none");
+        CliRun run = CliRun.of(Stream.concat(
+                        Stream.of("render", scene, "-o", whole, "--size", size, "--samples", 1, "--progress", "none"),
+                        Stream.of(more))
+                .toArray());
         assertEquals(0, run.code(), run.err());
         return Files.readAllBytes(whole);
     }
@@ -82,6 +86,22 @@ class LargePictureTest {
         }
         run(merge.toArray());
         assertArrayEquals(expected, Files.readAllBytes(folder.resolve("merged.png")));
+    }
+
+    @Test
+    void pathsFromLightsAreAddedInLittleMemory() throws Exception {
+        byte[] expected = inMemory(ROOM, "900x720", "--method", "bidirectional");
+        Path made = folder.resolve("made.png");
+        Path part = folder.resolve("1.film");
+        Path merged = folder.resolve("merged.png");
+        Object[] picture = {"--size", "900x720", "--samples", 1, "--method", "bidirectional"};
+        run(Stream.concat(Stream.of("render", ROOM, "-o", made), Stream.of(picture))
+                .toArray());
+        assertArrayEquals(expected, Files.readAllBytes(made));
+        run(Stream.concat(Stream.of("render", ROOM, "-o", part, "--part", "1/1"), Stream.of(picture))
+                .toArray());
+        run("merge", part, "-o", merged);
+        assertArrayEquals(expected, Files.readAllBytes(merged));
     }
 
     @ParameterizedTest
@@ -127,8 +147,8 @@ class LargePictureTest {
 
     @Test
     void whatNeedsThePictureInMemoryIsRefusedByName() throws Exception {
-        String said = output(
-                start("render", ROOM, "-o", folder.resolve("p.png"), "--method", "light", "--size", "4000x3000"), 2);
-        assertTrue(said.contains("the method light needs all of it in memory"), said);
+        String said =
+                output(start("render", ROOM, "-o", folder.resolve("p.png"), "--preview", "--size", "4000x3000"), 2);
+        assertTrue(said.contains("a preview needs all of it in memory"), said);
     }
 }

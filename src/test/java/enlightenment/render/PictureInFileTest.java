@@ -10,6 +10,7 @@ import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.math.InvalidValueException;
+import enlightenment.physical.InvarianceScenes;
 import enlightenment.picture.Exposure;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
@@ -34,6 +35,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Pictures whose pixels are kept in a file while they are rendered, against those in memory. */
 class PictureInFileTest {
     private static final Scene FIRE = TestScenes.whiteFireAndIce().build();
+    private static final Scene CAUSTICS = InvarianceScenes.byRadiance();
     private static final Scene ROOM = SceneReader.read(Path.of("scenes/cornell-box.json"));
 
     /** No picture is small enough for memory. */
@@ -72,6 +74,18 @@ class PictureInFileTest {
                 new Kind("physical, one sample", ROOM, of(ROOM, BuiltInMethod.RAYTRACE, 1)),
                 new Kind("physical, two samples", ROOM, of(ROOM, BuiltInMethod.RAYTRACE, 2)),
                 new Kind("physical, crop, tiles of 5", ROOM, room.withCrop(crop).withTileSize(5)),
+                new Kind("light", ROOM, of(ROOM, BuiltInMethod.LIGHT, 1)),
+                new Kind("light, two samples", ROOM, of(ROOM, BuiltInMethod.LIGHT, 2)),
+                new Kind(
+                        "light, three samples, crop",
+                        ROOM,
+                        of(ROOM, BuiltInMethod.LIGHT, 3).withCrop(crop)),
+                new Kind("bidirectional", ROOM, of(ROOM, BuiltInMethod.BIDIRECTIONAL, 8)),
+                new Kind("caustics, one sample", CAUSTICS, of(CAUSTICS, BuiltInMethod.RAYTRACE, 1)),
+                new Kind(
+                        "caustics, tiles of 5",
+                        CAUSTICS,
+                        of(CAUSTICS, BuiltInMethod.RAYTRACE, 16).withTileSize(5)),
                 new Kind("metropolis", ROOM, of(ROOM, BuiltInMethod.METROPOLIS, 16)));
     }
 
@@ -173,11 +187,12 @@ class PictureInFileTest {
 
     @Test
     void whatNeedsThePictureInMemorySaysSo() {
-        RenderSettings huge = of(ROOM, BuiltInMethod.LIGHT, 1).withSize(60_000, 60_000);
-        InvalidValueException e =
-                assertThrows(InvalidValueException.class, () -> Renderer.render(inFile(new Kind("", ROOM, huge))));
+        RenderSettings huge = of(ROOM, BuiltInMethod.RAYTRACE, 1).withSize(60_000, 60_000);
+        InvalidValueException e = assertThrows(
+                InvalidValueException.class,
+                () -> Renderer.render(inFile(new Kind("", ROOM, huge)).withProgressive(true)));
         assertEquals("size", e.key());
-        assertTrue(e.problem().contains("the method light needs all of it in memory"), e.problem());
+        assertTrue(e.problem().contains("a preview needs all of it in memory"), e.problem());
         assertTrue(e.problem().matches(".*for about \\d+x\\d+ pixels.*"), e.problem());
     }
 

@@ -14,6 +14,7 @@ import enlightenment.cli.picture.ViewOption;
 import enlightenment.cli.progress.ProgressOption;
 import enlightenment.cli.progress.Watch;
 import enlightenment.cli.progress.WatchOptions;
+import enlightenment.cli.setting.DeviceOption;
 import enlightenment.cli.setting.RenderOptions;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.Terminal;
@@ -68,6 +69,9 @@ public final class AnimateCommand extends Subcommand {
 
     @Mixin
     private RenderOptions options = new RenderOptions();
+
+    @Mixin
+    private DeviceOption device = new DeviceOption();
 
     @Mixin
     private FilmReport report = new FilmReport();
@@ -125,7 +129,7 @@ public final class AnimateCommand extends Subcommand {
         makeFolder();
         FrameWriter writer = new FrameWriter(output, view, digests, report, terminal);
         FrameMaker maker = server == null
-                ? new FrameRenderer(film, settings, output, writer, watching.isGiven(), terminal)
+                ? new FrameRenderer(film, settings, output, device, writer, watching.isGiven(), terminal)
                 : new ServedFrames(film, settings, writer, serving, server, terminal);
         RenderSettings asWritten = options.settings(scene, input);
         String title = scene.name().isEmpty() ? input.name() : scene.name();

@@ -1,6 +1,7 @@
 package enlightenment.cli.film;
 
 import enlightenment.cli.setting.BudgetNotes;
+import enlightenment.cli.setting.DeviceOption;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.math.InvalidValueException;
 import enlightenment.render.Film;
@@ -19,6 +20,7 @@ final class FrameRenderer implements FrameMaker {
     private final Film film;
     private final FrameSettings settings;
     private final FrameOutput output;
+    private final DeviceOption device;
     private final FrameWriter writer;
     private final boolean isWatched;
     private final Terminal terminal;
@@ -28,12 +30,14 @@ final class FrameRenderer implements FrameMaker {
             Film film,
             FrameSettings settings,
             FrameOutput output,
+            DeviceOption device,
             FrameWriter writer,
             boolean isWatched,
             Terminal terminal) {
         this.film = film;
         this.settings = settings;
         this.output = output;
+        this.device = device;
         this.writer = writer;
         this.isWatched = isWatched;
         this.terminal = terminal;
@@ -64,7 +68,7 @@ final class FrameRenderer implements FrameMaker {
 
     private RenderResult render(int frame, Scene scene, RenderSettings chosen, RenderProgress progress) {
         try {
-            RenderRequest request = RenderRequest.of(scene, chosen)
+            RenderRequest request = device.addTo(RenderRequest.of(scene, chosen))
                     .withProgress(new BudgetNotes(
                             progress, chosen.budget(), terminal, FrameWriter.named(frame), said -> writer.notes()
                                     .say(frame, said)))

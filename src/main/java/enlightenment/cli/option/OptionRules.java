@@ -93,6 +93,10 @@ public final class OptionRules {
                     "--time must not be given with --server, where no frame has a time of its own:"
                             + " give --samples or --error"),
             excludes(
+                    List.of("--device"),
+                    List.of("--server"),
+                    "--device must not be given with --server: devices keep no results yet"),
+            excludes(
                     List.of("--aov"),
                     List.of("--server"),
                     "--aov must not be given with --server: workers send colours only"),

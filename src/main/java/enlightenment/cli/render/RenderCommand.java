@@ -29,6 +29,7 @@ import enlightenment.cli.progress.ProgressOption;
 import enlightenment.cli.progress.Watch;
 import enlightenment.cli.progress.WatchOptions;
 import enlightenment.cli.setting.BudgetNotes;
+import enlightenment.cli.setting.DeviceOption;
 import enlightenment.cli.setting.RenderOptions;
 import enlightenment.cli.setting.SettingsLine;
 import enlightenment.cli.store.ArchiveList;

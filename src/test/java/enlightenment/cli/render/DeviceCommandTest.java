@@ -71,6 +71,46 @@ class DeviceCommandTest {
     }
 
     @Test
+    void framesOfAnAnimationAreTheSameWithTheAutomaticDevice() throws IOException {
+        for (String device : new String[] {"cpu", "auto"}) {
+            CliRun run = CliRun.of(
+                    "animate",
+                    "scenes/bounce.json",
+                    "-o",
+                    folder.resolve(device + "-%02d.png").toString(),
+                    "--frames",
+                    "3-4",
+                    "--size",
+                    "40x20",
+                    "--antialias",
+                    "2",
+                    "--device",
+                    device);
+            assertEquals(0, run.code(), run.err());
+        }
+        assertArrayEquals(
+                Files.readAllBytes(folder.resolve("cpu-04.png")), Files.readAllBytes(folder.resolve("auto-04.png")));
+    }
+
+    @Test
+    void framesNameWhatNoDeviceCanDo() {
+        String frames = folder.resolve("%02d.png").toString();
+        CliRun run = CliRun.of(
+                "animate",
+                "scenes/fire-and-ice-tween.json",
+                "-o",
+                frames,
+                "--frames",
+                "3-3",
+                "--method",
+                "cluster",
+                "--device",
+                "opencl");
+        assertEquals(2, run.code());
+        assertTrue(run.err().contains("--device cannot be opencl"), run.err());
+    }
+
+    @Test
     void theProcessorIsAlwaysListed() {
         CliRun run = CliRun.of("devices");
         assertEquals(0, run.code());

@@ -1,4 +1,4 @@
-package enlightenment.cli.render;
+package enlightenment.cli.setting;
 
 import enlightenment.cli.option.BadValue;
 import enlightenment.device.DeviceChoice;

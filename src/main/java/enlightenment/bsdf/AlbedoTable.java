@@ -1,5 +1,8 @@
 package enlightenment.bsdf;
 
+import java.util.Arrays;
+import java.util.stream.Stream;
+
 /**
  * What a rough surface loses because light that hits it more than once is not counted: 1 − E(μ) at cosines μ, and the mean 1 − Ē over
  * directions by their cosine, of the interpolated table itself, so that a surface that absorbs nothing, with the lost light, gives back
@@ -72,6 +75,14 @@ final class AlbedoTable {
     private double node(double cosine) {
         double steep = Math.sqrt(cosine * (1 + alpha) / (cosine + alpha));
         return Math.fma(even, cosine - steep, steep);
+    }
+
+    /** For code on another device: what {@link #loss} and {@link #sampleDirection} go by. */
+    double[] numbers() {
+        double[] own = {meanLoss, normals.isRelative ? 1 : 0, even, alpha, normals.etaOfSmooth()};
+        return Stream.of(own, nodes, below, density)
+                .flatMapToDouble(Arrays::stream)
+                .toArray();
     }
 
     /**

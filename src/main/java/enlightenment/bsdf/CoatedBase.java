@@ -21,6 +21,11 @@ final class CoatedBase {
         this.nonlinear = nonlinear;
     }
 
+    /** For code on another device. */
+    double[] numbers() {
+        return new double[] {inside, nonlinear ? 1 : 0};
+    }
+
     /** The factor m, 0..1, of a base of this reflectance ρ: ρ(1 − F̄)/(1 − ρF̄), or ρ itself. */
     double reflected(double color) {
         return nonlinear ? color * (1 - inside) / (1 - color * inside) : color;

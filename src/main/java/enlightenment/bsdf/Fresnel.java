@@ -57,6 +57,13 @@ public final class Fresnel {
     }
 
     /** Whether light is reflected where the colour is black: by Schlick's approximation, at grazing angles. */
+    /** For code on another device: 1 if it is Schlick's, η and k by band, mean reflectances by band. */
+    double[] numbers() {
+        Rgb n = eta == null ? Rgb.BLACK : eta;
+        Rgb e = eta == null ? Rgb.BLACK : k;
+        return new double[] {eta == null ? 1 : 0, n.r(), n.g(), n.b(), e.r(), e.g(), e.b(), meanR, meanG, meanB};
+    }
+
     boolean reflectsIfBlack() {
         return eta == null;
     }

@@ -42,6 +42,16 @@ public final class GlossyReflection implements Bsdf {
     }
 
     @Override
+    public FlatBsdf flatForm() {
+        return FlatBsdf.of(
+                FlatBsdf.Kind.ROUGH_METAL,
+                fresnel.numbers(),
+                facets.numbers(),
+                new double[] {table == null ? 0 : 1},
+                table == null ? new double[0] : table.numbers());
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

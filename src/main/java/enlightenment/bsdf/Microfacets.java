@@ -34,6 +34,11 @@ public final class Microfacets {
         return !(alpha >= LEAST);
     }
 
+    /** For code on another device. */
+    double[] numbers() {
+        return new double[] {alpha, alpha2, rest};
+    }
+
     /** Whether a lobe is narrow beside most lamps ({@link Bsdf#isNarrow}). */
     boolean isNarrow() {
         return alpha < NARROW;

@@ -38,6 +38,16 @@ public final class RoughCoating implements Bsdf {
     }
 
     @Override
+    public FlatBsdf flatForm() {
+        return FlatBsdf.of(
+                FlatBsdf.Kind.ROUGH_COAT,
+                new double[] {eta, scale},
+                base.numbers(),
+                facets.numbers(),
+                through.numbers());
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

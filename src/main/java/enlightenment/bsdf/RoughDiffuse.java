@@ -40,6 +40,11 @@ public final class RoughDiffuse implements Bsdf {
     }
 
     @Override
+    public FlatBsdf flatForm() {
+        return new FlatBsdf(FlatBsdf.Kind.ROUGH_MATTE, r, scale, mean, multiple, C1);
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

@@ -57,6 +57,11 @@ public final class SmoothCoating implements Bsdf {
     }
 
     @Override
+    public FlatBsdf flatForm() {
+        return FlatBsdf.of(FlatBsdf.Kind.COAT, new double[] {eta, scale}, base.numbers());
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

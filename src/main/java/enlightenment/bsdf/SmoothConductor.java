@@ -19,6 +19,11 @@ public final class SmoothConductor implements DeltaBsdf {
     }
 
     @Override
+    public FlatBsdf flatForm() {
+        return new FlatBsdf(FlatBsdf.Kind.METAL, fresnel.numbers());
+    }
+
+    @Override
     public boolean transmits() {
         return false;
     }

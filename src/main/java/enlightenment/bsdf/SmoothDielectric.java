@@ -11,6 +11,11 @@ public final class SmoothDielectric implements DeltaBsdf {
     private SmoothDielectric() {}
 
     @Override
+    public FlatBsdf flatForm() {
+        return new FlatBsdf(FlatBsdf.Kind.GLASS);
+    }
+
+    @Override
     public boolean transmits() {
         return true;
     }

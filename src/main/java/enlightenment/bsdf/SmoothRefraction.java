@@ -15,6 +15,11 @@ public final class SmoothRefraction implements DeltaBsdf {
     private SmoothRefraction() {}
 
     @Override
+    public FlatBsdf flatForm() {
+        return new FlatBsdf(FlatBsdf.Kind.SMOOTH_GLASS);
+    }
+
+    @Override
     public boolean transmits() {
         return true;
     }

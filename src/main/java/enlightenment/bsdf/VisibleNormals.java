@@ -40,6 +40,11 @@ abstract class VisibleNormals {
         return 1;
     }
 
+    /** 1 over the index of refraction of the smooth coat that {@link #keptBySmooth} is about; 1 if there is none. */
+    double etaOfSmooth() {
+        return 1;
+    }
+
     /**
      * The mean over the normals visible from a direction. Rings are dense at the edge of the disk, 1 − r² = w⁴ with w even: there are the
      * few steep normals that a smooth surface loses light by.
@@ -99,6 +104,11 @@ abstract class VisibleNormals {
         @Override
         double keptBySmooth(double cosine) {
             return DielectricFresnel.reflectance(cosine, eta);
+        }
+
+        @Override
+        double etaOfSmooth() {
+            return eta;
         }
 
         @Override

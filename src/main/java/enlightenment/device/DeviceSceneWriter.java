@@ -244,7 +244,8 @@ final class DeviceSceneWriter {
                     m.isBlack ? 1 : 0,
                     m.isDelta ? 1 : 0,
                     takesNarrow && m.bsdf.isNarrow() ? 1 : 0,
-                    m.glows ? (m.glowsTo(Ray.OUTSIDE) ? 1 : 0) | (m.glowsTo(Ray.INSIDE) ? 2 : 0) : 0);
+                    m.glows ? (m.glowsTo(Ray.OUTSIDE) ? 1 : 0) | (m.glowsTo(Ray.INSIDE) ? 2 : 0) : 0,
+                    m.isGlass ? 1 : 0);
         }
         set(DeviceScene.Int.MATERIALS, ints.add(records.toArray()));
     }

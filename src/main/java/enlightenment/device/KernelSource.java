@@ -21,6 +21,7 @@ public final class KernelSource {
             "triangles.cl",
             "meshes.cl",
             "search.cl",
+            "glass.cl",
             "materials.cl",
             "cones.cl",
             "lights.cl",
@@ -34,6 +35,9 @@ public final class KernelSource {
             "areas.cl",
             "occluders.cl",
             "picker.cl",
+            "scattering.cl",
+            "metals.cl",
+            "coats.cl",
             "bsdfs.cl",
             "direct.cl",
             "paths.cl");

@@ -30,6 +30,21 @@ final class PhysicalRefusal {
         if (physical.hasMasks) {
             return Optional.of("surfaces with holes");
         }
+        if (physical.hasAbsorption) {
+            return Optional.of("glass that absorbs light");
+        }
+        if (physical.hasDispersion) {
+            return Optional.of("glass that disperses light");
+        }
+        if (physical.hasPartialGlass) {
+            return Optional.of("glass that is opaque in part");
+        }
+        if (physical.hasRoughGlass) {
+            return Optional.of("rough glass");
+        }
+        if (physical.hasStraightGlass) {
+            return Optional.of("glass that does not turn rays, such as panes");
+        }
         if (physical.hasCausticPass() && scene.mirrorBalls != null) {
             return Optional.of("a mirror ball in which lamps are seen");
         }
@@ -54,9 +69,6 @@ final class PhysicalRefusal {
     private static String refusal(SurfaceMaterial material) {
         if (material.detail != null) {
             return "a material that differs from place to place";
-        }
-        if (material.isGlass) {
-            return "glass in physical shading";
         }
         if (material.reradiation != null) {
             return "a fluorescent material";

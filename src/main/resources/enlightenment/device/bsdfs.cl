@@ -1,100 +1,4 @@
-// How opaque surfaces scatter light: package bsdf. Values of colours are f·|cosine|, over the density once a direction was sampled.
-typedef struct {
-    int kind;
-    // The numbers of the material's kind.
-    __global const double *q;
-    // Whether the normal is interpolated: bsdf.SmoothShading of that kind.
-    bool isSmooth;
-    // Towards where the path came from and where it goes on; the shading normal, and the surface's own, on the side that the path came from.
-    Vec o;
-    Vec i;
-    Vec n;
-    Vec g;
-    Vec color;
-    // The index of refraction on this side over that of the other one.
-    double eta;
-    Vec value;
-    double pdf;
-    bool delta;
-    bool transmitted;
-} Scattering;
-
-double dotOf(Vec a, Vec b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-void directTo(Scattering *s, double x, double y, double z) {
-    double scale = 1 / sqrt(x * x + y * y + z * z);
-    s->i = vec(x * scale, y * scale, z * scale);
-}
-
-double cosineOut(const Scattering *s) {
-    return dotOf(s->o, s->n);
-}
-
-double cosineIn(const Scattering *s) {
-    return dotOf(s->i, s->n);
-}
-
-double cosineOutClamped(const Scattering *s) {
-    return smaller(larger(cosineOut(s), 0), 1);
-}
-
-void setNothing(Scattering *s) {
-    s->value = vec(0, 0, 0);
-    s->pdf = 0;
-}
-
-void setOnly(Scattering *s, double probability, bool through) {
-    s->pdf = probability;
-    s->delta = true;
-    s->transmitted = through;
-}
-
-// Sets what was sampled from value and density.
-bool weigh(Scattering *s) {
-    s->delta = false;
-    double p = s->pdf;
-    if (!(p > 0)) {
-        return false;
-    }
-    s->value = vec(s->value.x / p, s->value.y / p, s->value.z / p);
-    return true;
-}
-
-void reflectFrom(Scattering *s, Vec m) {
-    double twice = 2 * dotOf(s->o, m);
-    directTo(s, twice * m.x - s->o.x, twice * m.y - s->o.y, twice * m.z - s->o.z);
-}
-
-// A vector of the basis whose third vector is the normal.
-Vec fromLocal(Vec n, double x, double y, double z) {
-    Vec a;
-    Vec b;
-    setBasis(n, &a, &b);
-    return vec(fma(x, a.x, fma(y, b.x, z * n.x)), fma(x, a.y, fma(y, b.y, z * n.y)), fma(x, a.z, fma(y, b.z, z * n.z)));
-}
-
-void directLocal(Scattering *s, double x, double y, double z) {
-    Vec v = fromLocal(s->n, x, y, z);
-    directTo(s, v.x, v.y, v.z);
-}
-
-void sampleCosine(Scattering *s, double2 u) {
-    Vec disk = toDisk(u.x, u.y);
-    directLocal(s, disk.x, disk.y, sqrt(larger(1 - disk.z, 0)));
-}
-
-// At a Lambertian surface: a unit vector up to rounding. The density may be 0.
-void sampleMatte(Scattering *s, double2 u) {
-    Vec disk = toDisk(u.x, u.y);
-    double z = sqrt(larger(1 - disk.z, 0));
-    s->i = fromLocal(s->n, disk.x, disk.y, z);
-    s->pdf = z / PI;
-    s->delta = false;
-    s->transmitted = false;
-}
-
+// How opaque surfaces scatter light, by kind: package bsdf.
 double densityOfLambert(const Scattering *s) {
     return larger(cosineIn(s), 0) / PI;
 }
@@ -103,6 +7,14 @@ double densityOfKind(Scattering *s) {
     switch (s->kind) {
         case MATTE:
             return densityOfLambert(s);
+        case ROUGH_MATTE:
+            return densityOfRoughMatte(s);
+        case ROUGH_METAL:
+            return densityOfMetal(s);
+        case COAT:
+            return densityOfCoat(s);
+        case ROUGH_COAT:
+            return densityOfRoughCoat(s);
         default:
             return 0;
     }
@@ -116,28 +28,93 @@ void evaluateKind(Scattering *s) {
             s->value = vec(s->color.x * p, s->color.y * p, s->color.z * p);
             break;
         }
+        case ROUGH_MATTE:
+            evaluateRoughMatte(s);
+            break;
+        case ROUGH_METAL:
+            evaluateMetal(s);
+            break;
+        case COAT:
+            evaluateCoat(s);
+            break;
+        case ROUGH_COAT:
+            evaluateRoughCoat(s);
+            break;
         default:
             setNothing(s);
     }
 }
 
-bool sampleKind(Scattering *s, double2 u, double choice) {
-    switch (s->kind) {
-        case MATTE:
-            sampleCosine(s, u);
-            s->pdf = densityOfLambert(s);
-            s->delta = false;
-            s->transmitted = false;
-            s->value = s->color;
-            return s->pdf > 0;
-        case MIRROR:
-            reflectFrom(s, s->n);
-            setOnly(s, 1, false);
-            s->value = s->color;
-            return true;
-        default:
-            return false;
+// Samples a lobe that is a single direction; whether there is one.
+bool sampleSingle(Scattering *s, double choice) {
+    if (s->kind == MIRROR) {
+        reflectFrom(s, s->n);
+        setOnly(s, 1, false);
+        s->value = s->color;
+        return true;
     }
+    if (s->kind == METAL) {
+        reflectFrom(s, s->n);
+        setOnly(s, 1, false);
+        s->value = fresnelAt(s->q, cosineOutClamped(s), s->color);
+        return true;
+    }
+    return s->kind == COAT && sampleCoatItself(s, choice);
+}
+
+// Chooses a direction of the other lobes.
+bool chooseDirection(Scattering *s, double2 u, double choice) {
+    switch (s->kind) {
+        case ROUGH_MATTE:
+            return chooseOfRoughMatte(s, u, choice);
+        case ROUGH_METAL:
+            return chooseOfMetal(s, u, choice);
+        case ROUGH_COAT:
+            return chooseOfRoughCoat(s, u, choice);
+        default:
+            sampleCosine(s, u);
+            return true;
+    }
+}
+
+bool sampleKind(Scattering *s, double2 u, double choice) {
+    if (sampleSingle(s, choice)) {
+        return true;
+    }
+    s->transmitted = false;
+    s->delta = false;
+    if (!chooseDirection(s, u, choice)) {
+        return false;
+    }
+    evaluateKind(s);
+    if (s->kind == MATTE) {
+        s->value = s->color;
+        return s->pdf > 0;
+    }
+    return weigh(s);
+}
+
+// A border of glass: bsdf.SmoothDielectric, and SmoothRefraction where normals are those of vertices.
+bool sampleBorder(Scattering *s, double choice) {
+    bool isSmooth = s->kind == SMOOTH_GLASS;
+    if (isSmooth && !(cosineOut(s) > 0)) {
+        return false;
+    }
+    double c = cosineOutClamped(s);
+    double share = dielectricReflectance(c, s->eta);
+    double cosine2 = refractedSquared(c, s->eta);
+    bool through = choice >= share && cosine2 >= 0;
+    if (through) {
+        double along = s->eta * c - sqrt(cosine2);
+        directTo(s, fma(along, s->n.x, -s->eta * s->o.x), fma(along, s->n.y, -s->eta * s->o.y), fma(along, s->n.z, -s->eta * s->o.z));
+        setOnly(s, 1 - share, true);
+    } else {
+        reflectFrom(s, s->n);
+        setOnly(s, share, false);
+    }
+    s->value = vec(1, 1, 1);
+    double side = through ? -1 : 1;
+    return s->pdf > 0 && (!isSmooth || side * dotOf(s->i, s->g) > 0 && side * cosineIn(s) > 0);
 }
 
 // bsdf.SmoothShading: turns the normal so that it is on the side of the eye.

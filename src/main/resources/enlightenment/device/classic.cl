@@ -2,17 +2,13 @@
 // transport.ray.PathFollower, GlassTracer and MediumStack. Where surfaces touch, where a ray is too large or too small, and where glass is
 // nested too deeply, the sample is left to the host.
 
-#define MAX_SOLIDS 8
-
 typedef struct {
     Sampler sampler;
     // The surfaces left behind.
     int surfaces;
     int bounces;
     int straight;
-    // The solids of glass that the ray is inside of.
-    int solids[MAX_SOLIDS];
-    int solidCount;
+    Solids solids;
     Ray ray;
     Hit hit;
     // The normal that the surface is shaded by, to its outside; another than its own where it is smooth.
@@ -129,39 +125,6 @@ void shadeSurface(Scene *s, Path *path, __global const int *material, Vec color,
     addLight(path, color.x * (sum.x * share) / count, color.y * (sum.y * share) / count, color.z * (sum.z * share) / count);
 }
 
-int mediumOf(const Scene *s, const Path *path) {
-    int best = NOTHING;
-    for (int k = 0; k < path->solidCount; k++) {
-        if (best < 0 || primitive(s, path->solids[k])[RANK] < primitive(s, best)[RANK]) {
-            best = path->solids[k];
-        }
-    }
-    return best;
-}
-
-double indexOf(const Scene *s, int medium) {
-    return medium < 0 ? 1 : s->d[primitive(s, medium)[INDEX_OF_REFRACTION]];
-}
-
-// Enters a solid through its border, or leaves it.
-void crossBorder(Scene *s, Path *path, int solid, int side) {
-    int at = NOTHING;
-    for (int k = 0; k < path->solidCount; k++) {
-        if (path->solids[k] == solid) {
-            at = k;
-        }
-    }
-    if (side == OUTSIDE && at < 0) {
-        if (path->solidCount == MAX_SOLIDS) {
-            s->state = LEFT_TO_HOST;
-        } else {
-            path->solids[path->solidCount++] = solid;
-        }
-    } else if (side != OUTSIDE && at >= 0) {
-        path->solids[at] = path->solids[--path->solidCount];
-    }
-}
-
 // Lets the ray leave the hit to the mirror image of where it came from, or to where it is refracted; whether it was refracted.
 bool turn(Scene *s, Path *path, double eta, bool mayRefract) {
     Ray *r = &path->ray;
@@ -206,16 +169,12 @@ void crossGlass(Scene *s, Path *path, __global const int *material, bool *passed
     Ray *r = &path->ray;
     const Hit *hit = &path->hit;
     bool isSolid = primitive(s, hit->id)[IS_SOLID] != 0;
-    int from = mediumOf(s, path);
-    int before[MAX_SOLIDS];
-    int beforeCount = path->solidCount;
-    for (int k = 0; k < beforeCount; k++) {
-        before[k] = path->solids[k];
-    }
+    int from = mediumOf(s, &path->solids);
+    Solids before = path->solids;
     if (isSolid) {
-        crossBorder(s, path, hit->id, hit->side);
+        crossBorder(s, &path->solids, hit->id, hit->side);
     }
-    int to = mediumOf(s, path);
+    int to = mediumOf(s, &path->solids);
     bool isBorder = from != to;
     double fromIndex = indexOf(s, from);
     double toIndex = indexOf(s, to);
@@ -230,10 +189,7 @@ void crossGlass(Scene *s, Path *path, __global const int *material, bool *passed
             s->refractedRays++;
         } else {
             s->mirrorRays++;
-            path->solidCount = beforeCount;
-            for (int k = 0; k < beforeCount; k++) {
-                path->solids[k] = before[k];
-            }
+            path->solids = before;
         }
     }
     *passedStraight = straight;
@@ -335,7 +291,7 @@ __kernel void classic(__global const double *doubles, __global const int *ints, 
     path.surfaces = 0;
     path.bounces = 0;
     path.straight = 0;
-    path.solidCount = 0;
+    path.solids.count = 0;
     path.throughput = vec(1, 1, 1);
     path.light = vec(0, 0, 0);
     setCameraRay(&s, &path.ray, &path.sampler);

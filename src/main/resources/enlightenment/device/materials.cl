@@ -2,9 +2,9 @@
 
 // A material among the integers: what it is, its texture, its image, whether shadows show on it, and where its numbers are: colour, second
 // colour of a checkerboard, number of squares, index of refraction, transparency. In physical shading also whether it is black, whether all of
-// its lobes are single directions, whether they are narrow where that counts, and the sides that glow (1 is the outside, 2 the inside); its
-// radiance and the numbers of its kind are behind the others.
-#define MATERIAL_SIZE 9
+// its lobes are single directions, whether they are narrow where that counts, the sides that glow (1 is the outside, 2 the inside), and whether
+// it is glass; its radiance and the numbers of its kind are behind the others.
+#define MATERIAL_SIZE 10
 #define MATERIAL_KIND 0
 #define TEXTURE 1
 #define IMAGE 2
@@ -14,6 +14,7 @@
 #define IS_DELTA 6
 #define IS_NARROW 7
 #define GLOWING_SIDES 8
+#define IS_GLASS 9
 
 #define GLOW 9
 #define BSDF_NUMBERS 12

@@ -32,14 +32,17 @@ typedef struct {
     // The shading normal on the side that the path came from; another than the surface's own where that is smooth.
     Vec normal;
     bool isSmooth;
+    Solids solids;
     Vec throughput;
+    // Radiance at the eye per radiance here, where the index of refraction is another one.
+    double compression;
     Vec light;
 } Path;
 
 void addRadiance(Path *path, double r, double g, double b) {
-    path->light.x = fma(path->throughput.x, r, path->light.x);
-    path->light.y = fma(path->throughput.y, g, path->light.y);
-    path->light.z = fma(path->throughput.z, b, path->light.z);
+    path->light.x = fma(path->throughput.x * path->compression, r, path->light.x);
+    path->light.y = fma(path->throughput.y * path->compression, g, path->light.y);
+    path->light.z = fma(path->throughput.z * path->compression, b, path->light.z);
 }
 
 void filterPath(Path *path, double r, double g, double b) {
@@ -217,6 +220,63 @@ bool shadeOpaque(Scene *s, Path *path, __global const int *material) {
     return scatter(s, path, material, &by);
 }
 
+// The same of a surface that did not turn the ray, which is no bounce.
+bool goesOnStraight(const Scene *s, Path *path) {
+    path->surfaces++;
+    return ++path->straight <= s->i[MAX_STRAIGHT];
+}
+
+// Crosses a border of smooth glass or is reflected there: transport.ray.GlassTracer and GlassScattering.
+bool crossGlass(Scene *s, Path *path, __global const int *material) {
+    Ray *r = &path->ray;
+    const Hit *hit = &path->hit;
+    double2 u = pairOf(&path->sampler, path->address++, CHOICE);
+    Solids before = path->solids;
+    int from = mediumOf(s, &before);
+    if (primitive(s, hit->id)[IS_SOLID] == 0) {
+        s->state = LEFT_TO_HOST;
+        return false;
+    }
+    crossBorder(s, &path->solids, hit->id, hit->side);
+    int to = mediumOf(s, &path->solids);
+    double eta = indexOf(s, from) / indexOf(s, to);
+    bool isStraight = from == to || indexOf(s, from) == indexOf(s, to);
+    bool through = true;
+    if (isStraight) {
+        setRay(s, r, hit->p.x, hit->p.y, hit->p.z, r->dx, r->dy, r->dz, 0);
+        startOn(r, hit, -hit->side);
+    } else {
+        Scattering by;
+        arrive(path, material, s, vec(1, 1, 1), &by);
+        by.eta = eta;
+        if (!sampleBorder(&by, u.x)) {
+            return false;
+        }
+        through = by.transmitted;
+        setRay(s, r, hit->p.x, hit->p.y, hit->p.z, by.i.x, by.i.y, by.i.z, 0);
+        startOn(r, hit, through ? -hit->side : hit->side);
+        if (through) {
+            s->refractedRays++;
+        } else {
+            s->mirrorRays++;
+            path->solids = before;
+        }
+    }
+    Vec weight = vec(1, 1, 1);
+    if (through && from != to) {
+        weight = colorAt(s, hit, material);
+    }
+    double index = indexOf(s, mediumOf(s, &path->solids));
+    path->compression = 1 / (index * index);
+    if (isStraight) {
+        path->events--;
+        filterPath(path, weight.x, weight.y, weight.z);
+        return goesOnStraight(s, path);
+    }
+    extendSpecular(path);
+    return survives(path, weight) && goesOn(s, path);
+}
+
 // Follows the ray to the next vertex and shades it; whether the path goes on.
 bool step(Scene *s, Path *path) {
     Closest best;
@@ -236,9 +296,11 @@ bool step(Scene *s, Path *path) {
     }
     __global const int *material = materialAt(s, hit);
     Vec n = hit->n;
-    path->isSmooth = shadingNormal(s, hit, &n);
+    // Glass has only one kind of border with normals of vertices.
+    bool mayBeSmooth = material[IS_GLASS] == 0 || material[MATERIAL_KIND] == SMOOTH_GLASS;
+    path->isSmooth = mayBeSmooth && shadingNormal(s, hit, &n);
     path->normal = vec(n.x * hit->side, n.y * hit->side, n.z * hit->side);
-    return shadeOpaque(s, path, material);
+    return material[IS_GLASS] != 0 ? crossGlass(s, path, material) : shadeOpaque(s, path, material);
 }
 
 __kernel void physical(__global const double *doubles, __global const int *ints, __global const float *floats, ulong seed, int left, int top,
@@ -262,7 +324,9 @@ __kernel void physical(__global const double *doubles, __global const int *ints,
     path.first = NO_EVENT;
     path.firstScattering = NO_EVENT;
     path.hasDirect = false;
+    path.solids.count = 0;
     path.throughput = vec(1, 1, 1);
+    path.compression = 1;
     path.light = vec(0, 0, 0);
     setCameraRay(&s, &path.ray, &path.sampler);
     while (s.state == DONE && step(&s, &path)) {

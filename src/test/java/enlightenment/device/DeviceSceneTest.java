@@ -32,14 +32,17 @@ class DeviceSceneTest {
         "minerals, a fluorescent material",
         "panorama, a lens or a panorama",
         "fire-and-ice-physical, a mirror ball in which lamps are seen",
-        "glass-physical, glass in physical shading",
+        "caustics, glass that absorbs light",
+        "prism, glass that disperses light",
+        "furnace, rough glass",
+        "matter, 'a light that is no point, ball or rectangle'",
     })
     void whatNoDeviceCanDoIsNamed(String name, String reason) throws IOException {
         assertEquals(Optional.of(reason), DeviceScene.refusal(compiled(name)));
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"fire-and-ice", "cornell-box"})
+    @ValueSource(strings = {"fire-and-ice", "cornell-box", "chess"})
     void whatDevicesCanDoIsTaken(String name) throws IOException {
         assertEquals(Optional.empty(), DeviceScene.refusal(compiled(name)));
     }

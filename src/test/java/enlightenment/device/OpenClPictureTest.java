@@ -63,7 +63,9 @@ class OpenClPictureTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"fire-and-ice", "bounce", "cone", "cube", "cylinders", "glass", "keyhole", "cornell-box"})
+    @ValueSource(
+            strings = {"fire-and-ice", "bounce", "cone", "cube", "cylinders", "glass", "keyhole", "cornell-box", "chess"
+            })
     void aShippedSceneHasTheSameBits(String name) throws IOException {
         Scene scene = SceneReader.read(Path.of("scenes", name + ".json"));
         RenderSettings settings =

@@ -15,7 +15,9 @@ import enlightenment.geometry.Sphere;
 import enlightenment.geometry.Transform;
 import enlightenment.geometry.Triangle;
 import enlightenment.light.Light;
+import enlightenment.material.Coated;
 import enlightenment.material.Glass;
+import enlightenment.material.Glossy;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
@@ -278,14 +280,50 @@ final class RandomScene {
 
     /** Of a shape that may be a light, now and then one that glows. */
     private Material physicalMaterial(Shape shape) {
+        if (random.nextInt(6) == 0 && !isOpen(shape)) {
+            return glass();
+        }
         boolean canGlow =
                 shape instanceof Sphere || shape instanceof Rectangle || shape instanceof Box || shape instanceof Cube;
         if (!canGlow || random.nextInt(8) > 0) {
-            return opaque();
+            // Lamps that are seen in mirror balls are not for devices.
+            return random.nextInt(3) == 0 ? opaque() : shiny(shape instanceof Sphere ? 0.5 : 0);
         }
         Rgb radiance = new Rgb(1, 2, 0.5 * random.nextInt(3));
         return opaque().withRadiance(radiance)
                 .withPattern(Material.EmissionPattern.of(Optional.empty()).withSide(side()));
+    }
+
+    /** Smooth, and by normals of vertices where there are some. */
+    private Glass glass() {
+        Texture color = random.nextBoolean() ? Texture.of(Rgb.WHITE) : texture();
+        Glass glass = new Glass(color, 1.2 + random.nextDouble(), 1, random.nextInt(3), true);
+        return random.nextBoolean() ? glass : glass.withSmoothRefraction(true);
+    }
+
+    /** Whether glass of it would be a pane. */
+    private static boolean isOpen(Shape shape) {
+        return switch (shape.type()) {
+            case "cylinder" -> !((Cylinder) shape).capped();
+            case "cone" -> !((Cone) shape).capped();
+            case "mesh" -> !((Mesh) shape).triangles().isClosed();
+            default -> shape instanceof Rectangle || shape instanceof Triangle || shape instanceof Disk;
+        };
+    }
+
+    /** @param least its roughness, if that is not 1 */
+    private Material shiny(double least) {
+        double roughness = least + random.nextInt(3) * random.nextDouble() / 4;
+        return switch (random.nextInt(least > 0 ? 3 : 4)) {
+            case 0 -> opaque().withRoughness(random.nextDouble());
+            case 1 -> new Coated(texture(), roughness, 1.2 + random.nextDouble(), random.nextBoolean(), Rgb.BLACK, 0);
+            case 2 -> {
+                Glossy.Conductor gold = new Glossy.Conductor(new Rgb(0.2, 0.4, 1.3), new Rgb(3.5, 2.5, 1.9));
+                Optional<Glossy.Conductor> conductor = random.nextBoolean() ? Optional.of(gold) : Optional.empty();
+                yield new Glossy(texture(), roughness, conductor, random.nextBoolean(), Rgb.BLACK);
+            }
+            default -> Material.Mirror.of(texture());
+        };
     }
 
     private Material.EmissionPattern.Side side() {

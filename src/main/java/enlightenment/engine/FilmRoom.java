@@ -69,7 +69,7 @@ public record FilmRoom(Optional<Path> folder, long memory) {
         String name = "a picture of " + region.width() + "x" + region.height() + " pixels needs ";
         long most = Runtime.getRuntime().maxMemory();
         boolean hasSplats = picture.films() == PictureMemory.Films.BOTH;
-        long rows = FilmInFile.memory(region.width(), picture.isLinear());
+        long rows = FilmInFile.memory(region.width(), region.height(), picture.isLinear());
         if (hasSplats) {
             rows = 2 * rows + SplatFilmInFile.memory(region.width(), region.height());
         }

@@ -3,6 +3,7 @@ package enlightenment.film;
 import enlightenment.color.DisplayCurve;
 import enlightenment.file.ScratchFile;
 import enlightenment.image.Image;
+import enlightenment.picture.ReducedPicture;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -25,7 +26,7 @@ public final class FilmInFile extends TileFilm {
     private static final int FIGURE_BYTES = 2 * Float.BYTES + Integer.BYTES;
 
     /** The most pixels that are read one by one, for those who look: a second's work at most. */
-    private static final int MOST_SHOWN = 1 << 18;
+    private static final int MOST_SHOWN = ReducedPicture.MOST_PIXELS;
 
     private final boolean isLinear;
     private final Path folder;
@@ -83,9 +84,10 @@ public final class FilmInFile extends TileFilm {
                 + (isLinear ? FewSamplesFile.BYTES : 0);
     }
 
-    /** Bytes of memory that a film with this number of columns takes. */
-    public static long memory(int columns, boolean isLinear) {
-        return (BANDS + 1L) * SIDE * (columns + 2L * SIDE) * FilmPixel.bytes(isLinear);
+    /** Bytes of memory that a film of this size takes, at most at any moment. */
+    public static long memory(int columns, int rows, boolean isLinear) {
+        return (BANDS + 1L) * SIDE * (columns + 2L * SIDE) * FilmPixel.bytes(isLinear)
+                + (isLinear ? LinearFigures.memory(columns, rows) : 0);
     }
 
     @Override
@@ -293,12 +295,10 @@ public final class FilmInFile extends TileFilm {
     /** Every n-th column and row, with the n that leaves {@link #MOST_SHOWN} pixels at most. */
     @Override
     public Image shown() {
-        int step = 1;
-        while ((long) shown(width, step) * shown(height, step) > MOST_SHOWN) {
-            step++;
-        }
-        int columns = shown(width, step);
-        float[] rgb = new float[3 * columns * shown(height, step)];
+        int step = ReducedPicture.step(width, height, MOST_SHOWN);
+        int columns = ReducedPicture.side(width, step);
+        int rows = ReducedPicture.side(height, step);
+        float[] rgb = new float[3 * columns * rows];
         byte[] bytes = new byte[3 * Double.BYTES];
         ByteBuffer means = ByteBuffer.wrap(bytes);
         for (int i = 0; i < rgb.length; i += 3) {
@@ -310,11 +310,7 @@ public final class FilmInFile extends TileFilm {
                 rgb[i + c] = FloatLight.of(means.getDouble(Double.BYTES * c), curve);
             }
         }
-        return new Image(columns, shown(height, step), rgb, curve);
-    }
-
-    private static int shown(int side, int step) {
-        return (side + step - 1) / step;
+        return new Image(columns, rows, rgb, curve);
     }
 
     @Override

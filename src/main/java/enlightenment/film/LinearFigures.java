@@ -48,11 +48,17 @@ final class LinearFigures {
         top = y / SIDE;
         across = (x + width - 1) / SIDE - left + 1;
         int down = (y + height - 1) / SIDE - top + 1;
-        shownBlocks = blocks(across * down);
-        lightBlocks = blocks(across * down);
+        shownBlocks = blocks(Math.multiplyExact(across, down));
+        lightBlocks = blocks(Math.multiplyExact(across, down));
         for (int c = 0; c < 3; c++) {
             floors[c] = FLOOR * means[c] * FLOOR * means[c];
         }
+    }
+
+    /** Bytes of memory that those of a picture of this size take. */
+    static long memory(int columns, int rows) {
+        // Of both kinds of blocks: a reference, a header and three numbers.
+        return (columns / SIDE + 2L) * (rows / SIDE + 2L) * 2 * (Integer.BYTES + 16 + 3 * Long.BYTES);
     }
 
     private static Spread[] blocks(int count) {

@@ -41,7 +41,7 @@ final class ExrPicture {
 
     private void write(OutputStream out, ImageFiles.ExrOptions options) throws IOException {
         ExrWriter writer = new ExrWriter(out, window(options), channels, options.text());
-        if (image.isRead()) {
+        if (!image.isInMemory()) {
             writer.measure();
             addRows(writer);
         }

@@ -152,9 +152,9 @@ public final class Image {
         return rows == null ? rgb[3 * (y * width + x) + c] : row(y)[3 * x + c];
     }
 
-    /** Whether rows are read when they are needed, since they may not fit in memory. */
-    boolean isRead() {
-        return rows != null;
+    /** Whether all components are in memory; otherwise each row is read when it is needed, which is quick from the top to the bottom. */
+    public boolean isInMemory() {
+        return rows == null;
     }
 
     private float[] row(int y) {

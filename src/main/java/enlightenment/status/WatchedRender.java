@@ -2,6 +2,7 @@ package enlightenment.status;
 
 import enlightenment.image.Image;
 import enlightenment.machine.MachineFacts;
+import enlightenment.picture.ReducedPicture;
 import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderResult;
 import enlightenment.report.RenderReport;
@@ -108,7 +109,7 @@ public final class WatchedRender implements StatusSource {
             statistics.put("raysPerSecond", report.raysPerSecond());
             statistics.put("estimatedError", report.sampling().estimatedError());
         }
-        take(image, Long.MAX_VALUE);
+        take(image.isInMemory() ? image : ReducedPicture.of(image, ReducedPicture.MOST_PIXELS), Long.MAX_VALUE);
     }
 
     /** Whether all of it is done, whatever becomes of it. */

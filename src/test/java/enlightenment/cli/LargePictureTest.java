@@ -9,13 +9,21 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import enlightenment.work.PictureMemory;
+import java.awt.image.BufferedImage;
+import java.io.BufferedReader;
+import java.io.FileNotFoundException;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.ServerSocket;
+import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -143,6 +151,36 @@ class LargePictureTest {
                     Files.readAllBytes(folder.resolve("m-" + frame + ".png")),
                     Files.readAllBytes(folder.resolve("f-" + frame + ".png")));
         }
+    }
+
+    @Test
+    void whoLooksSeesSomeOfTheColumnsAndRows() throws Exception {
+        byte[] expected = inMemory(FIRE, "1500x1000");
+        Path made = folder.resolve("made.png");
+        Process process = start("render", FIRE, "-o", made, "--size", "1500x1000", "--samples", 1, "--serve");
+        try (BufferedReader said = process.inputReader()) {
+            String line = said.readLine();
+            while (!line.contains("http:")) {
+                line = said.readLine();
+            }
+            URL url = new URL(line.substring(line.indexOf("http:")) + "picture.png");
+            BufferedImage seen = null;
+            while (seen == null && process.isAlive()) {
+                try (InputStream in = url.openStream()) {
+                    seen = ImageIO.read(in);
+                } catch (FileNotFoundException e) {
+                    // There is no picture yet.
+                    process.waitFor(10, TimeUnit.MILLISECONDS);
+                }
+            }
+            assertEquals(500, seen.getWidth());
+            assertEquals(334, seen.getHeight());
+            String rest = said.lines().collect(Collectors.joining("\n"));
+            assertEquals(0, process.waitFor(), rest);
+        } finally {
+            process.destroyForcibly();
+        }
+        assertArrayEquals(expected, Files.readAllBytes(made));
     }
 
     @Test

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.color.DisplayCurve;
 import enlightenment.image.Image;
+import enlightenment.picture.ReducedPicture;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,6 +45,9 @@ class FilmInFileTest {
             }
         }
         assertEquals(0, shown.component(1, 333, 0), "missing");
+        Image reduced = ReducedPicture.of(film.toImage(), ReducedPicture.MOST_PIXELS);
+        assertEquals(434, reduced.width());
+        assertArrayEquals(shown.toArray(), reduced.toArray());
         assertTrue(434 * 334 <= 1 << 18 && 651 * 500 > 1 << 18);
     }
 }

@@ -129,7 +129,7 @@ public final class AnimateCommand extends Subcommand {
         makeFolder();
         FrameWriter writer = new FrameWriter(output, view, digests, report, terminal);
         FrameMaker maker = server == null
-                ? new FrameRenderer(film, settings, output, device, writer, watching.isGiven(), terminal)
+                ? new FrameRenderer(film, settings, output, device, writer, watching, terminal)
                 : new ServedFrames(film, settings, writer, serving, server, terminal);
         RenderSettings asWritten = options.settings(scene, input);
         String title = scene.name().isEmpty() ? input.name() : scene.name();

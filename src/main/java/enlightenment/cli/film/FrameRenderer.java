@@ -1,5 +1,6 @@
 package enlightenment.cli.film;
 
+import enlightenment.cli.progress.WatchOptions;
 import enlightenment.cli.setting.BudgetNotes;
 import enlightenment.cli.setting.DeviceOption;
 import enlightenment.cli.terminal.Terminal;
@@ -22,24 +23,23 @@ final class FrameRenderer implements FrameMaker {
     private final FrameOutput output;
     private final DeviceOption device;
     private final FrameWriter writer;
-    private final boolean isWatched;
+    private final WatchOptions watching;
     private final Terminal terminal;
 
-    /** @param isWatched whether somebody may look at frames while they are rendered */
     FrameRenderer(
             Film film,
             FrameSettings settings,
             FrameOutput output,
             DeviceOption device,
             FrameWriter writer,
-            boolean isWatched,
+            WatchOptions watching,
             Terminal terminal) {
         this.film = film;
         this.settings = settings;
         this.output = output;
         this.device = device;
         this.writer = writer;
-        this.isWatched = isWatched;
+        this.watching = watching;
         this.terminal = terminal;
     }
 
@@ -73,9 +73,9 @@ final class FrameRenderer implements FrameMaker {
                             progress, chosen.budget(), terminal, FrameWriter.named(frame), said -> writer.notes()
                                     .say(frame, said)))
                     .withAuxiliary(output.aov().kinds())
-                    .withWatched(isWatched)
+                    .withWatched(watching.isGiven())
                     .withCancelled(terminal.stop());
-            return film.render(isWatched ? request : request.withScratch(output.scratch()));
+            return film.render(watching.needsWholePicture() ? request : request.withScratch(output.scratch()));
         } catch (InvalidValueException | SceneException e) {
             throw settings.told(frame, e);
         }

@@ -31,6 +31,11 @@ public final class WatchOptions {
         return port != null || window;
     }
 
+    /** Whether the picture is shown in a window, which takes memory for all of it. */
+    public boolean needsWholePicture() {
+        return window;
+    }
+
     /**
      * Does what can be watched.
      *

@@ -327,7 +327,8 @@ public final class RenderCommand extends Subcommand {
                 .withArchives(archives)
                 .withProgressive(writer != null)
                 .withWatched(watching.isGiven());
-        Optional<RenderRequest.ScratchFolder> scratch = watching.isGiven() ? Optional.empty() : output.scratch();
+        Optional<RenderRequest.ScratchFolder> scratch =
+                watching.needsWholePicture() ? Optional.empty() : output.scratch();
         try {
             return Renderer.render(scratch.map(request::withScratch).orElse(request));
         } catch (CancellationException e) {

@@ -48,6 +48,7 @@ film() {
     java -jar target/enlightenment.jar animate "$2" -o "$frames/%04d.png" --progress none --video "docs/gallery/$1.gif" "${@:3}"
     rm -r "$frames"
 }
+film bounce scenes/bounce.json --size 640x320 --antialias 8
 film film scenes/fire-and-ice-tween.json --size 160x80 --antialias 3 --shadow-samples 4
 
 exact blur scenes/bounce.json --frame 5 --size 400x200 --antialias 6

@@ -47,6 +47,7 @@ public record DeviceScene(Program program, double[] doubles, int[] ints, float[]
         GLASS_BOXES,
         GLASS_BOX_COUNT,
         HAS_CAUSTIC_PASS,
+        HAS_MIRROR_BALLS,
         PICKER,
         PICKER_WEIGHTS,
         PICKER_TREE

@@ -34,7 +34,9 @@ final class LightWriter {
                 write(light, records);
             }
             set(DeviceScene.Int.LIGHT_COUNT, scene.physical.lights.length);
-            set(DeviceScene.Int.HAS_CAUSTIC_PASS, scene.physical.hasCausticPass() ? 1 : 0);
+            boolean hasPass = scene.physical.hasCausticPass();
+            set(DeviceScene.Int.HAS_CAUSTIC_PASS, hasPass ? 1 : 0);
+            set(DeviceScene.Int.HAS_MIRROR_BALLS, hasPass && scene.mirrorBalls != null ? 1 : 0);
             writeSampler(scene.physical.picker.flatForm());
         }
         set(DeviceScene.Int.LIGHTS, ints.add(records.toArray()));

@@ -45,9 +45,6 @@ final class PhysicalRefusal {
         if (physical.hasStraightGlass) {
             return Optional.of("glass that does not turn rays, such as panes");
         }
-        if (physical.hasCausticPass() && scene.mirrorBalls != null) {
-            return Optional.of("a mirror ball in which lamps are seen");
-        }
         return ofMaterials(scene).or(() -> ofLights(physical));
     }
 

@@ -176,8 +176,18 @@ bool reflect(Scene *s, Path *path, Scattering *by) {
     return survives(path, by->value) && goesOn(s, path);
 }
 
+// Whether images of lamps in mirror balls are sampled at the vertex (transport.image.MirrorCaustics): those are left to the host.
+bool seesMirroredLamps(const Scene *s, const Path *path) {
+    return s->i[HAS_MIRROR_BALLS] != 0 && path->first == SPECULAR && path->bounces <= s->i[MAX_BOUNCES] - 2
+            && mediumOf(s, &path->solids) == NOTHING;
+}
+
 // At any other surface: adds direct light, and samples the direction in which the path goes on.
 bool scatter(Scene *s, Path *path, __global const int *material, Scattering *by) {
+    if (seesMirroredLamps(s, path)) {
+        s->state = LEFT_TO_HOST;
+        return false;
+    }
     bool isMatte = by->kind == MATTE && !by->isSmooth;
     bool isNarrow = material[IS_NARROW] != 0;
     bool leaves = isNarrow && isOfCausticPass(path) && path->firstScattering != NARROW;

@@ -31,7 +31,6 @@ class DeviceSceneTest {
         "knot, surfaces with holes",
         "minerals, a fluorescent material",
         "panorama, a lens or a panorama",
-        "fire-and-ice-physical, a mirror ball in which lamps are seen",
         "caustics, glass that absorbs light",
         "prism, glass that disperses light",
         "furnace, rough glass",

@@ -286,8 +286,7 @@ final class RandomScene {
         boolean canGlow =
                 shape instanceof Sphere || shape instanceof Rectangle || shape instanceof Box || shape instanceof Cube;
         if (!canGlow || random.nextInt(8) > 0) {
-            // Lamps that are seen in mirror balls are not for devices.
-            return random.nextInt(3) == 0 ? opaque() : shiny(shape instanceof Sphere ? 0.5 : 0);
+            return random.nextInt(3) == 0 ? opaque() : shiny();
         }
         Rgb radiance = new Rgb(1, 2, 0.5 * random.nextInt(3));
         return opaque().withRadiance(radiance)
@@ -311,10 +310,9 @@ final class RandomScene {
         };
     }
 
-    /** @param least its roughness, if that is not 1 */
-    private Material shiny(double least) {
-        double roughness = least + random.nextInt(3) * random.nextDouble() / 4;
-        return switch (random.nextInt(least > 0 ? 3 : 4)) {
+    private Material shiny() {
+        double roughness = random.nextInt(4) * random.nextDouble() / 4;
+        return switch (random.nextInt(4)) {
             case 0 -> opaque().withRoughness(random.nextDouble());
             case 1 -> new Coated(texture(), roughness, 1.2 + random.nextDouble(), random.nextBoolean(), Rgb.BLACK, 0);
             case 2 -> {

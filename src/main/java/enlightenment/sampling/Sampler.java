@@ -43,7 +43,9 @@ public interface Sampler {
         /** Where on the lens a path from the eye begins; at bounce 0. */
         LENS,
         /** Where on the lens, or at which of two eyes, a vertex of a path from a light is connected to the eye. */
-        LIGHT_LENS
+        LIGHT_LENS,
+        /** Which moment a path sees while the shutter is open; at bounce 0. */
+        TIME
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */

@@ -103,8 +103,8 @@ public enum BuiltInMethod implements Method {
             case SCATTERING -> true;
             case FLUORESCENCE -> true;
             case DISPERSION -> true;
-            case MOTION -> this != METROPOLIS;
-            case CLASSIC_MOTION -> this == RAYTRACE;
+            case MOTION -> true;
+            case CLASSIC_MOTION -> this != CLUSTER;
             case SURROUNDINGS -> true;
         };
     }

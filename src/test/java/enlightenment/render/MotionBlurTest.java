@@ -96,6 +96,7 @@ class MotionBlurTest {
                 "RAYTRACE | { \"model\": \"classic\" } | 1e-4",
                 "RAYTRACE | { \"model\": \"physical\", \"background\": { \"linear\": [0.3, 0.4, 0.5] }, \"maxBounces\": 4 } | 1e-3",
                 "CLUSTER | { \"model\": \"physical\", \"background\": { \"linear\": [0.3, 0.4, 0.5] }, \"maxBounces\": 4 } | 1e-3",
+                "METROPOLIS | { \"model\": \"physical\", \"background\": { \"linear\": [0.3, 0.4, 0.5] }, \"maxBounces\": 4 } | 4e-3",
                 "LIGHT | { \"model\": \"physical\", \"maxBounces\": 4 } | 2e-3",
                 "BIDIRECTIONAL | { \"model\": \"physical\", \"maxBounces\": 4 } | 2e-3"
             })
@@ -116,6 +117,27 @@ class MotionBlurTest {
             bias += (blurred[i] - mean[i]) / mean.length;
         }
         assertEquals(0, bias, 4 * Math.sqrt(difference / mean.length * 3));
+    }
+
+    /** Chains are noisy where shading is classic: means of blocks of 8 × 8 pixels are compared with those of other rays. */
+    @Test
+    void chainsOfClassicShadingSeeAllMoments() {
+        Scene scene = blurred("{ \"model\": \"classic\" }");
+        float[] truth = blocks(bruteForce(scene, BuiltInMethod.RAYTRACE, 6));
+        RenderSettings chains = settings(scene, 40).withMethod(BuiltInMethod.METROPOLIS);
+        double blurred = meanSquare(blocks(Renderer.render(scene, chains).toArray()), truth);
+        double still = meanSquare(
+                blocks(Renderer.render(scene.withInstants(List.of()), chains).toArray()), truth);
+        assertTrue(still > 10 * blurred, still + " for a still picture, " + blurred + " for a blurred one");
+    }
+
+    private static float[] blocks(float[] picture) {
+        float[] means = new float[3 * 4 * 3];
+        for (int i = 0; i < picture.length; i++) {
+            int pixel = i / 3;
+            means[3 * (4 * (pixel / 32 / 8) + pixel % 32 / 8) + i % 3] += picture[i] / 64;
+        }
+        return means;
     }
 
     /** Caustics of what moves have a pass of their own as those of what stands still: the picture has the light of all ways. */
@@ -141,6 +163,7 @@ class MotionBlurTest {
                 "RAYTRACE | { \"model\": \"classic\" }",
                 "RAYTRACE | { \"model\": \"physical\", \"maxBounces\": 3 }",
                 "CLUSTER | { \"model\": \"physical\", \"maxBounces\": 3 }",
+                "METROPOLIS | { \"model\": \"physical\", \"maxBounces\": 3 }",
                 "LIGHT | { \"model\": \"physical\", \"maxBounces\": 3 }",
                 "BIDIRECTIONAL | { \"model\": \"physical\", \"maxBounces\": 3 }"
             })
@@ -211,13 +234,9 @@ class MotionBlurTest {
     }
 
     @Test
-    void methodsThatCannotBlurSayWhoCan() {
-        refuses(BuiltInMethod.METROPOLIS, "physical", "");
-        refuses(BuiltInMethod.CLUSTER, "classic", " in classic shading");
-    }
-
-    private static void refuses(BuiltInMethod method, String model, String more) {
-        Scene scene = blurred("{ \"model\": \"" + model + "\" }");
+    void theClusterMethodOfClassicShadingCannotBlurAndSaysWhoCan() {
+        BuiltInMethod method = BuiltInMethod.CLUSTER;
+        Scene scene = blurred("{ \"model\": \"classic\" }");
         SceneException e = assertThrows(
                 SceneException.class,
                 () -> Renderer.render(scene, settings(scene, 2).withMethod(method)));
@@ -225,7 +244,7 @@ class MotionBlurTest {
         assertTrue(
                 e.getMessage()
                         .contains("the method " + method.word() + " cannot render what moves while the shutter is open"
-                                + more),
+                                + " in classic shading"),
                 e.getMessage());
         assertTrue(e.getMessage().contains("raytrace"), e.getMessage());
     }

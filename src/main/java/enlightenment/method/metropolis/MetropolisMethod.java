@@ -9,7 +9,6 @@ import enlightenment.method.TileIntegrator;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.transport.path.PathIntegrator;
-import enlightenment.transport.ray.Shader;
 import enlightenment.transport.state.PathPart;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
@@ -30,7 +29,7 @@ public final class MetropolisMethod implements TileIntegrator {
     private static final int PERCENT = 100;
 
     private final RenderSettings settings;
-    private final Shader shader;
+    private final Paths paths;
     private final BlockChains chains;
     private final Spending spending;
 
@@ -62,23 +61,21 @@ public final class MetropolisMethod implements TileIntegrator {
         boolean isPhysical = scene.physical != null;
         spending = Spending.of(samples, isPhysical);
         BuiltInMethod.MetropolisSettings own = BuiltInMethod.MetropolisSettings.of(settings);
-        shader = isPhysical
-                ? new PathIntegrator(scene, counters, PathPart.INDIRECT)
-                : ClassicShader.ofColors(scene, 1, counters);
+        paths = new Paths(scene, settings, moment -> {
+            RayCounters counted = scene.countersOf(moment, counters);
+            return isPhysical
+                    ? new PathIntegrator(moment, counted, PathPart.INDIRECT)
+                    : ClassicShader.ofColors(moment, 1, counted);
+        });
         direct = isPhysical ? RayTraceMethod.ofDirectLight(scene, settings, counters, spending.direct()) : null;
-        chains = new BlockChains(
-                new Paths(scene, settings, shader),
-                (double) own.largeSteps() / PERCENT,
-                own.mutations(),
-                counters,
-                sink != null);
+        chains = new BlockChains(paths, (double) own.largeSteps() / PERCENT, own.mutations(), counters, sink != null);
         // No more than are taken where all is dark; a power of two, whose errors are judged best.
         counted = Math.max(Integer.highestOneBit((int) samples) / (2 * QUARTERS), 1);
     }
 
     @Override
     public void stopWhen(BooleanSupplier cancelled) {
-        shader.stopWhen(cancelled);
+        paths.stopWhen(cancelled);
         if (direct != null) {
             direct.stopWhen(cancelled);
         }

@@ -7,18 +7,26 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.transport.ray.Shader;
 import enlightenment.world.CompiledScene;
 import java.util.Arrays;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 
-/** Follows paths from anywhere in a block, and tells what they are worth. One per thread. */
+/**
+ * Follows paths from anywhere in a block, and tells what they are worth. Where things move while the shutter is open, each path sees a moment
+ * by a number of its own, which chains change as its others. One per thread.
+ */
 final class Paths {
     /** Of luminance; and what each band is worth beside it, so that none is starved. */
     private static final double[] WEIGHTS = {0.2126, 0.7152, 0.0722};
 
     private static final double OF_ANY_BAND = 1.0 / 9;
 
-    private final CompiledScene scene;
+    private final CompiledScene[] moments;
     private final double pictureWidth;
     private final double pictureHeight;
-    private final Shader shader;
+
+    /** Of each moment. */
+    private final Shader[] shaders;
+
     private final Ray ray = new Ray();
     private Block block;
     private long lost;
@@ -28,21 +36,31 @@ final class Paths {
 
     int pixel;
 
-    Paths(CompiledScene scene, RenderSettings settings, Shader shader) {
-        this.scene = scene;
-        this.shader = shader;
+    /** @param shader makes what a path of a moment is worth */
+    Paths(CompiledScene scene, RenderSettings settings, Function<CompiledScene, Shader> shader) {
+        moments = scene.moments();
+        shaders = new Shader[moments.length];
+        Arrays.setAll(shaders, i -> shader.apply(moments[i]));
         pictureWidth = settings.width();
         pictureHeight = settings.height();
+    }
+
+    void stopWhen(BooleanSupplier cancelled) {
+        for (Shader shader : shaders) {
+            shader.stopWhen(cancelled);
+        }
     }
 
     void begin(Block next) {
         block = next;
         lost = 0;
-        shader.beginTile(
-                next.x() / pictureWidth,
-                next.y() / pictureHeight,
-                (next.x() + next.width()) / pictureWidth,
-                (next.y() + next.height()) / pictureHeight);
+        for (Shader shader : shaders) {
+            shader.beginTile(
+                    next.x() / pictureWidth,
+                    next.y() / pictureHeight,
+                    (next.x() + next.width()) / pictureWidth,
+                    (next.y() + next.height()) / pictureHeight);
+        }
     }
 
     /** Follows the path that these numbers make; returns its brightness, by which chains choose. */
@@ -50,8 +68,9 @@ final class Paths {
         double x = numbers.filmX() * block.width();
         double y = numbers.filmY() * block.height();
         pixel = (int) y * block.width() + (int) x;
-        scene.camera.ray((block.x() + x) / pictureWidth, (block.y() + y) / pictureHeight, numbers, ray);
-        shader.shade(ray, numbers, color);
+        int moment = shaders.length == 1 ? 0 : (int) (numbers.unit(0, Sampler.Purpose.TIME) * shaders.length);
+        moments[moment].camera.ray((block.x() + x) / pictureWidth, (block.y() + y) / pictureHeight, numbers, ray);
+        shaders[moment].shade(ray, numbers, color);
         double brightness = 0;
         for (int c = 0; c < 3; c++) {
             brightness += (WEIGHTS[c] + OF_ANY_BAND) * Math.abs(color[c]);

@@ -16,7 +16,10 @@ import enlightenment.world.PhysicalScene;
 import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.parts.RayCounters;
 
-/** Of all ways to make a path those in which a path from the eye aims at a light, or runs into it: what they find, and their weights. */
+/**
+ * The bidirectional strategies of an eye subpath that samples a point of a light (next-event estimation) or hits a light: their
+ * contributions and MIS weights.
+ */
 final class BidirectionalLights {
     private final PhysicalScene physical;
     private final LightSampler picker;
@@ -29,7 +32,7 @@ final class BidirectionalLights {
     private final SampledLight choice = new SampledLight();
     private final double[] pair = new double[2];
 
-    /** What was found: radiance, times what the surface makes of it. */
+    /** The estimate of next-event estimation, without its weight: radiance towards the path's previous vertex. */
     double red;
 
     double green;
@@ -47,17 +50,17 @@ final class BidirectionalLights {
         shadow = new ShadowRays(scene, counters, eye.path, view.cone);
     }
 
-    /** The index of the light that was aimed at. */
+    /** The index of the sampled light. */
     int light() {
         return choice.light;
     }
 
-    /** The point of it. */
+    /** The sampled point of the light. */
     LightSample sample() {
         return sample;
     }
 
-    /** The weight of running into a light, which is not the path's first vertex. */
+    /** The MIS weight of hitting a light at a vertex that is not the path's first. */
     double weightOfHit() {
         Hit hit = eye.path.at.hit;
         int index = eye.path.at.light;
@@ -74,7 +77,7 @@ final class BidirectionalLights {
         return SubpathDensities.weight(ofLight, ofPath);
     }
 
-    /** The density, per area of the light in {@link PhysicalScene#areaUnit}s, with which the last vertex would have chosen this point. */
+    /** The density, per area of the light in {@link PhysicalScene#areaUnit}s, with which the last vertex would have sampled this point. */
     private double aimed(int index, Hit hit, double cosine) {
         PhysicalLight l = physical.lights[index];
         if (l.isBallOf(eye.lastId)) {
@@ -95,7 +98,7 @@ final class BidirectionalLights {
         return probability * density * Math.abs(cosine) / (d2 / physical.areaUnit);
     }
 
-    /** The density, per such area and solid angle, with which paths leave a light with extent. */
+    /** The density, per area in {@link PhysicalScene#areaUnit}s and solid angle, with which light paths leave a light with extent. */
     private double emission(int index, double outside) {
         double cosine =
                 starts.shinesBothWays(index) ? Math.abs(outside) : starts.shinesInwards(index) ? -outside : outside;
@@ -104,9 +107,9 @@ final class BidirectionalLights {
     }
 
     /**
-     * Aims at a light from the vertex that the path from the eye is at.
+     * Samples a light from the current vertex of the eye subpath.
      *
-     * @return whether light comes from there
+     * @return whether light arrives
      */
     boolean aim(Sampler sampler) {
         Hit hit = eye.path.at.hit;

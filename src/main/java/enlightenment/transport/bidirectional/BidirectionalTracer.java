@@ -18,26 +18,26 @@ import enlightenment.world.surface.SurfaceInteraction;
 import java.util.function.BooleanSupplier;
 
 /**
- * The radiance seen along one camera ray, by paths from both ends: one from the eye and one from a light are followed, and each vertex of
- * the one is connected to each of the other (E. Lafortune and Y. Willems, "Bi-directional path tracing", 1993; E. Veach and L. Guibas,
- * "Bidirectional estimators for light transport", 1994). So a path is found in several ways, and their weights by the power heuristic
- * add up to 1. What light paths bring to the eye straight is a part of these weights, but found elsewhere:
- * {@code BidirectionalLightTracer}. See docs/notes/bidirectional.md.
+ * The radiance along one camera ray, by bidirectional path tracing: an eye subpath and a light subpath are traced, and each vertex of one
+ * is connected to each of the other (E. Lafortune and Y. Willems, "Bi-directional path tracing", 1993; E. Veach and L. Guibas,
+ * "Bidirectional estimators for light transport", 1994). The strategies that can sample a path are weighted by the power heuristic. The
+ * weights include light subpaths connected to the eye, which {@code BidirectionalLightTracer} traces. See docs/notes/bidirectional.md.
  */
 public final class BidirectionalTracer implements Shader {
-    /** How many light paths that are connected to the eye straight there are for each path from the eye. */
+    /** The number of light paths connected to the eye per path from the eye. */
     public static final double LIGHT_PATHS_PER_SAMPLE = 1;
 
     /**
-     * Two long parts of a path make many paths of each length, as many as it has edges, which are alike and weighted alike: so many of them
-     * are connected in the mean, at most. Otherwise the work would be quadratic where paths are long: in bright rooms, and in media.
+     * The mean number of connections of each path length, at most. Two long subpaths have a connection for each edge of a path of that
+     * length, all alike and alike in weight; without this limit the cost would be quadratic where paths are long: in bright rooms, and in
+     * media.
      */
     static final int PATHS_OF_A_LENGTH = 4;
 
     private final PhysicalScene physical;
     private final EyeSubpath eye;
 
-    /** Of both parts of a path; null if no glass of the scene disperses. */
+    /** The wavelength of both subpaths; null if no glass of the scene disperses. */
     private final PathWavelength wavelength;
 
     private final LightSubpath light;
@@ -45,16 +45,16 @@ public final class BidirectionalTracer implements Shader {
     private final SegmentRays segments;
     private final EyeImages images;
 
-    /** Light from a picture or a sky around the scene; null if there is none. */
+    /** Next-event estimation of an environment map or a sky; null if the scene has none. */
     private final InfiniteLight infinite;
 
     private final Scattering there = new Scattering();
     private final ReverseDensity reverse = new ReverseDensity();
 
-    /** Null but in tests. */
+    /** Observes the strategies in tests; else null. */
     private Strategies strategies;
 
-    /** The inverse of the probability with which the vertex of the light that is looked at was drawn. */
+    /** The inverse of the probability with which the current vertex of the light subpath was selected for connection. */
     private double share;
 
     /** For one thread, and a scene of physical shading. */
@@ -70,22 +70,22 @@ public final class BidirectionalTracer implements Shader {
         images = new EyeImages(scene, counters, eye.path, true);
     }
 
-    /** Lets somebody look at what is found. */
+    /** Sets an observer of strategies, for tests. */
     void watch(Strategies by) {
         strategies = by;
     }
 
-    /** The path from the light that was followed last. */
+    /** The last light subpath. */
     LightSubpath light() {
         return light;
     }
 
-    /** The path from the eye that was followed last. */
+    /** The last eye subpath. */
     EyeSubpath eye() {
         return eye;
     }
 
-    /** What was found by aiming at a light, or running into one. */
+    /** The strategies of sampling or hitting a light. */
     BidirectionalLights lights() {
         return lights;
     }
@@ -120,9 +120,9 @@ public final class BidirectionalTracer implements Shader {
     }
 
     /**
-     * What connections alone bring to a camera ray's path, without what is aimed at lights or runs into them.
+     * Writes the radiance by connections alone, without sampled or hit lights.
      *
-     * @param ofLight draws the path from the light
+     * @param ofLight random numbers of the light subpath
      */
     void connect(Ray ray, Sampler sampler, Sampler ofLight, double[] out) {
         followLight(ofLight);
@@ -193,7 +193,7 @@ public final class BidirectionalTracer implements Shader {
         return eye.leave(sampler);
     }
 
-    /** Light from a picture or a sky is found by the eye's path alone: aimed at, or run into ({@link InfiniteLight}). */
+    /** Estimates light of an environment map or a sky, which only the eye subpath samples or hits ({@link InfiniteLight}). */
     private void gatherInfinite(Sampler sampler) {
         double[] tint = eye.isBorder ? eye.color : null;
         infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.state.address, eye.isFirst(), false);
@@ -204,7 +204,7 @@ public final class BidirectionalTracer implements Shader {
         add(colors(false), 1, infinite.red, infinite.green, infinite.blue, 0);
     }
 
-    /** Adds light that may have the colour of the path's wavelength. */
+    /** Adds radiance, in the colour of the path's wavelength if isColored. */
     private void add(boolean isColored, double factor, double r, double g, double b, double ultraviolet) {
         if (isColored) {
             eye.value.add(factor * r * wavelength.red, factor * g * wavelength.green, factor * b * wavelength.blue);
@@ -213,7 +213,7 @@ public final class BidirectionalTracer implements Shader {
         }
     }
 
-    /** Whether light that comes to the path's last vertex has it, before or after that scatters it. */
+    /** Whether light at the eye subpath's last vertex has the wavelength's colour, before or after scattering there. */
     private boolean colors(boolean isScattered) {
         return wavelength != null && wavelength.colors(isScattered && eye.isBorder);
     }
@@ -222,10 +222,10 @@ public final class BidirectionalTracer implements Shader {
         return strategies == null ? weight : strategies.weight(s, t, weight);
     }
 
-    /** The eye's path has come to a light. */
+    /** Adds emission where the eye subpath has hit a light. */
     private void glow() {
         if (eye.glowing != null && eye.glowing.glowsTo(eye.path.at.hit.side)) {
-            // Light that is seen straight is found in this way alone.
+            // Directly visible emission has no other strategy.
             double weight = watched(0, eye.vertices.size() + 1, eye.isFirst() ? 1 : lights.weightOfHit());
             weight *= images.weight();
             SurfaceInteraction at = eye.path.at;
@@ -247,9 +247,8 @@ public final class BidirectionalTracer implements Shader {
     }
 
     /**
-     * Connects vertices of the path from the light to the one that the path from the eye is at: all of them while the paths made so are
-     * short, of longer ones a share. They are drawn as by a comb, whose teeth all are moved by one random number: so each is among them
-     * with just its probability, and how many there are is nearly the same each time.
+     * Connects vertices of the light subpath to the current vertex of the eye subpath: all of them for short paths, a share for longer
+     * ones. Systematic sampling with one random number selects each with its exact probability, and nearly the same number each time.
      */
     private void connect(Sampler sampler, int t) {
         int size = light.vertices.size();
@@ -306,7 +305,7 @@ public final class BidirectionalTracer implements Shader {
         }
         bsdf.evaluate(there);
         if (beyond < 0) {
-            // The colours of a border are those of what passes it.
+            // The colours of an interface are those of transmitted light.
             there.valueR *= there.red;
             there.valueG *= there.green;
             there.valueB *= there.blue;
@@ -327,7 +326,7 @@ public final class BidirectionalTracer implements Shader {
         }
     }
 
-    /** The weight of a connection of the two vertices that were evaluated. */
+    /** The MIS weight of connecting the two vertices whose BSDFs were evaluated. */
     private double weight(int k, double here, double beyond, double d2) {
         PathVertices v = light.vertices;
         double q = v.survival(k);

@@ -11,13 +11,13 @@ import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
-/** What a {@link Subpath} carries from surface to surface, and what media on its way leave of it. One per thread. */
+/** The throughput of a {@link Subpath} from surface to surface, and its attenuation by media on the way. One per thread. */
 abstract class CarriedLight {
     public final PathFollower path;
     final PhysicalScene physical;
     final Ray ray = new Ray();
 
-    /** What is left of the path's light. */
+    /** The throughput of the subpath. */
     public final Throughput throughput;
 
     /** Flights through media that scatter light; null if there are none. */
@@ -29,7 +29,9 @@ abstract class CarriedLight {
     private final boolean absorbs;
     private final double[] left = new double[3];
 
-    /** @param flying what the numbers of flights are for */
+    /**
+     * @param flying the purpose of the random numbers of flights
+     */
     CarriedLight(CompiledScene scene, RayCounters counters, Throughput throughput, Sampler.Purpose flying) {
         this.throughput = throughput;
         physical = scene.physical;
@@ -38,7 +40,7 @@ abstract class CarriedLight {
         inMedium = physical.hasScattering ? new MediumVertex(path, flying) : null;
     }
 
-    /** Follows the ray to what it meets next, or to where a medium scatters it: then this is null, and {@link #isMedium}. */
+    /** Traces the ray to its next event, or to where a medium scatters the path: then this is null, and {@link #isMedium} is set. */
     final PathFollower.Event meet(Sampler sampler) {
         isMedium = false;
         SurfaceMaterial medium = absorbs ? path.medium() : null;
@@ -62,12 +64,15 @@ abstract class CarriedLight {
         return event;
     }
 
-    /** What turns a density of directions into one of the vertex that the path is at: the cosine there, or what a medium has for it. */
+    /**
+     * The factor from a density per solid angle to one of the current vertex: the cosine there, or {@link MediumVertex#density} in a
+     * medium.
+     */
     public final double projected(double cosine) {
         return isMedium ? inMedium.density() : Math.abs(cosine);
     }
 
-    /** Whether light may come straight from lamps to the vertex that the path is at. */
+    /** Whether next-event estimation applies at the current vertex. */
     final boolean seesLamps() {
         return !isMedium || inMedium.index() == 1 || physical.lightsLieInGlass;
     }

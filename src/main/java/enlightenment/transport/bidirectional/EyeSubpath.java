@@ -10,17 +10,17 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.camera.EyeProjection;
 import enlightenment.world.parts.RayCounters;
 
-/** The part of a path that begins at the eye. */
+/** The subpath that begins at the eye. */
 final class EyeSubpath extends Subpath {
     private final EyeProjection eye;
 
-    /** How many paths from lights are connected to the eye itself, per path from the eye. */
+    /** The number of light paths connected to the eye per path from the eye. */
     private final double lightPaths;
 
-    /** What the path has gathered, and how much of what is still to come counts. */
+    /** The radiance gathered so far, and the throughput. */
     final PathValue value;
 
-    /** The dye of the surface that the path is at, and its colour; null if there is none. */
+    /** The dye of the current surface, if it is fluorescent, and its colour; null if it is not. */
     private Reradiation dye;
 
     private final double[] dyed = new double[3];
@@ -44,7 +44,7 @@ final class EyeSubpath extends Subpath {
         path.tracer.leaveVisibilityOpen();
     }
 
-    /** Begins with a camera ray, and the wavelength that a part from a light has by the same sampler. */
+    /** Begins at a camera ray, with the wavelength that the light subpath of the same sampler has. */
     void begin(Ray camera, Sampler sampler) {
         begin();
         dye = null;
@@ -54,14 +54,14 @@ final class EyeSubpath extends Subpath {
         value.begin(path.glass.indexOfRefraction());
     }
 
-    /** Only what reaches the surface is worth something else, not what it emits by itself: {@link #passDye}. */
+    /** Keeps the dye until {@link #passDye}: it changes the light that reaches the surface, not the surface's own emission. */
     @Override
     void reradiate(Reradiation by) {
         dye = by;
         System.arraycopy(color, 0, dyed, 0, dyed.length);
     }
 
-    /** Before light is gathered at the surface that the path is at. */
+    /** Applies the dye of the current surface, before light is gathered there. */
     void passDye() {
         if (dye != null) {
             value.reradiate(dye, dyed);

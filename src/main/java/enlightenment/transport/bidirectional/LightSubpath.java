@@ -13,11 +13,11 @@ import enlightenment.world.LightStarts;
 import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.parts.RayCounters;
 
-/** The part of a path that begins at a light. */
+/** The subpath that begins at a light. */
 public final class LightSubpath extends Subpath {
     final LightSource source;
 
-    /** Where it begins. */
+    /** The origin of the subpath, in the frame. */
     double startX;
 
     double startY;
@@ -40,7 +40,7 @@ public final class LightSubpath extends Subpath {
         source = new LightSource(starts, scene.physical);
     }
 
-    /** Begins at a light; returns whether there is a path. */
+    /** Begins at a sampled light; returns whether there is a path. */
     public boolean begin(Sampler sampler) {
         for (int k = 0; k < PathSource.NUMBERS; k += 2) {
             sampler.pair(k / 2, Sampler.Purpose.EMISSION, pair);
@@ -61,7 +61,7 @@ public final class LightSubpath extends Subpath {
         return true;
     }
 
-    /** The power that it brings, mean of the bands. */
+    /** The power of the path's start, mean of the bands. */
     public double power() {
         return source.power(physical.visibleOfUltraviolet) / 3;
     }
@@ -71,7 +71,7 @@ public final class LightSubpath extends Subpath {
         throughput.reradiate(by, color);
     }
 
-    /** Light does not change with the index of refraction, only how it spreads. */
+    /** Does nothing: power, unlike radiance, is the same on both sides of an interface. */
     @Override
     void enter(double index) {}
 
@@ -93,7 +93,10 @@ public final class LightSubpath extends Subpath {
         densities.begin(SubpathDensities.square(aimed / (emission() * cosine)), ofBeyond(cosine));
     }
 
-    /** The density, per area there times the squared distance, with which the path's first point is chosen by whoever aims at the light. */
+    /**
+     * The density, per area at the light times the squared distance, with which next-event estimation at the path's first vertex would
+     * sample its origin.
+     */
     private double aimed(Hit at) {
         PhysicalLight l = physical.lights[source.light];
         double x = at.px - startX;

@@ -11,20 +11,20 @@ import enlightenment.world.material.HomogeneousMedium;
 import enlightenment.world.material.SurfaceMaterial;
 
 /**
- * A flight of a {@link Subpath} through a medium that scatters light, and the vertex at which it does. One per path, and only for scenes
- * with such media.
+ * A flight of a {@link Subpath} through a medium that scatters light, and the vertex at its end. One per path, and only for scenes with
+ * such media.
  */
 final class MediumVertex {
     /**
-     * The most that roulette lets go on: whoever comes the other way does not know how long the path has been, so that nothing but a part
-     * of all events can end a path in a medium that absorbs nothing.
+     * Upper bound of the survival probability. It must not depend on depth, so that the reverse density is known; a path in a medium that
+     * absorbs nothing ends by this bound alone.
      */
     private static final double LARGEST_SURVIVAL = 1 - 0x1p-8;
 
-    /** The vertex; it has no normal. */
+    /** The scattering at the vertex, which has no normal. */
     final Scattering event = new Scattering();
 
-    /** By band what the flight multiplies what the path carries by. */
+    /** The throughput weights of the flight, by band. */
     final FreeFlight flight = new FreeFlight();
 
     private final PathFollower path;
@@ -33,33 +33,35 @@ final class MediumVertex {
     private SurfaceMaterial material;
     private int flights;
 
-    /** @param flying what the numbers of flights are for */
+    /**
+     * @param flying the purpose of the random numbers of flights
+     */
     MediumVertex(PathFollower path, Sampler.Purpose flying) {
         this.path = path;
         this.flying = flying;
     }
 
-    /** Begins a path. */
+    /** Begins a path: its next flight is the first. */
     void begin() {
         flights = 0;
         flight.begin();
     }
 
-    /** How the medium scatters. */
+    /** The phase function of the medium. */
     Bsdf phase() {
         return material.medium.phase;
     }
 
     /**
-     * What turns a density of directions into one of vertices, as the cosine does at a surface. In truth that is extinction times
-     * transmittance, of the flight's band; any number will do that is the same for all ways to find the path.
+     * The factor from a density per solid angle to one of vertices, as the cosine is at a surface. In truth that is extinction times
+     * transmittance of the flight's band; MIS weights stay valid for any number that is the same for all strategies.
      */
     double density() {
         HomogeneousMedium m = material.medium;
         return (m.extinctionR + m.extinctionG + m.extinctionB) / 3;
     }
 
-    /** The probability with which a path goes on from here. */
+    /** The survival probability of Russian roulette here. */
     double survival() {
         HomogeneousMedium m = material.medium;
         double most = Math.max(
@@ -78,10 +80,10 @@ final class MediumVertex {
     }
 
     /**
-     * Follows the ray to what it meets next, or to where the medium scatters it: then the path is there, and this is null.
+     * Traces the ray to its next event, or to where the medium scatters the path: then the path is there, and this is null.
      *
      * @param in the medium's material
-     * @param carried what is left of the path's light
+     * @param carried throughput of the subpath
      */
     PathFollower.Event fly(Ray ray, SurfaceMaterial in, Throughput carried, Sampler sampler) {
         material = in;

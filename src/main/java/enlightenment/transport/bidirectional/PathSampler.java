@@ -5,11 +5,11 @@ import enlightenment.sampling.Sampler;
 import enlightenment.sampling.Sobol;
 
 /**
- * The numbers of paths that are counted through, and belong to no pixel. Where, in which direction and with which wavelength they begin
- * comes from sequences that fill their squares evenly, all else from a hash.
+ * The random numbers of numbered paths that belong to no pixel. Origin, direction and wavelength come from low-discrepancy sequences, all
+ * else from a hash.
  */
 public final class PathSampler implements Sampler {
-    /** Keeps the numbers of these paths apart from all others. */
+    /** Mixed into the seed, so that these paths share no random numbers with others. */
     private static final long PURPOSE = 0x626964697265637aL;
 
     private final long seed;
@@ -21,7 +21,7 @@ public final class PathSampler implements Sampler {
         this.seed = Hash.of(seed, PURPOSE);
     }
 
-    /** Sets the number of the path. */
+    /** Begins the path with this number. */
     public void path(long number) {
         hash = Hash.of(seed, number);
         sequence = Hash.of(seed, -1 - (number >>> Integer.SIZE));

@@ -7,8 +7,8 @@ import enlightenment.transport.state.Throughput;
 import java.util.Arrays;
 
 /**
- * The vertices of a part of a path, without those that are surfaces passed straight: flat arrays that grow and are used again. Vertices of
- * delta events are among them, since they count, but there is nothing at them that could be connected.
+ * The vertices of a subpath, without surfaces that it passed straight: flat arrays that grow and are reused. Vertices of delta events are
+ * included, since they count for path length, but cannot be connected.
  */
 public final class PathVertices {
     private static final int X = 0;
@@ -45,7 +45,7 @@ public final class PathVertices {
     }
 
     /**
-     * Adds a vertex at which only delta events happen.
+     * Adds a vertex with delta events only.
      *
      * @param expansion see {@link SubpathDensities#pass}
      */
@@ -61,9 +61,9 @@ public final class PathVertices {
     /**
      * Adds a vertex that may be connected.
      *
-     * @param s its normal, the direction that the path came from and, of a border, the colours of what passes it
-     * @param bounces how many events the path has had before
-     * @param survival the probability with which the path goes on from here
+     * @param s its normal, the direction that the path came from and, at an interface, the colours of transmitted light
+     * @param bounces the number of events before
+     * @param survival the probability of Russian roulette that the path goes on from here
      */
     void add(
             Hit hit,
@@ -93,30 +93,30 @@ public final class PathVertices {
         size++;
     }
 
-    /** Sets the power that the path brought to the vertex that was added last. */
+    /** Sets the incident power at the last vertex. */
     void power(Throughput power) {
         int k = (size - 1) * NUMBERS;
         set(k + POWER, power.red, power.green, power.blue);
         numbers[k + ULTRAVIOLET] = power.ultraviolet;
     }
 
-    /** Sets {@link MediumVertex#density} of the vertex that was added last; 0 if it is on a surface. */
+    /** Sets {@link MediumVertex#density} of the last vertex; 0 if it is on a surface. */
     void medium(double density) {
         numbers[(size - 1) * NUMBERS + MEDIUM] = density;
     }
 
-    /** {@link Subpath#projected} of a vertex that may be connected. */
+    /** {@link Subpath#projected} of vertex k, which may be connected. */
     double projected(int k, double cosine) {
         double density = numbers[k * NUMBERS + MEDIUM];
         return density > 0 ? density : Math.abs(cosine);
     }
 
-    /** Tells whether light of the vertex that was added last has the colour of the path's wavelength. */
+    /** Sets whether light of the last vertex has the colour of the path's wavelength. */
     void colored(boolean isColored) {
         ints[(size - 1) * INTS + COLORED] = isColored ? 1 : 0;
     }
 
-    /** What {@link #colored} was told; of paths with a wavelength. */
+    /** Whether light of vertex k has the colour of the path's wavelength, if that has one. */
     boolean isColored(int k) {
         return ints[k * INTS + COLORED] != 0;
     }
@@ -135,12 +135,12 @@ public final class PathVertices {
         }
     }
 
-    /** How the vertex scatters; null if it cannot be connected. */
+    /** The BSDF or phase function of vertex k; null if it cannot be connected. */
     Bsdf bsdf(int k) {
         return bsdfs[k];
     }
 
-    /** Sets all of a Scattering but the direction i, of a vertex of a path from a light. */
+    /** Sets a scattering, but for the direction i, from vertex k of a light subpath. */
     void get(int k, Scattering s) {
         int n = k * NUMBERS;
         s.nx = numbers[n + NORMAL];
@@ -159,7 +159,7 @@ public final class PathVertices {
         s.eta = numbers[n + ETA];
     }
 
-    /** Of a vertex of a delta event its expansion, of a border of media the relative index of refraction. */
+    /** The relative index of refraction at an interface; of a vertex of delta events its expansion. */
     double eta(int k) {
         return numbers[k * NUMBERS + ETA];
     }
@@ -196,7 +196,7 @@ public final class PathVertices {
         return numbers[k * NUMBERS + SURVIVAL];
     }
 
-    /** {@link SubpathDensities#behind} of the path that came here. */
+    /** {@link SubpathDensities#behind} at vertex k. */
     double behind(int k, double reverse) {
         int n = k * NUMBERS;
         return Math.fma(numbers[n + BEYOND], SubpathDensities.square(reverse), numbers[n + EDGE]);
@@ -210,7 +210,7 @@ public final class PathVertices {
         return ints[k * INTS + FACE];
     }
 
-    /** How many events the path had before. */
+    /** The number of events before vertex k. */
     int bounces(int k) {
         return ints[k * INTS + BOUNCES];
     }

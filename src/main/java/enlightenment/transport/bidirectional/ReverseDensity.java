@@ -3,11 +3,14 @@ package enlightenment.transport.bidirectional;
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
 
-/** The density with which a surface would scatter the other way round: towards where a path came from, if it came from where it goes. */
+/**
+ * The reverse density of a BSDF sample: with which the surface would have sampled the direction that the path came from, had it come from
+ * the other side.
+ */
 public final class ReverseDensity {
     private final Scattering turned = new Scattering();
 
-    /** Per solid angle of the direction o, as if the path had come from the direction i. */
+    /** The density of direction o per solid angle, as if the path had come from direction i. */
     public double of(Bsdf bsdf, Scattering s) {
         boolean passes = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0 && bsdf.transmits();
         double side = passes ? -1 : 1;

@@ -1,15 +1,15 @@
 package enlightenment.transport.bidirectional;
 
 /**
- * Looks at what each strategy finds, and may change it: a path with t vertices from the eye, the eye itself among them, and s from a light.
- * For tests; a render has none.
+ * Observes, and may change, the MIS weight of each strategy: a path with t vertices from the eye, the eye included, and s from a light. For
+ * tests; a render has none.
  */
 public interface Strategies {
     /**
-     * A path was found, and is not blocked.
+     * Called for each unoccluded path.
      *
-     * @param weight its weight among all strategies
-     * @return what to use in place of the weight
+     * @param weight its MIS weight
+     * @return the weight to use instead
      */
     double weight(int s, int t, double weight);
 }

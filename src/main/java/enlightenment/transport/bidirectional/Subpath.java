@@ -18,24 +18,24 @@ import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
 /**
- * A part of a path, from the eye or from a light, that is followed from vertex to vertex, with what the weights of all ways to make the
- * path must know of it. Roulette goes by the surface alone, from the first vertex on: so it is known, too, how likely somebody who
- * comes the other way survives. One per thread.
+ * A subpath from the eye or from a light, traced from vertex to vertex, with the densities that MIS weights of all strategies need. Russian
+ * roulette depends on the surface alone, from the first vertex on, so that the survival probability of the reverse path is known, too. One
+ * per thread.
  */
 abstract class Subpath extends CarriedLight {
-    /** What a part of a path comes to. */
+    /** The kinds of vertices of a subpath. */
     public enum Event {
-        /** It leaves the scene. */
+        /** The ray leaves the scene. */
         NOTHING,
         /** An opaque surface. */
         SURFACE,
-        /** A rough border of two media. */
+        /** A rough interface of two media. */
         BORDER,
         /** A point of a medium that scatters light. */
         MEDIUM,
-        /** It has passed glass, or was reflected by it, and goes on. */
+        /** The path has passed smooth glass, or was reflected by it, and goes on. */
         PASSED,
-        /** It ends. */
+        /** The path ends. */
         ENDED
     }
 
@@ -44,27 +44,27 @@ abstract class Subpath extends CarriedLight {
     /** The vertices so far. */
     public final PathVertices vertices = new PathVertices();
 
-    /** The surface that the path is at, with its colour. */
+    /** The scattering at the current vertex, with its colour. */
     public Scattering s;
 
     public Bsdf bsdf;
 
-    /** Whether it is a rough border of two media. */
+    /** Whether the current vertex is on a rough interface of two media. */
     public boolean isBorder;
 
-    /** The colours of what passes a border. */
+    /** The colour of the current surface; at an interface that of transmitted light. */
     public final double[] color = new double[3];
 
-    /** What it emits; null if nothing. */
+    /** The material of the current surface if it emits light; null if not. */
     SurfaceMaterial glowing;
 
-    /** The probability of going on from here. */
+    /** The survival probability of Russian roulette at the current vertex. */
     public double survival;
 
-    /** The events so far. */
+    /** The scattering events so far. */
     public final PathState state = new PathState();
 
-    /** The last vertex but the one that the path is at, and the normal of where light comes from there: 0 at a border. */
+    /** The last vertex before the current one, and its normal; (0, 0, 0) at an interface. */
     int lastId;
 
     double lastX;
@@ -85,7 +85,7 @@ abstract class Subpath extends CarriedLight {
     private final Sampler.Purpose surviving;
     private double choice;
 
-    /** Of the densities what passes a delta event: {@link SubpathDensities#beyond} before the path arrived. */
+    /** {@link SubpathDensities#beyond} before the path arrived at the current surface, for delta events. */
     private double beyondDelta;
 
     Subpath(
@@ -111,13 +111,13 @@ abstract class Subpath extends CarriedLight {
         }
     }
 
-    /** Whether the path has had no vertex before the one that it is at. */
+    /** Whether the current vertex is the path's first. */
     final boolean isFirst() {
         return state.events == 0;
     }
 
     /**
-     * Sets the densities at the path's first vertex: what {@link #s} says, at {@link PathFollower#hit}.
+     * Sets the densities at the path's first vertex, given by {@link #s} and the follower's hit.
      *
      * @param cosine between the normal and the direction that the path came from; in a medium {@link MediumVertex#density}
      */
@@ -126,13 +126,13 @@ abstract class Subpath extends CarriedLight {
     /** Sets the densities of a path whose first vertex is a delta event. */
     abstract void beginDensitiesOfDelta();
 
-    /** A fluorescent surface of this {@link #color} scatters the path, which goes on as from a white one. */
+    /** Scatters the path at a fluorescent surface of this {@link #color}; the path goes on as at a white one. */
     abstract void reradiate(Reradiation by);
 
-    /** The path has come into the medium with this index of refraction. */
+    /** Called when the path enters a medium with this index of refraction. */
     abstract void enter(double index);
 
-    /** Goes to the next event. */
+    /** Traces the path to its next vertex. */
     public Event next(Sampler sampler) {
         PathFollower.Event event = meet(sampler);
         if (event == null) {
@@ -144,7 +144,7 @@ abstract class Subpath extends CarriedLight {
         return event == PathFollower.Event.SURFACE ? surface() : glass(sampler);
     }
 
-    /** Where a medium scatters the path. */
+    /** Makes the point where a medium scatters the path the current vertex. */
     private Event scattered() {
         isBorder = false;
         glowing = null;
@@ -180,11 +180,11 @@ abstract class Subpath extends CarriedLight {
         survival = survival(most);
         Bsdf made = bsdf instanceof SmoothShading smooth ? smooth.inner() : bsdf;
         if (made instanceof GlossyReflection metal) {
-            // Along the surface it reflects more.
+            // Metals reflect more at grazing incidence.
             metal.reflectAtNormal(s);
             survival = survival(0.5 + 0.5 * Math.max(s.valueR, Math.max(s.valueG, s.valueB)));
         } else if (made.hasDelta() || made.reflectsIfBlack()) {
-            // A coat reflects what its base does not.
+            // The coat reflects light that its base does not.
             survival = survival(0.5 + 0.5 * most);
         }
         if (material.isBlack) {
@@ -195,12 +195,12 @@ abstract class Subpath extends CarriedLight {
         arrive();
     }
 
-    /** The root makes longer paths than the colour itself, which pays: docs/notes/bidirectional.md. */
+    /** The square root makes paths longer than the colour itself would, which pays: docs/notes/bidirectional.md. */
     private static double survival(double most) {
         return Math.min(Math.sqrt(most), PathValue.LARGEST_SURVIVAL);
     }
 
-    /** Whether the path may be scattered where it is. */
+    /** Whether the path may be scattered at the current vertex. */
     public boolean mayScatter() {
         return survival > 0 && path.mayScatter();
     }
@@ -254,7 +254,8 @@ abstract class Subpath extends CarriedLight {
                 return Event.SURFACE;
             }
         }
-        // An opaque surface at such a border has no distance from it: the path goes on as through smooth glass.
+        // An opaque surface that coincides with the interface has no distance from it: the path goes on as through
+        // smooth glass.
         boolean isApart = !path.glass.comesToOpaque(true) && !path.glass.comesToOpaque(false);
         boolean mayConnect = physical.hasRoughGlass && isApart && path.mayScatter();
         Bsdf rough = mayConnect ? path.roughBorder(ray, border) : null;
@@ -272,7 +273,7 @@ abstract class Subpath extends CarriedLight {
         return Event.BORDER;
     }
 
-    /** At smooth glass. */
+    /** Scatters the path at smooth glass. */
     private Event pass(Sampler sampler) {
         if (physical.hasRoughGlass) {
             sampler.pair(state.address, directing, pair);
@@ -292,7 +293,7 @@ abstract class Subpath extends CarriedLight {
         return goes && path.goesOn() ? Event.PASSED : Event.ENDED;
     }
 
-    /** Crosses the glass that the path is at, or is reflected. */
+    /** Transmits or reflects the path at the glass that it is at. */
     private void cross() {
         boolean through = path.cross(ray);
         Arrays.fill(weight, path.glass.weight());
@@ -318,7 +319,7 @@ abstract class Subpath extends CarriedLight {
         lastNz = takesFromAllSides ? 0 : at.gz;
     }
 
-    /** Leaves the surface or the border that the path is at; returns whether it goes on. */
+    /** Samples the direction in which the path leaves the current surface or interface; returns whether it goes on. */
     public boolean leave(Sampler sampler) {
         sampler.pair(state.address, directing, pair);
         boolean goes = isMedium ? leaveMedium(sampler) : isBorder ? leaveBorder(sampler) : leaveSurface(sampler);

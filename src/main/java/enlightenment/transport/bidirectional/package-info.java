@@ -1,2 +1,2 @@
-/** Bidirectional path tracing: subpaths that know their densities, and their connections. */
+/** Bidirectional path tracing: subpaths with their densities, and connections between them. */
 package enlightenment.transport.bidirectional;

@@ -10,24 +10,26 @@ import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
 /**
- * Whether nothing hides what is infinitely far from a vertex of a path, and what of its light glass that does not turn rays lets pass.
- * Paths pass the same surfaces by the same rules.
+ * Visibility of the surroundings, infinitely far away, from a vertex of a path, and the transmittance of glass that keeps directions. The
+ * path itself passes the same surfaces by the same rules.
  */
 final class DistantRays {
-    /** Farther than anything; what is missed is infinitely far. */
+    /** A distance beyond all surfaces: a ray that hits nothing up to here leaves the scene. */
     private static final double ENDLESS = Double.MAX_VALUE;
 
     private final PathFollower path;
     private final boolean absorbs;
     private final Ray ray = new Ray();
 
-    /** Follows rays through glass that does not turn them; null if there is none. */
+    /** Follows rays through glass that keeps their direction; null if the scene has none. */
     private final ShadowWalk walk;
 
-    /** What comes through, by band. */
+    /** The transmittance of the last ray that escaped, by band. */
     final double[] rgb = new double[3];
 
-    /** From the vertex that a path is at. */
+    /**
+     * @param path the path from whose current vertex rays start
+     */
     DistantRays(CompiledScene scene, RayCounters counters, PathFollower path) {
         this.path = path;
         absorbs = scene.physical.hasAbsorption;
@@ -35,16 +37,16 @@ final class DistantRays {
     }
 
     /**
-     * Whether a ray from the vertex that the path is at leaves the scene.
+     * Whether a ray from the path's current vertex leaves the scene.
      *
-     * @param atBorder whether that is a rough border of two media
-     * @param through whether the ray leaves it on the side that the path did not come from
+     * @param atBorder whether the vertex is on a rough interface of two media
+     * @param through whether the ray leaves on the far side of the interface, as the path came
      */
     boolean escapes(double dx, double dy, double dz, boolean atBorder, boolean through) {
         path.poll.tick();
         Arrays.fill(rgb, 1);
         if (!start(dx, dy, dz, atBorder, through) && !path.tracer.occluded(ray, ENDLESS)) {
-            // In a medium without end nothing comes through but where nothing is lost.
+            // The transmittance of an unbounded medium is 0 in every band that it absorbs.
             SurfaceMaterial medium = absorbs ? path.medium(through) : null;
             if (medium != null && medium.absorbs) {
                 medium.absorb(ENDLESS, rgb);
@@ -58,7 +60,7 @@ final class DistantRays {
         return walk.reaches(null, ray, ENDLESS, path, through, rgb);
     }
 
-    /** Returns whether something is in the ray's way at once. */
+    /** Starts the ray; returns whether a surface that coincides with the vertex occludes it. */
     private boolean start(double dx, double dy, double dz, boolean atBorder, boolean through) {
         ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, dx, dy, dz, 0);
         return Departure.from(path, ray, atBorder, through);

@@ -8,60 +8,67 @@ import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.material.HomogeneousMedium;
 
 /**
- * The lamps that a flight through a medium comes near: chooses one of them, and a point of the flight equiangularly as seen from there; and
- * knows the density with which it would have chosen another. A mutable work object of one flight.
+ * Samples a lamp near to a flight through a medium, and a point of the flight by equiangular sampling from that lamp; has the densities of
+ * both. A mutable work object of one flight.
  *
- * <p>A lamp is near if light of it differs much along the flight: if the least distance from it is small beside the length that free flights
- * have in the mean, which end at the surface that is met. Light of other lamps is nearly even there, and sampled well where flights end.
+ * <p>A lamp is near if its irradiance varies much along the flight: if its least distance is small beside the mean length of free flights,
+ * cut off at the surface that the ray hits. Light of other lamps is nearly constant along the flight, and sampled well at the ends of free
+ * flights.
  */
 final class FlightLamps {
-    /** Up to this number every lamp is weighed for every flight. */
+    /** Up to this number of lamps, each is weighed for every flight; beyond, lamps are sampled by intensity alone. */
     private static final int FEW = 16;
 
-    /** From so many scatterings in a row on, many lamps are not worth the time of following each flight to a surface. */
+    /**
+     * With many lamps, none is sampled along flights after this number of scattering events in a row: each such flight must be traced to a
+     * surface.
+     */
     private static final int OFTEN = 2;
 
     /**
-     * A lamp is near if so many of its distances are no longer than free flights in the mean. FITTED: 3, 4, 6 and 8 were tried on lamps in
-     * thin and dense fog and on rooms in haze (docs/notes/media.md). It decides about noise only.
+     * A lamp is near if this multiple of its distance is at most the mean length of free flights. FITTED: 3, 4, 6 and 8 were tried on lamps
+     * in thin and dense fog and on rooms in haze (docs/notes/media.md). It changes variance only.
      */
     private static final double NEAR = 6;
 
     private final PhysicalLight[] lights;
 
-    /** About the radiant intensities of lamps; if there are many, of each those of it and of all before it. */
+    /** Radiant intensity of each lamp, roughly and summed over bands; beyond {@link #FEW} lamps cumulative sums of these. */
     private final double[] strengths;
 
     private final double[] weights;
 
-    /** For each lamp, if there are few; one for all if there are many. */
+    /** By lamp, its equiangular sampling; a single one beyond {@link #FEW} lamps. */
     private final Equiangular[] points;
 
-    /** The flight, if there are many. */
+    /** The ray of the flight; set only beyond {@link #FEW} lamps. */
     private final Ray ray = new Ray();
 
     private double length;
 
-    /** The least over the bands. */
+    /** The least extinction coefficient of the bands, per length of the frame. */
     private double extinction;
 
-    /** Within what distance a lamp is near to the flight; squared. */
+    /** The squared distance within which a lamp is near to the flight. */
     private double near;
 
     private double sum;
 
-    /** Where the flight scattered the path, and with what density, per length; 0 if nothing was chosen along the flight. */
+    /**
+     * The distance at which the flight scattered the path, and the density of free flights there, per length; density 0 if no lamp was
+     * sampled along the flight.
+     */
     private double end;
 
     private double flies;
 
-    /** The lamp that was chosen. */
+    /** The index of the sampled lamp. */
     int lamp;
 
-    /** The point of the flight that was chosen for it: how far along. */
+    /** The distance of the sampled point along the flight, in the frame. */
     double distance;
 
-    /** The density of the choice of both, per length. */
+    /** The density of lamp and point: probability of the lamp times density per length. */
     double density;
 
     FlightLamps(PhysicalScene physical) {
@@ -79,7 +86,7 @@ final class FlightLamps {
         }
     }
 
-    /** About the radiant intensity of a lamp, summed over bands. */
+    /** Radiant intensity of a lamp, roughly and summed over bands: radiance times area if it has extent. */
     private static double strength(PhysicalLight l) {
         double bands = l.meanR + l.meanG + l.meanB + l.meanUltraviolet;
         return l.isPoint ? bands : bands * l.form.area();
@@ -99,7 +106,7 @@ final class FlightLamps {
     /**
      * Begins a flight along a ray.
      *
-     * @param scatterings how often media have scattered the path since it left the last surface, or the eye
+     * @param scatterings the number of scattering events in media since the path left the last surface, or the eye
      * @return whether a lamp may be near to it, wherever it ends
      */
     boolean begin(Ray along, HomogeneousMedium medium, int scatterings) {
@@ -120,7 +127,7 @@ final class FlightLamps {
 
     private void reach(double way) {
         length = way;
-        // Roughly (1 − exp(−extinction · way)) / extinction, which takes longer to tell.
+        // About (1 − exp(−extinction · way)) / extinction, which is slower.
         double reach = 1 / (NEAR * (extinction + 1 / way));
         near = reach * reach;
     }
@@ -130,9 +137,9 @@ final class FlightLamps {
     }
 
     /**
-     * Goes on to what the ray meets.
+     * Sets the length of the flight up to the surface that the ray hits.
      *
-     * @param way the length up to there, in lengths of the frame; may be infinite
+     * @param way that length, in the frame; may be infinite
      * @return whether a lamp may be near to the flight
      */
     boolean end(double way) {
@@ -149,7 +156,10 @@ final class FlightLamps {
         return isMany() || sum > 0;
     }
 
-    /** What comes from a lamp, roughly: none of it went a shorter way than straight. */
+    /**
+     * An approximation of the light that a lamp contributes along the flight; attenuated over the straight line from the lamp to the
+     * flight's start, the shortest way.
+     */
     private double weight(int i) {
         Equiangular point = points[i];
         double w = strengths[i] * point.integral() * StrictMath.exp(-extinction * Math.sqrt(point.squareAtStart()));
@@ -157,7 +167,7 @@ final class FlightLamps {
     }
 
     /**
-     * Chooses a lamp and a point of the flight.
+     * Samples a lamp and a point of the flight.
      *
      * @param u uniform in 0..1, as v is
      * @return whether there is one
@@ -178,7 +188,7 @@ final class FlightLamps {
         return isThere;
     }
 
-    /** Of many lamps by strength alone: it takes no look at them all, and leaves none out. */
+    /** Samples one of many lamps by intensity alone, without a loop over them; each has a positive probability. */
     private void chooseOfMany(double u) {
         int low = 0;
         int high = strengths.length - 1;
@@ -194,7 +204,7 @@ final class FlightLamps {
         lamp = low;
     }
 
-    /** What chooses points for a lamp; null if that is one of many, and not near. */
+    /** The equiangular sampling of a lamp; null if it is one of many and not near. */
     private Equiangular aimed(int i) {
         if (!isMany()) {
             return points[i];
@@ -227,13 +237,13 @@ final class FlightLamps {
         }
     }
 
-    /** The flight has scattered the path at this distance, for which free flights have this density. */
+    /** Records where the flight has scattered the path, and the density of free flights there, per length. */
     void scatteredAt(double distance, double ofFreeFlights) {
         end = distance;
         flies = ofFreeFlights;
     }
 
-    /** The density with which the point where the path was scattered would have been chosen for this lamp, over that of free flights. */
+    /** The density with which this lamp's sampling would have chosen the point where the path was scattered, over that of free flights. */
     double ratio(int i) {
         if (!(flies > 0) || !isMany() && weights[i] == 0) {
             return 0;

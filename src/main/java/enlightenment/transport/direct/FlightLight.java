@@ -16,10 +16,10 @@ import enlightenment.world.material.HomogeneousMedium;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * Light of lamps that a medium scatters once, at a point of each flight that is chosen equiangularly for a lamp, anywhere between where the
- * flight begins and the surface that it may come to. Where free flights end the same light is found by {@link NextEventEstimation}, and by paths that
- * run into lamps; what the three find is weighted by the power heuristic. Without this a point light in fog has an infinite variance: its
- * light grows as the inverse square of the distance, and the density of free flights does not. One per thread.
+ * Single scattering of lamps along a flight in a medium, by equiangular sampling between the start of the flight and the surface that the
+ * ray hits. The same light is sampled at the ends of free flights by {@link NextEventEstimation}, and by paths that hit lamps; the three
+ * are combined by the power heuristic. Without this strategy a point light in fog has infinite variance: its irradiance grows as the
+ * inverse square of the distance, and the density of free flights does not. One per thread.
  */
 public final class FlightLight {
     private final PhysicalScene physical;
@@ -31,19 +31,19 @@ public final class FlightLight {
     private final Scattering s = new Scattering();
     private final double[] pair = new double[2];
 
-    /** The point of the flight that was chosen. */
+    /** The sampled point of the flight, in the frame. */
     private double x;
 
     private double y;
     private double z;
 
-    /** The lamps near to the flight that the path is on. */
+    /** The lamps near to the current flight. */
     private FlightLamps near;
 
-    /** Those of the flight that ended where light was gathered last. */
+    /** The lamps near to the flight that ended at the current vertex. */
     private FlightLamps ended;
 
-    /** What the medium scatters into the path. */
+    /** The light that the medium scatters into the path, weighted. */
     public final GatheredLight gathered;
 
     public FlightLight(CompiledScene scene, RayCounters counters, PathFollower path) {
@@ -57,22 +57,22 @@ public final class FlightLight {
     }
 
     /**
-     * Whether light is to be looked for along a flight, which has to be followed to the surface that it may come to then.
+     * Whether lamps may be near to a flight; if so, the flight must be traced to the surface that the ray hits, for {@link #gather}.
      *
-     * @param scatterings how often media have scattered the path since it left the last surface, or the eye
+     * @param scatterings the number of scattering events in media since the path left the last surface, or the eye
      */
     public boolean isWanted(Ray ray, HomogeneousMedium medium, int scatterings) {
         return near.begin(ray, medium, scatterings);
     }
 
     /**
-     * Looks for light along a flight.
+     * Samples a lamp and a point of the flight, and adds the weighted single scattering there to {@link #gathered}.
      *
-     * @param way the length up to what the ray meets; may be infinite
-     * @param flight that was drawn
+     * @param way the length up to the surface that the ray hits, in the frame; may be infinite
+     * @param flight the free flight that was sampled
      * @param isFirst whether the path came to the flight from the eye by delta events only
      * @param number of the flight: the address of its random numbers
-     * @return whether any was gathered
+     * @return whether any light was added
      */
     public boolean gather(
             Ray ray,
@@ -108,7 +108,10 @@ public final class FlightLight {
         return true;
     }
 
-    /** The density with which the others find the same if a flight ends at the point, over that of the light's sample. */
+    /**
+     * The density of the two other strategies, by the power heuristic as one, for a free flight that ends at the point; relative to the
+     * density of the light's sample.
+     */
     private double atEnd(PhysicalLight l, double density, boolean isFirst) {
         double gathered = NextEventEstimation.takesAll(physical.lights.length, isFirst)
                 ? 1
@@ -116,7 +119,7 @@ public final class FlightLight {
         return PowerHeuristic.both(gathered, l.isPoint ? 0 : s.pdf / density);
     }
 
-    /** Goes to a point of the ray. */
+    /** Sets the position to a point of the ray, in the frame. */
     private void place(Ray ray, double distance) {
         double scale = 1 / Math.sqrt(ray.dd);
         s.ox = -ray.dx * scale;
@@ -128,7 +131,9 @@ public final class FlightLight {
         shadow.beginOnTheWay(x, y, z);
     }
 
-    /** Samples a direction to a lamp; returns its density, of a point light the squared distance, and 0 if there is none. */
+    /**
+     * Samples a direction to a lamp; returns its density per solid angle, of a point light the squared distance, and 0 if there is none.
+     */
     private double look(PhysicalLight l, Sampler sampler, int number) {
         counters.lightSamples++;
         if (!l.isPoint) {
@@ -147,17 +152,14 @@ public final class FlightLight {
         return shadow.isVisible(l, view.sample);
     }
 
-    /** The flight has ended, and light is gathered there. */
+    /** Declares that the flight ended at the current vertex, where {@link NextEventEstimation} samples light next. */
     public void end() {
         FlightLamps before = ended;
         ended = near;
         near = before;
     }
 
-    /**
-     * The density with which the point where light was gathered last would have been chosen for a lamp along the flight, over that of free
-     * flights.
-     */
+    /** The density with which equiangular sampling of this lamp would have chosen the current vertex, over that of free flights. */
     double ratio(int lamp) {
         return ended.ratio(lamp);
     }

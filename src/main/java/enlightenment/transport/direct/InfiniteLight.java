@@ -14,10 +14,10 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * The light that reaches a vertex of a path from a picture of all directions or a sky, and from suns; and the weight of such light that
- * the path runs into after it. Picture or sky is one light, each sun another: the first vertex samples all of them if there are at most
- * {@value #ALL_AT_FIRST} suns, later ones choose one by what falls there if nothing hides any. One per thread, and only for scenes with
- * such surroundings.
+ * Next-event estimation of the surroundings: an environment map or a sky, and suns; with the MIS weight of such light that the path hits.
+ * The map or sky is one light, each sun another: the first vertex samples all of them if there are at most {@value #ALL_AT_FIRST} suns,
+ * later vertices sample one with probability proportional to its unoccluded irradiance. One per thread, and only for scenes with such
+ * surroundings.
  */
 public final class InfiniteLight {
     private static final int ALL_AT_FIRST = 4;
@@ -25,7 +25,7 @@ public final class InfiniteLight {
     private final Surroundings around;
     private final Sun[] suns;
 
-    /** By sun: the probability that the last vertex chose it, if it chose; and that of the rest. */
+    /** By sun: the probability that the last vertex sampled it, where it sampled one of the lights; and that of the map or sky. */
     private final double[] shares;
 
     private double shareOfSky;
@@ -33,29 +33,29 @@ public final class InfiniteLight {
     private final DistantRays rays;
     private final PathFollower path;
 
-    /** Numbers of points of lights are asked for by the indices after those of all other lights. */
+    /** The index of the first of these lights for random numbers of points on lights: after all other lights. */
     private final int firstIndex;
 
     private final double[] direction = new double[3];
     private final double[] rgb = new double[3];
     private final Scattering white = new Scattering();
 
-    /** The normal of the last vertex that scattered light other than into single directions; (0, 0, 0) at a rough border. */
+    /** The normal of the last vertex with next-event estimation; (0, 0, 0) at a rough interface. */
     private double nx;
 
     private double ny;
     private double nz;
 
-    /** Whether it took light from suns and sky, rather than from one that was chosen. */
+    /** Whether the last vertex sampled all lights, rather than one. */
     private boolean tookAll;
 
-    /** Whether suns are left out, as paths from there find their light. */
+    /** Whether suns were left out at the last vertex, as the caustic pass covers them. */
     private boolean leavesSuns;
 
-    /** The tint of what passes, at a rough border; null elsewhere. */
+    /** The tint of transmitted light at a rough interface; null elsewhere. */
     private double[] through;
 
-    /** What was gathered, or came to the path's end. */
+    /** The result of {@link #gather} or {@link #arrive}: radiance towards the path's previous vertex. */
     public double red;
 
     public double green;
@@ -74,12 +74,12 @@ public final class InfiniteLight {
         white.blue = 1;
     }
 
-    /** What gathers for a thread; null if the scene has no such surroundings. */
+    /** Makes the estimator of one thread; null if the scene has no such surroundings. */
     public static InfiniteLight of(CompiledScene scene, RayCounters counters, PathFollower path) {
         return scene.physical.surroundings == null ? null : new InfiniteLight(scene, counters, path);
     }
 
-    /** Gathers the light at a white Lambertian surface in the place of the one that the path is at. */
+    /** Estimates the light that a white Lambertian surface at the current vertex would reflect. */
     void gatherMatte(Sampler sampler, int address, boolean isFirst) {
         white.nx = path.at.nx;
         white.ny = path.at.ny;
@@ -88,11 +88,11 @@ public final class InfiniteLight {
     }
 
     /**
-     * Gathers the light at the surface that the path is at, or the point of a medium.
+     * Estimates direct light of the surroundings at the current vertex, on a surface or in a medium.
      *
-     * @param tint of what passes, at a rough border of two media: then light is gathered on both sides; null elsewhere
+     * @param tint of transmitted light, at a rough interface of two media: then both sides are lit; null elsewhere
      * @param isFirst whether the path came here from the eye by delta events only
-     * @param leaves whether suns are left to the pass of caustics
+     * @param leaves whether suns are left to the caustic pass
      */
     public void gather(
             Bsdf bsdf, Scattering s, double[] tint, Sampler sampler, int address, boolean isFirst, boolean leaves) {
@@ -125,7 +125,7 @@ public final class InfiniteLight {
         }
     }
 
-    /** The sun that a number in [0, 1) chooses at the vertex, or the rest, which is after the last; keeps the probabilities. */
+    /** Samples a sun by a number in [0, 1), or the map or sky, whose index is after the last sun; stores the probabilities. */
     private int choose(double number) {
         boolean isBorder = nx == 0 && ny == 0 && nz == 0;
         double all = 0;
@@ -178,10 +178,10 @@ public final class InfiniteLight {
     }
 
     /**
-     * What comes to the path from where its ray leads to, beyond everything.
+     * Computes the radiance of the surroundings along a ray that leaves the scene, times its MIS weight.
      *
-     * @param pdf the density per solid angle with which the path left its last vertex, if light was gathered there; else 0
-     * @param countsSuns whether the disks of suns count if light was not gathered
+     * @param pdf the density per solid angle of the path's last BSDF sample, if light was sampled at its vertex; else 0
+     * @param countsSuns whether the disks of suns count if light was not sampled
      */
     public void arrive(Ray ray, double pdf, boolean countsSuns) {
         boolean isWeighted = pdf > 0;

@@ -10,16 +10,16 @@ import enlightenment.sampling.Sampler;
 import enlightenment.world.light.LightCone;
 import enlightenment.world.light.PhysicalLight;
 
-/** A light as a vertex sees it: the directions to it, and a point of it that is sampled. One per thread. */
+/** A light as seen from a vertex: the cone of directions to it, and a sampled point of it. One per thread. */
 public final class LightView {
     public final LightCone cone = new LightCone();
 
-    /** The direction to the light, and what is known of the point of it that it leads to. */
+    /** The sampled direction to the light, with the point that it leads to and its density. */
     public final LightSample sample = new LightSample(cone);
 
     private final double[] pair = new double[2];
 
-    /** Looks from a vertex at a light with extent. */
+    /** Sets the cone of directions from a vertex to a light with extent. */
     public void aim(PhysicalLight l, double x, double y, double z) {
         if (l.form instanceof SphereLight ball) {
             ball.aim(sample, x, y, z);
@@ -31,7 +31,7 @@ public final class LightView {
         cone.around(l);
     }
 
-    /** Looks from a vertex at a light that is a point: {@link #sample} leads to it. */
+    /** Sets {@link #sample} to the direction from a vertex to a point light. */
     public void aimAtPoint(PhysicalLight l, double x, double y, double z) {
         cone.aim(l, x, y, z);
         sample.dx = cone.wx;
@@ -41,7 +41,7 @@ public final class LightView {
     }
 
     /**
-     * Draws the numbers of a point of the light.
+     * Draws the random numbers of a point of the light.
      *
      * @param index of the light where several lights are sampled; at most 0 for the only one
      */
@@ -55,7 +55,7 @@ public final class LightView {
         }
     }
 
-    /** Draws the numbers of a point of the light that have this purpose. */
+    /** Draws the random numbers of a point of the light, for this purpose. */
     public void draw(Sampler.Purpose purpose, Sampler sampler, int address) {
         sampler.pair(address, purpose, pair);
     }
@@ -69,12 +69,12 @@ public final class LightView {
                 : form.irradiance(sample, nx, ny, nz);
     }
 
-    /** Whether light may reach a surface with this normal, if nothing is in the way. */
+    /** Whether light may reach a surface with this normal if nothing occludes it. */
     boolean reaches(AreaLight form, double nx, double ny, double nz) {
         return form instanceof ParallelogramLight p ? p.reaches(sample, nx, ny, nz) : form.reaches(sample, nx, ny, nz);
     }
 
-    /** Samples the point of the light that was drawn. */
+    /** Samples the point of the light that the last random numbers select. */
     public void sample(AreaLight form) {
         if (form instanceof SphereLight ball) {
             ball.sample(sample, pair[0], pair[1]);
@@ -86,7 +86,7 @@ public final class LightView {
     }
 
     /**
-     * Looks from a vertex at a light, and samples the point of it that was drawn.
+     * Sets the cone from a vertex to a light, and samples a point of it by the last random numbers.
      *
      * @return its density per solid angle; of a point light the squared distance; 0 if there is none
      */
@@ -100,7 +100,10 @@ public final class LightView {
         return sample.pdf;
     }
 
-    /** The density per solid angle with which the vertex (x, y, z) would sample the point of the light that a ray has hit. */
+    /**
+     * The density per solid angle with which {@link #sample} at the vertex (x, y, z) would choose the point of the light that a ray has
+     * hit.
+     */
     double density(AreaLight form, Ray ray, Hit hit, double x, double y, double z) {
         double dx = hit.px - x;
         double dy = hit.py - y;
@@ -112,7 +115,8 @@ public final class LightView {
     }
 
     /**
-     * Its direction and distance alone, by the cosine at the vertex, where {@link SphereLight#samplesByCosine} says that it can be done.
+     * Samples only direction and distance, with density proportional to the cosine at the vertex, where {@link SphereLight#samplesByCosine}
+     * allows it.
      */
     void directByCosine(SphereLight ball, double nx, double ny, double nz) {
         ball.directByCosine(sample, nx, ny, nz, pair[0], pair[1]);

@@ -10,8 +10,8 @@ import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * The irradiance of a light at a Lambertian vertex: by its closed form where nothing can occlude it, else by a point of it that is sampled,
- * weighted against directions by the cosine. Mutable, one per thread.
+ * Irradiance of a light at a Lambertian vertex: by its closed form where nothing can occlude it, else by a sampled point, with the MIS
+ * weight against cosine-weighted BSDF samples. Mutable, one per thread.
  */
 final class MatteIrradiance {
     private final RayCounters counters;
@@ -29,10 +29,12 @@ final class MatteIrradiance {
     private double ny;
     private double nz;
 
-    /** Whether a random number has a part in what the last light gave. */
+    /** Whether the last irradiance is no deterministic function of film position: random, or varying between corners of a pixel. */
     boolean isByChance;
 
-    /** @param view the light as the vertex sees it, which shadow rays ask about */
+    /**
+     * @param view the light as the vertex sees it; shadow rays use its cone
+     */
     MatteIrradiance(RayCounters counters, ShadowRays shadow, LightView view) {
         this.counters = counters;
         this.shadow = shadow;
@@ -41,7 +43,7 @@ final class MatteIrradiance {
         sample = view.sample;
     }
 
-    /** Turns to a vertex and its normal on the side that the path came from. */
+    /** Sets the vertex and its normal on the side that the path came from. */
     void begin(double px, double py, double pz, double normalX, double normalY, double normalZ) {
         x = px;
         y = py;
@@ -52,16 +54,17 @@ final class MatteIrradiance {
     }
 
     /**
-     * The irradiance, estimated, of a light of radiance 1 or intensity 1.
+     * Estimates the irradiance of a light of radiance 1, or intensity 1 for a point light, times its MIS weight.
      *
-     * @param index of the light where several are sampled, for its random numbers; -1 where it was chosen
-     * @param probability of choosing it
+     * @param index of the light where several are sampled, for its random numbers; -1 where one was sampled
+     * @param probability of that choice
      */
     double of(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
-        // What depends on the direction from a point is as little the same at the next corner as what is drawn.
+        // A profile depends on the direction from the light, so that it varies between pixel corners just as random
+        // samples do.
         isByChance = index < 0 || l.profile != null;
         double e = l.isPoint ? ofPoint(l) : irradiance(l, index, probability, sampler, address);
-        // What is dimmed on its way is no matter of chance, but not the same at the next corner either.
+        // Attenuated light is deterministic, but it varies between pixel corners as well.
         isByChance |= shadow.isFiltered;
         return e;
     }
@@ -77,7 +80,7 @@ final class MatteIrradiance {
             return ofBall(l, index, probability, sampler, address);
         }
         view.aim(l, x, y, z);
-        // Where a closed form is of no use it is not computed.
+        // Skips the closed form where it is 0.
         if (!view.reaches(l.form, nx, ny, nz)) {
             counters.lightSamplesWithoutRay++;
             return 0;
@@ -95,8 +98,9 @@ final class MatteIrradiance {
     }
 
     /**
-     * The same of a ball: if a part of it may be hidden, by the visibility of a point of it that is chosen by the cosine, or where it is
-     * cut by the horizon, evenly. It is too long to be compiled again into its callers, which costs nothing (docs/notes/benchmarks.md).
+     * Irradiance of a sphere light: its closed form times the visibility of one point, sampled by the cosine if the whole sphere is above
+     * the horizon; if the horizon cuts it, by a point sampled uniformly. Too long for the JIT compiler to inline into its callers, which
+     * costs nothing (docs/notes/benchmarks.md).
      */
     private double ofBall(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
         SphereLight ball = (SphereLight) l.form;
@@ -125,7 +129,7 @@ final class MatteIrradiance {
         return cosine > 0 && sample.pdf > 0 && !shadow.isBlocked(l, sample) ? cosine / sample.pdf : 0;
     }
 
-    /** The same by a point of the light, weighted against directions by the cosine. */
+    /** Irradiance by a sampled point of the light, with the MIS weight against cosine-weighted BSDF samples. */
     private double sampled(
             PhysicalLight l, int index, double probability, Sampler sampler, int address, Tracer.Visibility known) {
         isByChance = true;
@@ -146,7 +150,7 @@ final class MatteIrradiance {
         return weighed;
     }
 
-    /** Whether the vertex, a matte one, has all of the light from its closed form. */
+    /** Whether the matte vertex takes all of the light from its closed form, so that BSDF samples that hit it have weight 0. */
     boolean isClosed(PhysicalLight l) {
         if (l.texture != null) {
             return false;

@@ -25,15 +25,15 @@ import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * The light that reaches a vertex of a path straight from the lights, and the weight of light that the path runs into after it: what
- * both find is counted once.
+ * Next-event estimation: direct light of lamps and surroundings at each vertex, and the MIS weight of emission that BSDF samples hit.
  *
  * <p>At a matte vertex irradiance has closed forms. That of a ball is used everywhere, times a sampled visibility; that of a polygon only
- * where nothing can occlude it, which is a function of light and vertex alone ({@link MatteIrradiance#isClosed}), so that both sides agree on it. Textured
- * lights have none. All else is sampled, with the power heuristic (E. Veach and L. Guibas, "Optimally combining sampling techniques", 1995).
+ * where nothing can occlude it, which is a function of light and vertex alone ({@link MatteIrradiance#isClosed}), so that both strategies
+ * agree on it. Textured lights have none. All else is sampled, with the power heuristic (E. Veach and L. Guibas, "Optimally combining
+ * sampling techniques", 1995).
  */
 public final class NextEventEstimation implements PathStrategy {
-    /** At the first vertex up to this many lights are taken all. */
+    /** At the first vertex all lights are sampled if there are at most this many; else one, by the light sampler. */
     private static final int ALL_AT_FIRST = 4;
 
     private final PhysicalScene physical;
@@ -50,7 +50,7 @@ public final class NextEventEstimation implements PathStrategy {
     private final SampledLight choice = new SampledLight();
     private final double[] pair = new double[2];
 
-    /** The last vertex that scattered light other than into single directions, and its normal on the side that the path came from. */
+    /** The last vertex with next-event estimation, and its normal on the side that the path came from. */
     private double x;
 
     private double y;
@@ -59,28 +59,28 @@ public final class NextEventEstimation implements PathStrategy {
     private double ny;
     private double nz;
 
-    /** The id of its primitive; -1 in a medium. */
+    /** The id of that vertex's primitive; -1 in a medium. */
     private int vertexId;
 
-    /** Whether it is Lambertian. */
+    /** Whether that vertex is Lambertian. */
     private boolean isMatte;
 
-    /** Whether it took light from all lights, rather than from one that was chosen. */
+    /** Whether that vertex sampled all lights, rather than one. */
     private boolean tookAll;
 
-    /** What may have found light of a point in a medium as well, along the flight that ended there; null at surfaces. */
+    /** Equiangular sampling along the flight that ended at that vertex, in a medium; null at surfaces. */
     private FlightLight along;
 
-    /** The tint of what passes, at a rough border; null elsewhere. */
+    /** The tint of transmitted light, at a rough interface; null elsewhere. */
     private double[] through;
 
-    /** Whether light of small lights is left out there, as the caustic pass finds it. */
+    /** Whether small lights are left out at that vertex, as the caustic pass covers them. */
     private boolean leavesSmall;
 
-    /** Towards where the path came from; of a Lambertian surface, that of a white one. */
+    /** Direct light, as radiance towards the path's previous vertex; of a Lambertian surface as if it were white. */
     public final GatheredLight gathered;
 
-    /** Light from a picture or a sky around the scene; null if there is none. */
+    /** Estimates light of an environment map or a sky; null if the scene has none. */
     private final InfiniteLight infinite;
 
     public NextEventEstimation(CompiledScene scene, RayCounters counters, PathFollower path) {
@@ -96,7 +96,7 @@ public final class NextEventEstimation implements PathStrategy {
         matte = new MatteIrradiance(counters, shadow, view);
     }
 
-    /** Whether light is taken from all of so many lights, rather than from one that is chosen, at a vertex that is the first or not. */
+    /** Whether a vertex, the path's first or a later one, samples all lights of this number, rather than one. */
     static boolean takesAll(int lights, boolean isFirst) {
         return lights <= 1 || isFirst && lights <= ALL_AT_FIRST;
     }
@@ -131,9 +131,9 @@ public final class NextEventEstimation implements PathStrategy {
     }
 
     /**
-     * As {@link #direct(PathVertex, PathState, Sampler, PathValue)} of a vertex that is not Lambertian.
+     * As {@link #direct(PathVertex, PathState, Sampler, PathValue)}, for a vertex that is not Lambertian.
      *
-     * @param flight along which direct light was sampled as well, at a point of a medium; null elsewhere
+     * @param flight equiangular sampling along the flight that ended at the vertex, in a medium; null elsewhere
      */
     public void direct(PathVertex vertex, FlightLight flight, PathState state, Sampler sampler, PathValue value) {
         boolean isFirst = !state.hasScattered();
@@ -152,7 +152,7 @@ public final class NextEventEstimation implements PathStrategy {
     }
 
     /**
-     * Gathers the light at the Lambertian surface that the path is at.
+     * Estimates direct light at the current Lambertian surface.
      *
      * @param isFirst whether the path came here from the eye by delta events only
      */
@@ -171,13 +171,13 @@ public final class NextEventEstimation implements PathStrategy {
         }
     }
 
-    /** Whether the same light comes from everywhere beyond the scene. */
+    /** Whether the surroundings' radiance is the same in all directions. */
     public boolean hasConstantEnvironment() {
         return infinite == null;
     }
 
     /**
-     * Sets the light to what comes from where the path leads to, beyond everything.
+     * Sets {@link #gathered} to the surroundings' radiance along a ray that leaves the scene, times its MIS weight.
      *
      * @param countsSuns whether the disks of suns count if direct light was not sampled at the last vertex
      */
@@ -252,7 +252,7 @@ public final class NextEventEstimation implements PathStrategy {
         }
     }
 
-    /** Samples a point of a light; returns its density, of a point light the squared distance, and 0 if there is none. */
+    /** Samples a point of a light; returns its density per solid angle, of a point light the squared distance, and 0 if there is none. */
     private double sample(PhysicalLight l, int index, Sampler sampler, int address) {
         if (l.isInPlaneWith(path.at.id, hit.face) || l.isBallOf(path.at.id)) {
             return 0;
@@ -266,9 +266,9 @@ public final class NextEventEstimation implements PathStrategy {
     }
 
     /**
-     * Samples one of the lights at the surface that the path is at, not its first, whatever becomes of it there.
+     * Samples one light at the current surface, not the path's first, without the BSDF.
      *
-     * @param out receives what arrives from it
+     * @param out receives direction, density and incident radiance
      */
     public void sample(Sampler sampler, int address, IncidentLight out) {
         begin(false, false);
@@ -285,7 +285,7 @@ public final class NextEventEstimation implements PathStrategy {
         }
     }
 
-    /** Whether a light is left out; the suns, all alike, are after the last one. */
+    /** Whether a light is left to the caustic pass; suns share the index after the last light. */
     private boolean leaves(int light) {
         return leavesSmall && physical.caustics.takesNarrow(light);
     }
@@ -296,8 +296,8 @@ public final class NextEventEstimation implements PathStrategy {
     }
 
     /**
-     * The density per solid angle with which the vertex would have sampled the place that the path ran into: 0 if that is no light which it
-     * samples, infinite if it has all of its light from a closed form.
+     * The density per solid angle with which the last vertex would have sampled the hit point: 0 if it is on no light that is sampled
+     * there, infinite if the vertex takes all of the light from a closed form.
      */
     public double density(Ray ray) {
         int index = path.at.light;

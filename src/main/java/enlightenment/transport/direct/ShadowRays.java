@@ -17,9 +17,7 @@ import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
-/**
- * Whether lights are visible from a vertex of a path, and what of them the medium on the way, and glass that does not turn rays, let pass.
- */
+/** Visibility of lights from a vertex of a path, and the transmittance of the medium and of glass that keeps directions on the way. */
 public final class ShadowRays {
     private final PathFollower path;
     private final Hit hit;
@@ -32,10 +30,13 @@ public final class ShadowRays {
     private final double[] relative = new double[3];
     private final Hit textured = new Hit();
 
-    /** Follows shadow rays through glass that does not turn them; null if there is none. */
+    /** Follows shadow rays through glass that keeps their direction; null if the scene has none. */
     private final ShadowWalk walk;
 
-    /** Primitives that the vertex lies on; if there are more, the others are tested needlessly. The last is the light's own. */
+    /**
+     * The ids of primitives that the vertex lies on, which shadow rays skip; beyond eight the others are tested needlessly. The last place
+     * is for the light's own.
+     */
     private final int[] starts = new int[9];
 
     private int startCount;
@@ -44,30 +45,35 @@ public final class ShadowRays {
     private double y;
     private double z;
 
-    /** The medium that the vertex lies in, if that absorbs; else null. */
+    /** The absorbing medium that the vertex lies in; null if that is none. */
     private SurfaceMaterial medium;
 
-    /** Whether the vertex is on a rough border, and whether shadow rays leave it on the side that the path did not come from. */
+    /** Whether the vertex is on a rough interface, and whether shadow rays leave on its far side, as the path came. */
     private boolean isBorder;
 
     private boolean isBeyond;
 
-    /** Whether the vertex is a point on the way of the path, which has come to something else. */
+    /** Whether the vertex is a point of a flight before the surface that the path has hit since. */
     private boolean isOnTheWay;
 
-    /** The side that they leave it on. */
+    /** The side of the surface that shadow rays leave on. */
     private int side;
 
-    /** Whether one primitive is in the way of all of the light. */
+    /** Whether a single primitive occludes the whole light. */
     private boolean isHidden;
 
-    /** Whether less than all of the light came through to the last shadow ray that was not blocked: {@link #rgb} has the share. */
+    /** Whether {@link #rgb} applies to the last shadow ray that was not blocked; if not, the transmittance is 1. */
     public boolean isFiltered;
 
-    /** The share that came through, by band; of a point light with a profile also times the relative intensity in this direction, of a textured light times the factor of its point. */
+    /**
+     * The transmittance by band; of a point light with a profile times the relative intensity in this direction, of a textured light times
+     * the factor of its point.
+     */
     public final double[] rgb = new double[3];
 
-    /** @param cone around the light that is asked for, with its apex at the vertex */
+    /**
+     * @param cone around the light in question, with its apex at the vertex
+     */
     public ShadowRays(CompiledScene scene, RayCounters counters, PathFollower path, LightCone cone) {
         this.path = path;
         this.cone = cone;
@@ -79,19 +85,19 @@ public final class ShadowRays {
         walk = scene.physical.hasStraightGlass ? new ShadowWalk(scene, counters) : null;
     }
 
-    /** Begins at the surface that the path is at. */
+    /** Begins at the path's current surface, on the side that the path came from. */
     public void begin() {
         isBorder = false;
         turn(false);
     }
 
-    /** Begins on one side of the rough border that the path is at. */
+    /** Begins on one side of the rough interface that the path is at. */
     public void beginAtBorder(boolean through) {
         isBorder = true;
         turn(through);
     }
 
-    /** Begins at a point of the medium that the path is flying through, whatever it has come to. */
+    /** Begins at a point of a flight through a medium, before the surface that the path has hit since. */
     void beginOnTheWay(double px, double py, double pz) {
         isBorder = false;
         isOnTheWay = true;
@@ -131,13 +137,13 @@ public final class ShadowRays {
         startCount = count;
     }
 
-    /** Whether a ray that leaves the surface on a side cannot meet it again; there may be none. */
+    /** Whether a ray that leaves the surface on this side cannot hit it again; false if the hit is on no surface. */
     private static boolean neverReturnsTo(Hit place, int side) {
         Primitive p = place.primitive;
         return p != null && (p.isFlat() || p.isConvex() && side == Ray.OUTSIDE);
     }
 
-    /** What is known without a ray, of all of the light. Comes before {@link #isBlocked}. */
+    /** The visibility of the whole light as far as it is known without a ray. Must precede {@link #isBlocked}. */
     public Tracer.Visibility visibility(PhysicalLight l) {
         if (!isOnTheWay && Departure.isStopped(path, isBorder, isBeyond)) {
             isHidden = true;
@@ -148,8 +154,9 @@ public final class ShadowRays {
             starts[count++] = l.id;
         }
         Tracer.Visibility known = tracer.prepareShadows(cone, starts, count, 1);
-        // What is absorbed depends on the way, so that there are no closed forms; and what is in the way may let light
-        // pass. Where another light covers this one is found by each ray.
+        // Absorption depends on the length of the ray, so that closed forms do not apply; and an occluder may be glass
+        // that transmits
+        // light. Each ray tests whether another light covers this one.
         isHidden = known == Tracer.Visibility.NONE;
         boolean isOpen =
                 known == Tracer.Visibility.ALL ? medium != null || l.lyingOn().hasCovers() : walk != null;
@@ -157,8 +164,8 @@ public final class ShadowRays {
     }
 
     /**
-     * Whether a sampled point of the light is seen from the vertex. {@link #rgb} then has what comes through, and of a point light the share that
-     * its profile sends this way.
+     * Whether nothing occludes a sampled point of the light. {@link #rgb} then has the transmittance, times the factors of profile and
+     * texture.
      */
     public boolean isVisible(PhysicalLight l, LightSample to) {
         if (l.profile != null && !(l.profile.luminance(-to.dx, -to.dy, -to.dz) > 0)) {
@@ -184,7 +191,7 @@ public final class ShadowRays {
         weigh();
     }
 
-    /** Multiplies what comes through by the factor of a textured light's point. */
+    /** Multiplies {@link #rgb} by the factor of a textured light's point. */
     void weighByTexture(PhysicalLight l, LightSample to) {
         l.texture.factor(
                 Math.fma(to.length, to.dx, x),
@@ -202,7 +209,7 @@ public final class ShadowRays {
         isFiltered = true;
     }
 
-    /** Whether a point of the light is hidden. */
+    /** Whether an occluder hides a point of the light. */
     public boolean isBlocked(PhysicalLight l, LightSample to) {
         path.poll.tick();
         if (!start(to) && !isHidden && !tracer.occluded(ray, to.length, l)) {
@@ -223,7 +230,7 @@ public final class ShadowRays {
                 : !walk.reaches(l, ray, to.length, path, isBeyond, rgb);
     }
 
-    /** Adds what arrives of a light's radiance or intensity, if nothing absorbs, times these. */
+    /** Adds a light's radiance or intensity, times these factors and the transmittance. */
     void add(PhysicalLight l, double r, double g, double b, GatheredLight to) {
         if (isFiltered) {
             to.add(l, r * rgb[0], g * rgb[1], b * rgb[2]);
@@ -232,7 +239,7 @@ public final class ShadowRays {
         }
     }
 
-    /** Returns whether something is in its way at once. */
+    /** Starts the ray; returns whether a surface that coincides with the vertex occludes it. */
     private boolean start(LightSample to) {
         ray.set(x, y, z, to.dx, to.dy, to.dz, 0);
         return !isOnTheWay && Departure.from(path, ray, isBorder, isBeyond);

@@ -1,2 +1,2 @@
-/** Next-event estimation: light that reaches a vertex straight from lights and surroundings. */
+/** Next-event estimation: direct light of lamps and surroundings at a vertex. */
 package enlightenment.transport.direct;

@@ -12,15 +12,15 @@ import enlightenment.world.light.CausticPass;
 import enlightenment.world.light.PhysicalLight;
 
 /**
- * Starts light paths that are aimed at mirrors and smooth glass. Of a pair of a light and a thing that is chosen, the direction is even
- * over the cone in which the thing's ball is seen; where the ball covers much of the view, as light emits, by the cosine. Cones may
- * overlap: what counts is the density of the direction by all pairs of this light.
+ * Samples the first rays of light paths for caustics, aimed at specular casters: mirrors and smooth glass. Given a light and a caster, the
+ * direction is uniform over the cone around the caster's bounding ball; where that covers much of the view, it is distributed as the light
+ * emits, by the cosine. Cones may overlap: the density of a direction is the sum over all casters of its light.
  *
- * <p>A ball apart from all things is seen as a beam: a direction in the cone around its centre that holds all lines from it to the
- * thing's ball, and a point of the disk across it. Then nothing is lost by the cosine at the light.
+ * <p>A sphere light apart from all casters is sampled as a beam: a direction in the cone around its centre that holds all lines from it to
+ * the caster's ball, and a point of the disk across it. Then the cosine at the light causes no variance.
  */
 public final class CausticSource extends PathSource {
-    /** Beyond this solid angle of a ball directions are chosen as light emits. */
+    /** Directions are sampled as the light emits if the caster's ball covers more than this solid angle, in steradians. */
     private static final double WIDE = 1;
 
     private final CausticPass pass;
@@ -41,7 +41,7 @@ public final class CausticSource extends PathSource {
         return light >= pass.lights.length ? null : pass.lights[light].lyingOn();
     }
 
-    /** Takes one number for the pair, two for the point on the light, two for the direction, one for the side. */
+    /** Uses one number for the pair of light and caster, two for the point on the light, two for the direction, one for the side. */
     @Override
     public boolean emit(double[] numbers, Ray ray) {
         int pair = pass.choose(numbers[0]);
@@ -68,7 +68,7 @@ public final class CausticSource extends PathSource {
         return weight > 0 && weight < Double.POSITIVE_INFINITY;
     }
 
-    /** A direction to the disk of a sun, and a point of the disk across it that the thing's ball fills. */
+    /** Samples a direction of a sun's disk, and a point of the disk across it that the caster's ball fills. */
     private boolean fromSun(int thing, double[] numbers, Ray ray) {
         Sun sun = pass.suns[light - pass.lights.length];
         sun.sample(numbers[3], numbers[4], direction);
@@ -88,7 +88,7 @@ public final class CausticSource extends PathSource {
                 density += probability(s) / (Math.PI * pass.ballRadius[s] * pass.ballRadius[s]);
             }
         }
-        // From before all surfaces on.
+        // The ray starts before all surfaces.
         double ahead =
                 pass.radius + (x - pass.center.x()) * dx + (y - pass.center.y()) * dy + (z - pass.center.z()) * dz;
         ray.set(x - ahead * dx, y - ahead * dy, z - ahead * dz, dx, dy, dz, 0);
@@ -100,7 +100,7 @@ public final class CausticSource extends PathSource {
         return weight > 0 && weight < Double.POSITIVE_INFINITY;
     }
 
-    /** Whether a ray through a point meets the ball of a thing. */
+    /** Whether a ray through this point meets the bounding ball of caster s. */
     private boolean passes(int s, double x, double y, double z) {
         double ex = x - pass.ballX[s];
         double ey = y - pass.ballY[s];
@@ -189,7 +189,7 @@ public final class CausticSource extends PathSource {
         return pass.probability[light * pass.things + thing];
     }
 
-    /** Sets the cone from a point around the ball of a thing, widened. */
+    /** Sets the cone from a point around the bounding ball of caster s, whose radius is widened. */
     private void aim(int s, double wider, double x, double y, double z) {
         cone.set(pass.ballX[s], pass.ballY[s], pass.ballZ[s], pass.ballRadius[s] + wider, x, y, z);
     }
@@ -198,12 +198,12 @@ public final class CausticSource extends PathSource {
         return cone.inside || 2 * Math.PI * cone.oneMinusCosine() > WIDE;
     }
 
-    /** Whether the light of a profile spreads less than the cone: then directions are sampled as it emits. */
+    /** Whether the light's profile emits into a smaller solid angle than the cone: then directions are sampled by the profile. */
     private boolean isWideFor(IntensityProfile profile) {
         return profile != null && (cone.inside || 2 * Math.PI * cone.oneMinusCosine() > profile.solidAngle());
     }
 
-    /** A direction in the cone, or any at all from inside the ball. */
+    /** Samples a direction uniformly over the cone, or over the sphere from inside the ball. */
     private void toCone(double[] numbers) {
         Warp.toDisk(numbers[3], numbers[4], disk);
         double height = cone.inside ? 2 : cone.oneMinusCosine();
@@ -226,7 +226,7 @@ public final class CausticSource extends PathSource {
         return densityInCone(s == chosen);
     }
 
-    /** The density of the direction by a cone; rounding must not put it outside of the one that it was chosen in. */
+    /** The density per solid angle of the direction by a cone; isIn for the cone that it was sampled in, which rounding must not deny. */
     private double densityInCone(boolean isIn) {
         if (cone.inside) {
             return 1 / (4 * Math.PI);

@@ -4,25 +4,27 @@ import enlightenment.sampling.Hash;
 import enlightenment.sampling.Sobol;
 import enlightenment.transport.ray.PathSource;
 
-/** The random numbers of paths of light: a function of the seed and the path's number. A mutable work object, one per thread. */
+/** The random numbers of light paths: a pure function of the seed and the path's number. A mutable work object, one per thread. */
 public final class LightPathNumbers {
     private final long seed;
 
-    /** Those of the first ray: each two of them from a sequence that fills their square evenly. */
+    /** The numbers of the first ray; each pair is from a low-discrepancy sequence over its square. */
     public final double[] first = new double[PathSource.NUMBERS];
 
-    /** Of each two of these: the seed of their sequence, and that of its order. */
+    /** For each pair, the seed of its sequence and that of the sequence's order. */
     private final long[] seeds = new long[first.length];
 
-    /** The upper half of the number of the paths whose seeds these are; none has this one. */
+    /** The upper half of the number of the paths that {@link #seeds} belong to; -1 before the first path. */
     private long sequences = -1;
 
     private long number;
 
-    /** All numbers of the path after its first ray come from this. */
+    /** The hash of the path, from which all numbers after the first ray follow. */
     private long hash;
 
-    /** @param seed of all random numbers of these paths, and of no others */
+    /**
+     * @param seed of all random numbers of these paths, used for nothing else
+     */
     public LightPathNumbers(long seed) {
         this.seed = seed;
     }
@@ -51,18 +53,18 @@ public final class LightPathNumbers {
         return number >>> Integer.SIZE;
     }
 
-    /** That of the path's wavelength. */
+    /** The random number of the path's wavelength. */
     public double wavelength() {
         long sequence = Hash.of(Hash.of(seed, -1 - era()), -1);
         return Sobol.x(Sobol.shuffled((int) number, Hash.mix(sequence)), sequence);
     }
 
     /**
-     * A number of an event, 0..1.
+     * A random number of an event, in [0, 1).
      *
-     * @param events how many came before
-     * @param pieces how many surfaces the path passed straight
-     * @param purpose what it is for
+     * @param events the number of scattering events before
+     * @param pieces the number of surfaces that the path passed straight
+     * @param purpose distinguishes the numbers of one event
      */
     public double unit(int events, int pieces, long purpose) {
         return Hash.unit(Hash.of(hash, ((long) pieces << Integer.SIZE) + events, purpose));

@@ -11,15 +11,15 @@ import enlightenment.world.PhysicalScene;
 import enlightenment.world.light.PhysicalLight;
 
 /**
- * Starts light paths as light is emitted: a light by its power, a point of it by area, a direction by the cosine; from the surroundings,
- * a direction, evenly or by what comes from there, and a point of the disk across it that the ball around the scene fills. So all paths
- * bring about the same power. The densities of what was chosen are told, for whoever weighs paths against others.
+ * Samples the first rays of light paths in proportion to emission: a light by its power, a point on it by area, a direction by the cosine;
+ * for the surroundings, a direction, uniformly or by radiance, and a point of the disk across it that the scene's bounding ball fills. So
+ * all paths carry about the same power. The densities are kept for MIS weights.
  */
 public final class LightSource extends PathSource {
     private final LightStarts starts;
     private final PhysicalScene physical;
 
-    /** The probability that this light was chosen. */
+    /** The probability with which this light was sampled. */
     public double probability;
 
     /** The density of the point, per area of the light; of the surroundings, per area across the ray; 1 for a point light. */
@@ -28,30 +28,32 @@ public final class LightSource extends PathSource {
     /** The density of the direction, per solid angle. */
     public double directionDensity;
 
-    /** The cosine at the light, on the side that the path leaves it to; 1 where it has no surface. */
+    /** The cosine at the light, on the side that the path leaves on; 1 where it has no surface. */
     public double cosine;
 
     private final double[] direction = new double[3];
     private final double[] radiance = new double[3];
     private boolean isInside;
 
-    /** @param starts of the same scene */
+    /**
+     * @param starts the distribution of lights of the same scene
+     */
     public LightSource(LightStarts starts, PhysicalScene physical) {
         this.starts = starts;
         this.physical = physical;
     }
 
-    /** The same on the outside of a surface: negative if the path leaves it to the inside. */
+    /** The cosine with the outside normal of the light: negative if the path leaves on the inside. */
     public double cosineOutside() {
         return isInside ? -cosine : cosine;
     }
 
-    /** Whether the light is a point: only paths from it find it. */
+    /** Whether the light is a point, which no path can hit. */
     public boolean isPoint() {
         return !isBackground() && starts.lights[light].isPoint;
     }
 
-    /** Whether it is the surroundings. */
+    /** Whether the sampled light is the surroundings. */
     boolean isBackground() {
         return light == starts.background;
     }
@@ -127,14 +129,14 @@ public final class LightSource extends PathSource {
         l.lyingOn().startOn(ray, Ray.OUTSIDE, 0, 0, 0, probe);
     }
 
-    /** Any direction at all. */
+    /** Samples a direction uniformly over the sphere. */
     private void toSphere(double[] numbers) {
         Warp.toDisk(numbers[4], numbers[5], disk);
         double spread = 2 * Math.sqrt(Math.max(1 - disk[2], 0));
         direct(0, 0, 1, disk[0] * spread, disk[1] * spread, 1 - 2 * disk[2]);
     }
 
-    /** From one of the suns or from the rest, by the power of each; and what it weighs. */
+    /** Samples a sun, or the map or sky, by power, and a direction from it; sets the throughput. */
     private void fromSurroundings(Surroundings around, double[] numbers) {
         Sun chosen = null;
         double below = 0;
@@ -143,7 +145,7 @@ public final class LightSource extends PathSource {
             below += around.share(sun);
             chosen = isNext && sun.power() > 0 ? sun : chosen;
         }
-        // Where there is nothing but suns, the sum of their shares may be a rounding error below 1.
+        // Where there are only suns, the sum of their probabilities may fall below 1 by rounding.
         if (chosen != null && (numbers[1] < below || around.isBlack())) {
             chosen.sample(numbers[4], numbers[5], direction);
             directionDensity = around.share(chosen) * chosen.density();
@@ -158,7 +160,7 @@ public final class LightSource extends PathSource {
         dz = -direction[2];
     }
 
-    /** Through the disk across the direction that the ball around the scene fills. */
+    /** Samples the ray's origin on the disk across its direction that the scene's bounding ball fills. */
     private void across(double[] numbers, Ray ray) {
         Warp.toDisk(numbers[2], numbers[3], disk);
         basis.around(dx, dy, dz);
@@ -173,7 +175,7 @@ public final class LightSource extends PathSource {
                 0);
     }
 
-    /** Returns false where the light is covered. */
+    /** Samples point and direction on a light with a surface; returns false where another surface covers it. */
     private boolean fromSurface(PhysicalLight l, double[] numbers, Ray ray) {
         l.form.samplePoint(numbers[2], numbers[3], point);
         Warp.toDisk(numbers[4], numbers[5], disk);

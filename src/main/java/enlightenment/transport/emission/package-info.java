@@ -1,2 +1,2 @@
-/** Starts of light paths: a light, a point on it and a direction. */
+/** Samples the start of light paths: a light, a point on it and a direction. */
 package enlightenment.transport.emission;

@@ -17,13 +17,13 @@ import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * Emission that the eye sees with nothing in between, in pixels that a light's image does not cover entirely. The samples of a pixel may all
- * miss the image, and neither picture nor error estimate would show it. So every sample takes a second film position within the image's part of
- * the pixel, and emission of that light seen from the first position counts only outside of it: each path is sampled exactly once, whatever
- * polygon stands for the image. See docs/notes/path-tracing.md. A mutable work object, one per thread.
+ * Emission that the eye sees directly, in pixels that a light's image covers in part. The samples of a pixel may all miss the image, and
+ * neither picture nor error estimate would show it. So every sample takes a second film position within the image's part of the pixel, and
+ * emission of that light seen from the first position counts only outside of the image: each path is sampled exactly once, whatever polygon
+ * stands for the image. See docs/notes/path-tracing.md. A mutable work object, one per thread.
  */
 public final class EyeImages implements PathStrategy {
-    /** Direct-mapped cache of 16 × 16 pixels: blocks are smaller. */
+    /** Direct-mapped cache of 16 × 16 pixels: render blocks are smaller. */
     private static final int CACHE_SIDE = 16;
 
     /** A part of a pixel, far more than by how much the projection of a camera ray misses the position that it was made for. */
@@ -33,7 +33,7 @@ public final class EyeImages implements PathStrategy {
     private final PathFollower path;
     private final EyeProjection eye;
 
-    /** Finds out where rays start; null if all start outside of all solids. */
+    /** Determines the medium in which rays start; null if all start outside of all solids. */
     private final PathFollower starts;
 
     private final Ray ray = new Ray();
@@ -41,38 +41,40 @@ public final class EyeImages implements PathStrategy {
     private final double[] pair = new double[2];
     private final ClippedPolygon work = new ClippedPolygon();
 
-    /** Those of the picture. */
+    /** All light images of the picture. */
     private final LightImage[] all;
 
-    /** Those of the tile. */
+    /** The light images that reach into the tile. */
     private final LightImage[] near;
 
     private int nearCount;
 
-    /** What pixels show of images: it depends on the pixel alone. */
+    /** Cached parts of images by pixel, a function of the pixel alone. */
     private final PixelImages[] pixels;
 
-    /** The pixel that the path began in, if it shows images. */
+    /** The parts of images in the path's pixel. */
     private PixelImages here;
 
-    /** Where on the film the path began, in pixels. */
+    /** The film position of the camera ray, in pixels. */
     private double x;
 
     private double y;
 
-    /** How many images count in the pixel. */
+    /** The number of image parts in the path's pixel. */
     private int count;
 
     /** Whether the path began in empty space. */
     private boolean isOutside;
 
-    /** What was gathered. */
+    /** The estimate of {@link #gather(Sampler)}: radiance at the eye. */
     public double red;
 
     public double green;
     public double blue;
 
-    /** @param isWanted whether the light is wanted that the eye sees so */
+    /**
+     * @param isWanted whether emission that the eye sees directly is included
+     */
     public EyeImages(CompiledScene scene, RayCounters counters, PathFollower path, boolean isWanted) {
         this.scene = scene;
         this.path = path;
@@ -83,7 +85,7 @@ public final class EyeImages implements PathStrategy {
         pixels = new PixelImages[all.length == 0 ? 0 : CACHE_SIDE * CACHE_SIDE];
     }
 
-    /** Sets the tile of the paths to come, as {@link Shader#beginTile}. */
+    /** Sets the tile of the camera rays to come, as {@link Shader#beginTile}. */
     public void beginTile(double x0, double y0, double x1, double y1) {
         double columns = scene.camera.columns;
         double rows = scene.camera.rows;
@@ -115,7 +117,7 @@ public final class EyeImages implements PathStrategy {
         return false;
     }
 
-    /** Begins with a camera ray of the tile, which the path has begun with. */
+    /** Begins a path at a camera ray of the tile. */
     public void begin(Ray camera) {
         count = 0;
         if (nearCount == 0) {
@@ -126,7 +128,7 @@ public final class EyeImages implements PathStrategy {
         y = eye.y * scene.camera.rows;
         here = pixel((int) x, (int) y);
         count = here.count;
-        // What rays that start in a medium see is no image.
+        // Images are those seen through empty space; a path that starts in a medium keeps its emission.
         isOutside = starts == null || path.medium() == null;
     }
 
@@ -140,14 +142,14 @@ public final class EyeImages implements PathStrategy {
         return known;
     }
 
-    /** Adds the light of one of the pixel's images to a path that has just begun. */
+    /** Adds the light of one sampled image of the pixel to a path that has just begun. */
     public void gather(Sampler sampler, PathValue value) {
         if (gather(sampler)) {
             value.add(red, green, blue);
         }
     }
 
-    /** Gathers the light of one of the pixel's images: radiance towards the eye. Returns whether there is any. */
+    /** Samples one image of the pixel and estimates its radiance at the eye; returns whether there is any. */
     public boolean gather(Sampler sampler) {
         if (count == 0) {
             return false;
@@ -173,7 +175,7 @@ public final class EyeImages implements PathStrategy {
         return isMet;
     }
 
-    /** Adds nothing: what the eye sees straight is added once for each path, by {@link #gather}. */
+    /** Adds nothing: {@link #gather} adds directly visible emission once for each path. */
     @Override
     public void direct(PathVertex vertex, PathState state, Sampler sampler, PathValue value) {}
 
@@ -182,7 +184,7 @@ public final class EyeImages implements PathStrategy {
         return weight();
     }
 
-    /** The weight, 0 or 1, of what the surface that the path is at emits. */
+    /** The MIS weight, 0 or 1, of emission of the current surface: 0 if the eye sees it directly within an image that is sampled. */
     public double weight() {
         if (count > 0 && isOutside && path.surfaces == 0) {
             int lamp = path.at.light;

@@ -2,25 +2,27 @@ package enlightenment.transport.image;
 
 import enlightenment.world.light.LightImage;
 
-/** What of a light's image is in one pixel: a convex polygon, over which places are sampled evenly. Immutable but for the last place. */
+/**
+ * The part of a light's image within one pixel: a convex polygon on the film that is sampled uniformly. Immutable but for the last sample.
+ */
 final class ImagePart {
     final LightImage image;
 
-    /** In pixels. */
+    /** The area of the polygon, in pixels. */
     final double area;
 
     private final double[] x;
     private final double[] y;
 
-    /** Twice the areas of the triangles that the first corner and each side that it is not on make, as sums. */
+    /** Cumulative sums of twice the areas of the triangles of the fan around the first corner. */
     private final double[] sums;
 
-    /** The place that was sampled. */
+    /** The sampled film position, in pixels. */
     double placeX;
 
     double placeY;
 
-    /** Of a polygon with an area. */
+    /** Makes the part from the corners of a polygon with this positive area. */
     ImagePart(LightImage image, double area, double[] x, double[] y) {
         this.image = image;
         this.area = area;
@@ -32,7 +34,7 @@ final class ImagePart {
         }
     }
 
-    /** Samples a place, evenly over the polygon: neighbours in the unit square are so in each of its triangles. */
+    /** Samples a film position uniformly over the polygon; within each triangle the map from the unit square is continuous. */
     void sample(double u, double v) {
         int last = sums.length - 1;
         double at = u * sums[last];
@@ -47,7 +49,7 @@ final class ImagePart {
         placeY = y[0] + a * (y[k] - y[0]) + b * (y[k + 1] - y[k]);
     }
 
-    /** Whether a place is in the polygon. */
+    /** Whether a film position, in pixels, is in the polygon. */
     boolean contains(double px, double py) {
         boolean isLeft = true;
         boolean isRight = true;

@@ -20,16 +20,16 @@ import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * The light that reaches a vertex of a path by one reflection at a mirror that is a sphere. Light paths of the caustic pass cannot make
- * it where the vertex itself is seen in a mirror or through glass, and directions that the vertex's surface chooses seldom find it: those
- * of the few that do are the brightest paths of all. Here a direction is chosen in the mirror's image of the light, and both ways are
- * weighted by the power heuristic, as with direct light: the sum is the same whatever the image is taken for.
+ * Light that reaches a vertex by one reflection at a spherical mirror. The caustic pass cannot sample it where the eye sees the vertex
+ * itself in a mirror or through glass, and BSDF samples rarely do: the few that succeed are the brightest paths of all. This strategy
+ * samples a direction within the mirror's image of the light, and combines it with BSDF sampling by the power heuristic: the result does
+ * not depend on what the image is taken for.
  *
- * <p>A special case of specular manifold sampling (J. Hanika, M. Droske and L. Fascione, "Manifold next event estimation", 2015;
- * T. Zeltner, I. Georgiev and W. Jakob, "Specular manifold sampling", 2020), in which an image needs no derivatives.
+ * <p>A special case of specular manifold sampling (J. Hanika, M. Droske and L. Fascione, "Manifold next event estimation", 2015; T.
+ * Zeltner, I. Georgiev and W. Jakob, "Specular manifold sampling", 2020), in which an image needs no derivatives.
  */
 public final class MirrorCaustics implements PathStrategy {
-    /** No vertex. */
+    /** Value of {@link #sampledAt} for no vertex. */
     private static final int NONE = -3;
 
     private final PhysicalScene physical;
@@ -40,10 +40,10 @@ public final class MirrorCaustics implements PathStrategy {
     private final MirroredLight mirrored;
     private final double[] pair = new double[2];
 
-    /** How many surfaces the path had left behind at the last vertex where images were sampled. */
+    /** The number of surfaces that the path had left at the last vertex where images were sampled. */
     private int sampledAt = NONE;
 
-    /** What was gathered: radiance towards where the path came from. */
+    /** The estimate of this strategy: radiance towards the path's previous vertex. */
     private double red;
 
     private double green;
@@ -61,12 +61,12 @@ public final class MirrorCaustics implements PathStrategy {
         }
     }
 
-    /** What gathers for a thread; null if the scene has no mirrors for it. */
+    /** Makes the strategy of one thread; null if the scene has no mirrors for it. */
     public static MirrorCaustics of(CompiledScene scene, RayCounters counters, PathFollower path) {
         return scene.mirrorBalls == null || scene.physical.hasMasks ? null : new MirrorCaustics(scene, counters, path);
     }
 
-    /** Forgets the path before. */
+    /** Begins a path: no vertex was sampled. */
     public void begin() {
         sampledAt = NONE;
     }
@@ -81,7 +81,7 @@ public final class MirrorCaustics implements PathStrategy {
         green = 0;
         blue = 0;
         ultraviolet = 0;
-        // In a medium absorption counts as well: left to chance.
+        // No images in a medium, whose absorption they ignore: BSDF samples find this light there.
         if (path.mayScatterTwice() && path.medium() == null) {
             sampledAt = path.surfaces;
             sample(vertex.bsdf, vertex.s, sampler, state.address);
@@ -113,7 +113,7 @@ public final class MirrorCaustics implements PathStrategy {
         return images[k].aim(ball, l, at.px, at.py, at.pz);
     }
 
-    /** Whether the direction sampled leads to the mirror of the pair, and from there to the light. */
+    /** Whether the sampled direction leads to the mirror of pair k, and by reflection to its light. */
     private boolean meetsLight(int k) {
         path.poll.tick();
         Hit at = path.at.hit;

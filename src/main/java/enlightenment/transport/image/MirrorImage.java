@@ -5,42 +5,41 @@ import enlightenment.primitive.SpherePrimitive;
 import enlightenment.world.light.PhysicalLight;
 
 /**
- * The image of a ball in a mirror that is a sphere, as seen from a point outside of the mirror: a sector of directions around the axis
- * from the point to the mirror's centre, which holds all directions that the mirror reflects into the ball.
+ * The image of a ball in a mirror that is a sphere, as seen from a point outside of the mirror: a sector of directions around the axis from
+ * the point to the mirror's centre, which holds all directions that the mirror reflects into the ball.
  *
- * <p>Everything but the ball is symmetric around the axis. So in the plane of point, mirror's centre and ball's centre two problems of
- * one unknown, where a reflected line touches the ball, give the least and the greatest angle to the axis (J. Alhazen's problem, by
- * Newton's method); and a line that meets the ball is turned out of that plane by an angle whose sine is at most the ball's radius over
- * its centre's distance from the axis. Lengths are in radii of the mirror there, coordinates are along the axis, from the mirror's
- * centre, and across.
+ * <p>Everything but the ball is symmetric around the axis. So in the plane of point, mirror's centre and ball's centre two problems of one
+ * unknown, where a reflected line touches the ball, give the least and the greatest angle to the axis (J. Alhazen's problem, by Newton's
+ * method); and a line that meets the ball is turned out of that plane by an angle whose sine is at most the ball's radius over its centre's
+ * distance from the axis. Lengths are in radii of the mirror there, coordinates are along the axis, from the mirror's centre, and across.
  *
- * <p>The sector is a function of its arguments alone. Where it is too small, by rounding, nothing is wrong: {@link #contains} says what
- * belongs to it. A mutable work object, one per thread.
+ * <p>The sector is a function of its arguments alone. A sector that rounding makes too small changes variance only: {@link #contains}
+ * decides which directions belong to it. A mutable work object, one per thread.
  */
 final class MirrorImage {
-    /** Newton steps to where the line through the ball's centre is reflected, and from there to either edge. */
+    /** The number of Newton steps to the reflection of the ball's centre, and from there to either edge. */
     private static final int STEPS_TO_CENTER = 5;
 
     private static final int STEPS_TO_EDGE = 4;
 
-    /** What Newton's steps may have left: the share by which the sector is widened to either side. */
+    /** The share by which the sector is widened to either side, for the error that Newton's steps leave. */
     private static final double MARGIN = 0x1p-6;
 
-    /** So much of the ball's radius a step of Newton's may be wrong that leaves next to nothing to the next one. */
+    /** The error of a Newton step, in radii of the ball, below which the next step's error is negligible. */
     private static final double NEAR = 0x1p-3;
 
     private final Basis basis = new Basis();
 
-    /** The density per solid angle with which {@link #sample} chooses: even over the sector; 0 if there is no image. */
+    /** The density per solid angle of {@link #sample}, uniform over the sector; 0 if there is no image. */
     double pdf;
 
-    /** The direction that was sampled. */
+    /** The sampled direction, a unit vector in the frame. */
     double dx;
 
     double dy;
     double dz;
 
-    /** From the point to the mirror's centre; across it towards the ball; and across both. */
+    /** Unit vectors: from the point to the mirror's centre; across that towards the ball; across both. */
     private double ax;
 
     private double ay;
@@ -52,50 +51,50 @@ final class MirrorImage {
     private double vy;
     private double vz;
 
-    /** The least and the greatest 1 − cosine to the axis. */
+    /** The least and the greatest 1 − cosine of the angle to the axis. */
     private double least;
 
     private double greatest;
 
-    /** The greatest angle of turning around the axis, and its cosine. */
+    /** The largest angle around the axis, from the plane of the three points, and its cosine. */
     private double turn;
 
     private double turnCosine;
 
-    /** The point's distance from the mirror's centre; the ball's centre; its radius. */
+    /** The point's distance from the mirror's centre; the ball's centre; the ball's radius. */
     private double eye;
 
     private double bx;
     private double by;
     private double radius;
 
-    /** A point of the mirror, in the plane. */
+    /** The current point of the mirror, in the plane. */
     private double nx;
 
     private double ny;
 
-    /** How far the line that is reflected there passes the ball's centre, and how that changes as the point turns. */
+    /** The signed distance of the ball's centre from the line reflected at that point, and its derivative as the point turns. */
     private double miss;
 
     private double slope;
 
-    /** How far along the line its point is that is nearest to the ball's centre. */
+    /** The distance along the reflected line to its point nearest to the ball's centre. */
     private double on;
 
-    /** Finds the image of the ball around a light in a mirror, as the other {@code aim}. */
+    /** Finds the image of the bounding ball of a light. See the other {@code aim}. */
     boolean aim(SpherePrimitive mirror, PhysicalLight l, double x, double y, double z) {
         return aim(
                 mirror.x(), mirror.y(), mirror.z(), mirror.radius(), l.ballX, l.ballY, l.ballZ, l.ballRadius, x, y, z);
     }
 
     /**
-     * Finds the image. There is none from inside the mirror, nor if the ball's centre is in it.
+     * Finds the image; there is none from inside the mirror, nor if the ball's centre is in it. Coordinates are in the frame.
      *
-     * @param cx the mirror's centre
-     * @param size its radius
-     * @param qx the ball's centre
-     * @param r its radius
-     * @param x the point
+     * @param cx the mirror's centre, with cy and cz
+     * @param size the mirror's radius
+     * @param qx the ball's centre, with qy and qz
+     * @param r the ball's radius
+     * @param x the point, with y and z
      * @return whether there is one
      */
     boolean aim(
@@ -126,7 +125,7 @@ final class MirrorImage {
         return bx * bx + by * by > 1 && findAngles();
     }
 
-    /** Sets the directions across the axis, and the ball's place. */
+    /** Sets the directions across the axis, and the ball's centre. */
     private void across(double x, double y, double z) {
         double along = x * ax + y * ay + z * az;
         bx = -along;
@@ -153,7 +152,7 @@ final class MirrorImage {
         toLimb();
         reflect();
         double limb = height();
-        // Of a ball before the limb the line that touches the mirror says nothing.
+        // For a ball before the limb, the line that touches the mirror gives no bound.
         double missOfLimb = on > 0 ? miss : Double.NEGATIVE_INFINITY;
         if (!(missOfLimb < radius)) {
             return false;
@@ -182,15 +181,15 @@ final class MirrorImage {
         return pdf > 0;
     }
 
-    /** To where the line touches the mirror. */
+    /** Moves to where the line from the point touches the mirror. */
     private void toLimb() {
         nx = 1 / eye;
         ny = Math.sqrt((1 - nx) * (1 + nx));
     }
 
     /**
-     * To where the law of reflection holds for the ball's centre, if Newton's method finds that; near it in most cases. It begins in the
-     * middle of what is seen both from the point and from the ball's centre.
+     * Moves to where the law of reflection holds for the ball's centre, if Newton's method finds that; near it in most cases. It begins in
+     * the middle of what is seen both from the point and from the ball's centre.
      */
     private void toCenter() {
         double far = Math.sqrt(bx * bx + by * by);
@@ -223,7 +222,7 @@ final class MirrorImage {
     }
 
     /**
-     * To where the reflected line passes the ball's centre at a distance.
+     * Moves to where the reflected line passes the ball's centre at this distance.
      *
      * @return whether Newton's method was near it before its last step
      */
@@ -242,14 +241,14 @@ final class MirrorImage {
         return Math.abs(off) < NEAR * radius;
     }
 
-    /** Turns to a point of the mirror by a vector that need not be of length 1. */
+    /** Moves to a point of the mirror, given by a vector of any length. */
     private void turnTo(double x, double y) {
         double scale = 1 / Math.sqrt(x * x + y * y);
         nx = x * scale;
         ny = y * scale;
     }
 
-    /** Back to what of the mirror is seen, between axis and limb. */
+    /** Moves back to the visible part of the mirror, between axis and limb. */
     private void clamp() {
         if (ny < 0) {
             nx = 1;
@@ -259,7 +258,7 @@ final class MirrorImage {
         }
     }
 
-    /** Follows the line that is reflected at the point. */
+    /** Computes the line that is reflected at the current point. */
     private void reflect() {
         double lx = nx - eye;
         double ly = ny;
@@ -276,14 +275,14 @@ final class MirrorImage {
         slope = -(cosine * (1 + on / length) + 2 * on);
     }
 
-    /** 1 − cosine of the angle between the axis and the line to the point of the mirror, written so that small angles lose nothing. */
+    /** 1 − cosine of the angle between the axis and the line to the point of the mirror, in a form without cancellation at small angles. */
     private double height() {
         double lx = eye - nx;
         double square = lx * lx + ny * ny;
         return ny * ny / (square + lx * Math.sqrt(square));
     }
 
-    /** Samples a direction: even over the sector's solid angle. */
+    /** Samples a direction uniformly over the sector's solid angle. */
     void sample(double u, double v) {
         double height = Math.fma(u, greatest - least, least);
         double sine = Math.sqrt(Math.max(height * (2 - height), 0));
@@ -296,7 +295,7 @@ final class MirrorImage {
         dz = c * az + a * uz + b * vz;
     }
 
-    /** Whether a unit vector lies in the sector of {@link #aim}, which found an image. */
+    /** Whether a unit vector lies in the sector that the last {@link #aim} found. */
     boolean contains(double x, double y, double z) {
         double along = x * ax + y * ay + z * az;
         double a = x * ux + y * uy + z * uz;

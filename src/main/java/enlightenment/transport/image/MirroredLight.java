@@ -9,7 +9,7 @@ import enlightenment.world.Tracer;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
 
-/** Follows rays that are to meet a light by way of one mirror. A mutable work object, one per thread. */
+/** Traces rays by one reflection at a mirror to a light. A mutable work object, one per thread. */
 final class MirroredLight {
     private final CompiledScene scene;
     private final RayCounters counters;
@@ -18,20 +18,22 @@ final class MirroredLight {
     private final Scattering event = new Scattering();
     private final double[] color = new double[3];
 
-    /** What the mirror that the last ray met reflects, by band. */
+    /** The reflectance of the mirror for the last ray, by band. */
     double red;
 
     double green;
     double blue;
 
-    /** @param tracer of the thread, whose last result is overwritten */
+    /**
+     * @param tracer of the thread; its last result is overwritten
+     */
     MirroredLight(CompiledScene scene, RayCounters counters, Tracer tracer) {
         this.scene = scene;
         this.counters = counters;
         this.tracer = tracer;
     }
 
-    /** Sets the colour of the surface of a primitive that was met; returns its material. */
+    /** Sets the colour of the surface that was hit; returns its material. */
     private SurfaceMaterial colored(int id) {
         SurfaceMaterial material = scene.material(id, met.face);
         if (material.isTextured()) {
@@ -42,7 +44,7 @@ final class MirroredLight {
     }
 
     /**
-     * Whether a ray meets a mirror, which reflects it to a light, and something of it is left.
+     * Whether a ray hits this mirror and is reflected to this light.
      *
      * @param ray is overwritten
      * @param mirror the id of a primitive that coincides with no other

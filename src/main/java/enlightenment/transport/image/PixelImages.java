@@ -6,32 +6,34 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 
-/** What of lights' images is in one pixel. Immutable but for the last place. */
+/** The parts of light images within one pixel, and a distribution over them. Immutable but for the last sample. */
 final class PixelImages {
-    /** So few images are all taken: numbers that choose among them are spread so evenly that hidden ones make little noise. */
+    /**
+     * Up to this number all images are sampled: stratified random numbers choose among them so evenly that hidden ones add little noise.
+     */
     private static final int FEW = 4;
 
-    /** What is so much brighter than what is behind it is worth sampling apart (docs/notes/path-tracing.md). */
+    /** The ratio of brightness to the next dimmer image from which sampling an image separately pays (docs/notes/path-tracing.md). */
     private static final double CLEARLY_BRIGHTER = 2;
 
     final int column;
     final int row;
 
-    /** How many images count here. */
+    /** The number of image parts that are sampled. */
     final int count;
 
     private final ImagePart[] parts;
 
-    /** The same in the order of lights. */
+    /** The parts in the order of their lights. */
     private final ImagePart[] byLight;
 
-    /** The sums of area times brightness. */
+    /** Cumulative sums of area times brightness. */
     private final double[] sums;
 
-    /** The part that was chosen, and where in it. */
+    /** The sampled part; it has the film position. */
     ImagePart chosen;
 
-    /** The inverse of the density with which that was done, over the pixel. */
+    /** The inverse of the density of that sample, over the pixel. */
     double share;
 
     private PixelImages(int column, int row, ImagePart[] parts) {
@@ -50,11 +52,10 @@ final class PixelImages {
     }
 
     /**
-     * Finds what is in a pixel: of images that do not cover it entirely, and that are bright enough beside all of them, the part that is
-     * in it.
+     * Finds the image parts in a pixel: of images that do not cover the whole pixel, and that are bright enough compared to all of them.
      *
-     * @param images holds all that reach into the pixel, in the order of all of the picture
-     * @param count how many
+     * @param images holds all that reach into the pixel, in the order of the whole picture
+     * @param count the number of images
      * @param work is overwritten
      */
     static PixelImages of(int column, int row, LightImage[] images, int count, ClippedPolygon work) {
@@ -86,11 +87,11 @@ final class PixelImages {
     }
 
     /**
-     * The least brightness of the images that are sampled apart. Each sample takes one of them and has the sum of area times brightness,
-     * or nothing, if that one is hidden. Where they are many, that is by chance. With a sum that is no more than any of their
-     * brightnesses, its mean square is at most what the lamps themselves have where samples meet them by chance, whatever is hidden; the
-     * triangles of a closed mesh, half of which is behind the other half, would make noise of what is even. Those that are left out are
-     * dimmer than the sum, so that no sample can miss much.
+     * The least brightness of an image that is sampled separately. Each sample chooses one image and gets the sum of area times brightness,
+     * or 0 if that image is hidden. As long as the sum does not exceed any image's brightness, the mean square is at most that of samples
+     * which hit the emitters without this strategy, whatever is hidden; beyond that, the triangles of a closed mesh, half of which the
+     * other half hides, would turn constant radiance into noise. Images that are left out are dimmer than the sum, so that missing them
+     * causes little error.
      */
     private static double leastBrightness(LightImage[] images, double[] areas, int size) {
         double sum = 0;
@@ -102,7 +103,9 @@ final class PixelImages {
         return size <= FEW || sum <= least ? 0 : leastOfBrightest(images, areas, size);
     }
 
-    /** The same where not all of them can be taken: of the brightest, as many as fit and are clearly brighter than those left out. */
+    /**
+     * The least brightness where not all images can be sampled: of the brightest, as many as fit and are clearly brighter than the next.
+     */
     private static double leastOfBrightest(LightImage[] images, double[] areas, int size) {
         int[] order = IntStream.range(0, size)
                 .boxed()
@@ -124,7 +127,7 @@ final class PixelImages {
         return least;
     }
 
-    /** The first of the images of a light, among them by lights; or where it would be. */
+    /** The index, among the parts by light, of the first part of a light; or where it would be. */
     int firstOf(int light) {
         int low = 0;
         int high = count;
@@ -139,12 +142,12 @@ final class PixelImages {
         return low;
     }
 
-    /** An image by its place among them by lights; null if it is none of the light. */
+    /** A part by its index among the parts by light; null if it belongs to another light. */
     ImagePart of(int light, int at) {
         return at < count && byLight[at].image.light == light ? byLight[at] : null;
     }
 
-    /** Chooses one of the parts, of which there is one, and a place in it: brighter and larger ones more often. */
+    /** Samples one of the parts, at least one, with probability proportional to area times brightness, and a film position in it. */
     void choose(double u, double v) {
         int last = sums.length - 1;
         double at = u * sums[last];
@@ -155,7 +158,7 @@ final class PixelImages {
         share = sums[last] / chosen.image.brightness;
     }
 
-    /** The first sum that is greater, or the last one. */
+    /** The index of the first cumulative sum greater than this, or of the last one. */
     private int firstAbove(double at) {
         int low = 0;
         int high = count - 1;

@@ -1,2 +1,2 @@
-/** Small lamps as they are seen from a vertex, straight or over specular surfaces, and directions chosen within their images. */
+/** Images of small lamps as seen from the eye or from a vertex, directly or in mirrors, and sampling of directions within them. */
 package enlightenment.transport.image;

@@ -13,8 +13,8 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * What paths from lights bring to the eye straight: of all strategies of {@link BidirectionalTracer} the one whose light may fall
- * anywhere. The paths are others than those that tiles follow, with the same densities.
+ * Light paths connected to the eye: the one strategy of {@link BidirectionalTracer} that may splat anywhere on the film. Its paths are
+ * independent of those that tiles follow, with the same densities.
  */
 public final class BidirectionalLightTracer extends LightPathTracer {
     private final LightSubpath light;
@@ -25,7 +25,7 @@ public final class BidirectionalLightTracer extends LightPathTracer {
     /** See {@link SubpathDensities}. */
     private final double areaUnit;
 
-    /** Null but in tests. */
+    /** Observes the strategies in tests; else null. */
     private Strategies strategies;
 
     /**
@@ -48,12 +48,12 @@ public final class BidirectionalLightTracer extends LightPathTracer {
         areaUnit = scene.physical.areaUnit;
     }
 
-    /** Lets somebody look at what is found. */
+    /** Sets an observer of strategies, for tests. */
     public void watch(Strategies by) {
         strategies = by;
     }
 
-    /** The path that was followed last. */
+    /** The last light subpath. */
     public LightSubpath light() {
         return light;
     }
@@ -85,7 +85,7 @@ public final class BidirectionalLightTracer extends LightPathTracer {
         return light.leave(sampler);
     }
 
-    /** Adds what the eye sees of the path's light at the surface that it is at. */
+    /** Connects the current surface of the light subpath to the eye. */
     private void connect() {
         Scattering s = light.s;
         if (eye.hasSeveralStarts()) {

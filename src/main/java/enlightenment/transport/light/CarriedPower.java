@@ -6,53 +6,58 @@ import enlightenment.transport.state.PathValue;
 import enlightenment.transport.state.Throughput;
 import java.util.Arrays;
 
-/** How much the power counts that a path from a light carries from event to event. A mutable work object, one per thread. */
+/**
+ * The power that a light path carries from event to event, with ultraviolet weighed by its visible effect. A mutable work object, one per
+ * thread.
+ */
 final class CarriedPower {
-    /** The power itself. */
+    /** The power by band: the path's throughput. */
     final Throughput left = new Throughput();
 
-    /** About how much visible light fluorescent surfaces make of ultraviolet; 0 if there is none. */
+    /** Roughly the visible light that fluorescent surfaces make of a unit of ultraviolet; 0 if the scene has none. */
     private final double ofUltraviolet;
 
-    /** What is faint. */
+    /** The power below which Russian roulette is due, in the strongest band. */
     private double faint;
 
-    /** @param ofUltraviolet about how much visible light fluorescent surfaces make of ultraviolet; 0 if there is none */
+    /**
+     * @param ofUltraviolet roughly the visible light that fluorescent surfaces make of a unit of ultraviolet; 0 if the scene has none
+     */
     CarriedPower(double ofUltraviolet) {
         this.ofUltraviolet = ofUltraviolet;
     }
 
-    /** A path begins at a source. */
+    /** Begins a path with the power of a source. */
     void begin(PathSource source) {
         left.begin(source.red, source.green, source.blue, source.ultraviolet);
         faint = PathValue.FAINT * most();
     }
 
-    /** What counts of it, summed over bands. */
+    /** The power summed over bands, ultraviolet weighed. */
     double sum() {
         return left.sum() + ofUltraviolet * Math.abs(left.ultraviolet);
     }
 
-    /** What counts of it in the blue band and beyond. */
+    /** The power of blue plus weighed ultraviolet. */
     double blueAndBeyond() {
         return left.blue + ofUltraviolet * left.ultraviolet;
     }
 
-    /** What counts of it, of the strongest band. */
+    /** The power of the strongest band, ultraviolet weighed. */
     double most() {
         double most = left.most();
         return ofUltraviolet > 0 ? Math.max(most, ofUltraviolet * left.ultraviolet) : most;
     }
 
-    /** Whether it is so little beside what the path began with that roulette is due. */
+    /** Whether power has fallen so far below its initial value that Russian roulette is due. */
     boolean isFaint() {
         return !(most() >= faint);
     }
 
     /**
-     * A fluorescent surface changes the light; the path goes on as from a grey surface.
+     * Scatters the path at a fluorescent surface; the path goes on as at a grey one.
      *
-     * @param surface the reflectance by band; becomes the grey one
+     * @param surface its reflectance by band; receives the grey reflectance
      * @return whether any light is left
      */
     boolean reradiate(Reradiation by, double[] surface) {

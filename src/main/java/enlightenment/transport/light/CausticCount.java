@@ -5,25 +5,25 @@ import enlightenment.primitive.Hit;
 import enlightenment.world.light.CausticPass;
 
 /**
- * Which part of a light path is a caustic: what comes after a first event at a mirror or smooth glass; of small lights, and where lobes are
- * wide, after one at a narrow lobe as well (docs/notes/caustics.md). Mutable, one per thread.
+ * Decides which vertices of a light path belong to the caustic pass: those after a first event at a mirror or smooth glass; for small
+ * lights, at wide lobes, also those after a first event at a narrow lobe (docs/notes/caustics.md). Mutable, one per thread.
  */
 final class CausticCount {
-    /** Null if all of each path counts. */
+    /** The caustic pass; null if all vertices of each path count. */
     private final CausticPass pass;
 
-    /** Whether narrow lobes make caustics of small lights. */
+    /** Whether narrow lobes count as casters for small lights. */
     private final boolean takesNarrow;
 
-    /** The light that the path began at. */
+    /** The index of the path's light in the pass. */
     private int light;
 
     private boolean counts;
 
-    /** Whether it does so at wide lobes only: a narrow one has scattered it first. */
+    /** Whether the path counts at wide lobes only, because a narrow lobe scattered it first. */
     private boolean countsWide;
 
-    /** Where that was, and with which density per solid angle the path left it. */
+    /** The position of that first event, in the frame, and the density per solid angle of its BSDF sample. */
     private double x;
 
     private double y;
@@ -35,7 +35,11 @@ final class CausticCount {
         this.takesNarrow = takesNarrow;
     }
 
-    /** Begins with a path that leaves a light, by its index in the pass. */
+    /**
+     * Begins a path.
+     *
+     * @param ofLight index of its light in the pass
+     */
     void begin(int ofLight) {
         light = ofLight;
         counts = pass == null;
@@ -43,32 +47,36 @@ final class CausticCount {
         pdf = 0;
     }
 
-    /** Whether the path counts now. */
+    /** Whether the path belongs to the caustic pass from here on. */
     boolean counts() {
         return counts;
     }
 
-    /** Whether it does so since a narrow lobe scattered it first. */
+    /** Whether it does because a narrow lobe scattered the path first. */
     boolean isNarrow() {
         return countsWide;
     }
 
-    /** Whether it counts where it goes on to from lobes that it has come to. */
+    /** Whether the path may belong to the caustic pass after an event at this BSDF. */
     boolean goesOn(Bsdf bsdf) {
         return counts || bsdf.hasDelta() || takesNarrow && bsdf.isNarrow() && pass.takesNarrow(light);
     }
 
-    /** Whether it counts beyond the lobe that was sampled: beside a delta lobe others make no caustic. */
+    /** Whether it belongs to the pass after the sampled lobe: of a BSDF with a delta lobe, other lobes start no caustic. */
     boolean countsBeyond(Bsdf bsdf, boolean isDelta) {
         return counts || isDelta || !bsdf.hasDelta();
     }
 
-    /** Whether it counts at these lobes already: others are what makes it count. */
+    /** Whether light arriving at this BSDF belongs to the caustic pass. */
     boolean countsAt(Bsdf bsdf) {
         return counts && !bsdf.isDelta() && !(countsWide && bsdf.isNarrow());
     }
 
-    /** The path has been scattered, by a delta lobe or not, where it goes on. */
+    /**
+     * Records a scattering event after which the path goes on.
+     *
+     * @param density per solid angle of the BSDF sample
+     */
     void leave(boolean isDelta, Hit at, double density) {
         if (!counts && !isDelta) {
             countsWide = true;

@@ -7,12 +7,11 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * Follows paths of light from its source over mirrors and smooth glass to the surfaces on which it makes caustics, and on from there; at
- * each of these surfaces it is connected to the eye. A path from the eye finds such light by chance only, and leaves it out
- * ({@link PathIntegrator}).
+ * Traces light paths over mirrors and smooth glass to the surfaces on which they make caustics, and on from there; each of these vertices
+ * is connected to the eye. Paths from the eye sample such light badly, and leave it out ({@link PathIntegrator}).
  */
 public final class CausticTracer extends LightWalker {
-    /** Keeps the numbers of these paths apart from all others. */
+    /** Mixed into the seed, so that these paths share no random numbers with others. */
     private static final long PURPOSE = 0x6361757374696373L;
 
     /**

@@ -14,18 +14,20 @@ import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
-/** What the eye sees of light that a path brings to the surface that it is at. A mutable work object, one per thread. */
+/**
+ * Connects the current vertex of a light path to the eye: film position, visibility and importance. A mutable work object, one per thread.
+ */
 final class EyeConnection {
     private final PathFollower path;
     private final EyeProjection eye;
     private final boolean absorbs;
 
-    /** Follows rays to the eye through glass that does not turn them; null if there is none. */
+    /** Follows rays to the eye through glass that keeps their direction; null if the scene has none. */
     private final ShadowWalk walk;
 
     private final Ray ray = new Ray();
 
-    /** What comes through on the way to the eye, by band. */
+    /** The transmittance of the connection, by band. */
     final double[] through = new double[3];
 
     EyeConnection(CompiledScene scene, RayCounters counters, PathFollower path) {
@@ -35,46 +37,46 @@ final class EyeConnection {
         walk = scene.physical.hasStraightGlass ? new ShadowWalk(scene, counters) : null;
     }
 
-    /** What samples the points of segments that are connected to the eye: where it is near, more of them. */
+    /** Equiangular sampling of points of flights to connect to the eye: denser where the eye is near. */
     Equiangular sampling() {
         return new Equiangular(eye.isParallel() ? Vec3.ZERO : eye.start());
     }
 
-    /** The place in the picture, 0..1 from the left. */
+    /** The film position, 0..1 from the left. */
     double x() {
         return eye.x;
     }
 
-    /** From above, 0..1. */
+    /** The film position, 0..1 from above. */
     double y() {
         return eye.y;
     }
 
-    /** The share of the picture per unit of what scatters light there ({@link EyeProjection#importance}). */
+    /** The camera's importance of the vertex ({@link EyeProjection#importance}). */
     double importance() {
         return eye.importance;
     }
 
-    /** Whether {@link #sampleStart} must choose where each connection ends: on a lens, or at one of two eyes. */
+    /** Whether the camera has a lens or two eyes, so that {@link #sampleStart} must choose the end of each connection. */
     boolean hasSeveralStarts() {
         return eye.hasSeveralStarts();
     }
 
-    /** Chooses where connections end, by two random numbers in 0..1. */
+    /** Samples the end of the connection on the camera, by two random numbers in 0..1. */
     void sampleStart(double u, double v) {
         eye.sampleStart(u, v);
     }
 
-    /** Finds the place where the surface's point is seen, if nothing hides it; returns whether it is in the picture. */
+    /** Projects the vertex onto the film; returns whether it is in the picture, visibility aside. */
     boolean project() {
         return eye.project(path.at.hit.px, path.at.hit.py, path.at.hit.pz);
     }
 
     /**
-     * Whether light goes from there to the eye, and how much of it is left there ({@link #through}).
+     * Whether the vertex scatters light towards the eye and nothing occludes it; sets {@link #through}.
      *
-     * @param s the surface, which light comes to from o; receives the direction to the eye and what the surface's Bsdf says of it
-     * @param tint of what passes a rough border; null if the surface is none
+     * @param s the scattering at the vertex, with o set; receives the direction to the eye and the BSDF's value
+     * @param tint of transmitted light at a rough interface; null elsewhere
      */
     boolean sees(Bsdf bsdf, Scattering s, double[] tint) {
         s.ix = eye.dx;
@@ -99,7 +101,7 @@ final class EyeConnection {
         path.poll.tick();
         double length = Math.sqrt(eye.toEyeX * eye.toEyeX + eye.toEyeY * eye.toEyeY + eye.toEyeZ * eye.toEyeZ);
         if (length <= eye.error) {
-            // It is where camera rays start: they meet it first.
+            // The vertex is where camera rays start: nothing can be in between.
             return false;
         }
         if (!start(isBorder, isBeyond) && !path.tracer.occluded(ray, 1 + eye.error / length)) {
@@ -116,7 +118,7 @@ final class EyeConnection {
         return !walk.reachesEye(ray, length, eye.error, path, isBeyond, through);
     }
 
-    /** Returns whether something is in the ray's way at once. */
+    /** Starts the ray; returns whether a surface that coincides with the vertex occludes it. */
     private boolean start(boolean isBorder, boolean isBeyond) {
         ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, eye.toEyeX, eye.toEyeY, eye.toEyeZ, 0);
         return Departure.from(path, ray, isBorder, isBeyond);

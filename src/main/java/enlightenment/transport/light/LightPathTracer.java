@@ -19,20 +19,18 @@ import java.util.function.BooleanSupplier;
 public abstract class LightPathTracer {
     final PathFollower path;
 
-    /** What the eye sees of the surface that the path is at. */
+    /** Connects the path's current vertex to the eye. */
     final EyeConnection eye;
 
     private final int width;
     private final int height;
 
-    /** Where light is put; null if only its sum is wanted. */
+    /** Receives the splats; null if only their sum is wanted. */
     private SplatBatch out;
 
     private double brought;
 
     /**
-     * For one thread.
-     *
      * @param path follows the paths
      * @param width of the whole picture in pixels
      * @param height of the whole picture in pixels
@@ -45,14 +43,14 @@ public abstract class LightPathTracer {
     }
 
     /**
-     * Caustics, which paths from the eye find by chance only, and leave out ({@link PathIntegrator}): light that mirrors or smooth glass send
-     * to a surface, and all that follows from it. For one thread.
+     * Makes the tracer of caustics, for one thread: light that mirrors or smooth glass send to a surface, and all that follows from it.
+     * Paths from the eye sample it badly and leave it out ({@link PathIntegrator}).
      *
-     * @param scene whose shading is physical, with a pass of caustics
+     * @param scene whose shading is physical, with a caustic pass
      * @param seed of all random numbers
      * @param width of the whole picture in pixels
      * @param height of the whole picture in pixels
-     * @param counters what this thread counts
+     * @param counters of this thread
      */
     public static LightPathTracer ofCaustics(
             CompiledScene scene, long seed, int width, int height, RayCounters counters) {
@@ -60,8 +58,8 @@ public abstract class LightPathTracer {
     }
 
     /**
-     * All light that surfaces scatter to the eye other than into single directions: everything but what {@link SeenLight} finds, and what
-     * is seen in mirrors or through glass that turns rays. The parameters are those of {@link #ofCaustics}.
+     * Makes the tracer of all light that lobes other than delta lobes scatter to the eye: everything but the light of {@link SeenLight},
+     * and what is seen in mirrors or through glass that refracts. The other parameters are those of {@link #ofCaustics}.
      *
      * @param scene whose shading is physical
      */
@@ -71,8 +69,8 @@ public abstract class LightPathTracer {
     }
 
     /**
-     * Of what paths from both ends make together that which those from lights bring to the eye straight: see {@link BidirectionalTracer}.
-     * The parameters are those of {@link #ofCaustics}.
+     * Makes the tracer of one strategy of bidirectional path tracing: light subpaths connected to the eye; see {@link BidirectionalTracer}.
+     * The other parameters are those of {@link #ofCaustics}.
      *
      * @param scene whose shading is physical
      */
@@ -81,20 +79,22 @@ public abstract class LightPathTracer {
         return new BidirectionalLightTracer(scene, seed, width, height, counters);
     }
 
-    /** Ends {@link #trace} by a {@link java.util.concurrent.CancellationException} soon after this becomes true. */
+    /**
+     * Sets the condition of cancellation: once it holds, {@link #trace} soon throws a {@link java.util.concurrent.CancellationException}.
+     */
     public final void stopWhen(BooleanSupplier condition) {
         path.poll.stopWhen(condition);
     }
 
-    /** Follows the path with this number and adds what it brings to the picture. */
+    /** Traces the path with this number and adds its splats. */
     public final void trace(long number, SplatBatch to) {
         out = to;
         follow(number);
     }
 
     /**
-     * What a path contributes to the picture in the mean ({@link SplatBatch#add}), by some paths with numbers of their own; positive, even
-     * if none of them reaches the eye, unless nothing shines.
+     * The mean contribution of a path to the picture ({@link SplatBatch#add}), estimated by this number of separate paths; positive, even
+     * if none of them reaches the eye, unless the scene has no light.
      */
     public final double meanContribution(int paths) {
         out = null;
@@ -103,22 +103,22 @@ public abstract class LightPathTracer {
         for (int i = 1; i <= paths; i++) {
             power += follow(-i) ? power() : 0;
         }
-        // In the frame lengths are about 1, and so is the importance of what the eye sees.
+        // In the frame lengths are about 1, and so is the importance of visible points.
         double least = power / (paths * (double) paths);
         return Math.min(Math.max(brought / paths, least), Double.MAX_VALUE);
     }
 
-    /** Follows the path with this number; returns whether there is one. */
+    /** Traces the path with this number; returns whether there is one. */
     abstract boolean follow(long number);
 
-    /** The power, about, that the path began with. */
+    /** Roughly the power that the last path began with. */
     abstract double power();
 
     /**
-     * Whether the eye sees the path's light at the surface that it is at ({@link EyeConnection#sees}), in the part of the picture that is
-     * made.
+     * Whether the eye sees the path's light at its current vertex ({@link EyeConnection#sees}), within the part of the picture that is
+     * rendered.
      *
-     * @param tint of what passes a rough border; null if the surface is none
+     * @param tint of transmitted light at a rough interface; null elsewhere
      */
     final boolean isSeen(Bsdf bsdf, Scattering s, double[] tint) {
         return eye.project()
@@ -126,7 +126,7 @@ public abstract class LightPathTracer {
                 && eye.sees(bsdf, s, tint);
     }
 
-    /** Adds what it sees. */
+    /** Adds a splat at the film position of the last connection. */
     final void add(double r, double g, double b) {
         if (out == null) {
             brought += (Math.abs(r) + Math.abs(g) + Math.abs(b)) / 3;

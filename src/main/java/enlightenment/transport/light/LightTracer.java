@@ -7,11 +7,11 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * Follows light from everything that shines to all surfaces that scatter it other than into single directions, and connects it to the eye
- * at each of them: everything but what {@link SeenLight} finds, and what is seen in mirrors or through glass that turns rays.
+ * Traces light paths from all emitters, and connects each vertex at which a lobe other than a delta lobe scatters light to the eye:
+ * everything but the light of {@link SeenLight}, and what is seen in mirrors or through glass that refracts.
  */
 public final class LightTracer extends LightWalker {
-    /** Keeps the numbers of these paths apart from all others. */
+    /** Mixed into the seed, so that these paths share no random numbers with others. */
     private static final long PURPOSE = 0x6c696768747061L;
 
     /**

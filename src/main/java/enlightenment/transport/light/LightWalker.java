@@ -21,8 +21,8 @@ import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
 /**
- * Follows paths of light from where a {@link PathSource} starts them; at each surface that scatters light other than into single
- * directions they are connected to the eye (J. Arvo, "Backward ray tracing", 1986; P. Dutré, E. Lafortune, Y. Willems, 1993).
+ * Traces light paths from a {@link PathSource}; at each vertex where a lobe other than a delta lobe scatters light they are connected to
+ * the eye (J. Arvo, "Backward ray tracing", 1986; P. Dutré, E. Lafortune, Y. Willems, 1993).
  *
  * <p>Light paths carry power, not radiance: at an interface there is no factor (n/n')² ({@code Scattering.radiance} is false).
  */
@@ -37,21 +37,21 @@ abstract class LightWalker extends LightPathTracer {
     private final double[] pair = new double[2];
     private final Scattering border = new Scattering();
 
-    /** The power that the path carries. */
+    /** The power of the path. */
     final CarriedPower carried;
 
     private final PathState state = new PathState();
 
-    /** How many surfaces it passed straight. */
+    /** The number of surfaces that the path passed straight. */
     private int pieces;
 
-    /** How the path flies through media that scatter light; null if there are none. */
+    /** Samples free flights in media that scatter light; null if there are none. */
     private final FreeFlight flight;
 
-    /** Chooses the points of flights that are connected to the eye. */
+    /** Equiangular sampling of points of flights to connect to the eye. */
     private final Equiangular onTheWay;
 
-    /** How much of the flight the path has behind it. */
+    /** The length of the flight that the path has covered, in the frame. */
     private double flown;
 
     /** Whether a point of the flight has been connected to the eye. */
@@ -59,22 +59,22 @@ abstract class LightWalker extends LightPathTracer {
 
     private final RussianRoulette end = new RussianRoulette();
 
-    /** The medium that scatters the path. */
+    /** The medium that may scatter the path. */
     private HomogeneousMedium medium;
 
-    /** Whether only light counts that mirrors or smooth glass send to a surface first: the rest is found by others. */
+    /** Whether only caustics are traced: light that mirrors or smooth glass send to a surface first. */
     private final boolean onlyCaustics;
 
-    /** Which part of the path's light counts. */
+    /** Decides which vertices of the path belong to the caustic pass. */
     final CausticCount caustic;
 
     /**
      * For one thread.
      *
-     * @param seed of all random numbers of these paths, and of no others
+     * @param seed of all random numbers of these paths, used for nothing else
      * @param width of the whole picture in pixels
      * @param height of the whole picture in pixels
-     * @param counters what this thread counts
+     * @param counters of this thread
      */
     LightWalker(
             CompiledScene scene,
@@ -128,8 +128,8 @@ abstract class LightWalker extends LightPathTracer {
     }
 
     /**
-     * Follows the ray to the next event; returns whether the path goes on. What happens at opaque surfaces stands here, so that this is too
-     * long to be compiled again into its caller.
+     * Traces the ray to the next event; returns whether the path goes on. Shading of opaque surfaces stands here, so that the JIT compiler
+     * does not inline this method into its caller.
      */
     private boolean step() {
         if (wavelength != null && wavelength.takesEffect()) {
@@ -181,38 +181,38 @@ abstract class LightWalker extends LightPathTracer {
         return filterAndSurvive(s.valueR, s.valueG, s.valueB) && path.goesOn();
     }
 
-    /** Whether narrow lobes make caustics of small lights, where only caustics count. */
+    /** Whether narrow lobes count as casters of caustics for small lights, if only caustics are traced. */
     boolean takesNarrow() {
         return true;
     }
 
-    /** At a surface that scatters light other than into single directions; returns whether the path goes on. */
+    /** Called at a vertex that is connected to the eye; returns whether the path goes on. */
     boolean arrive(Bsdf bsdf, Scattering s) {
         connect(bsdf, s, null);
         return true;
     }
 
     /**
-     * Whether a medium scatters the path. Of what makes caustics, light that media scatter before the first mirror or glass is found by
-     * paths from the eye, and so is all that is scattered where no lamp is sampled from.
+     * Whether a medium scatters the path. In the caustic pass it does only after the first mirror or glass, as paths from the eye sample
+     * the light before that; and only at index of refraction 1, where they have next-event estimation.
      */
     boolean isScatteredIn(SurfaceMaterial in) {
         return !onlyCaustics || caustic.counts() && in.indexOfRefraction == 1;
     }
 
     /**
-     * Follows the ray to what it meets next, where no medium scatters it.
+     * Traces the ray to its next event, through no medium that scatters it.
      *
-     * @param in what fills the way, dimming the path if it does; null for empty space
+     * @param in the material of the medium, which may absorb; null for empty space
      */
     PathFollower.Event pass(SurfaceMaterial in) {
         return path.next(ray);
     }
 
     /**
-     * Follows the ray to what it meets next; null if the medium that it is in scatters it first: then the path is there.
+     * Samples a free flight and traces the ray to its next event; null if the medium scatters the path first, which is then at that point.
      *
-     * @param isSeenStraight whether the eye may see what the medium scatters from outside of it
+     * @param isSeenStraight whether the eye may see points of the medium directly from outside of it
      */
     private PathFollower.Event fly(boolean isSeenStraight) {
         end.depart(carried.sum());
@@ -236,8 +236,8 @@ abstract class LightWalker extends LightPathTracer {
     }
 
     /**
-     * Follows the ray by way of a point that is connected to the eye, in place of that where the flight ends: there it would count by the
-     * inverse square of its distance from the eye, whose variance is infinite with an eye in the medium.
+     * Traces the ray by way of an equiangular point, which is connected to the eye in place of the end of the flight: that would be
+     * weighted by its inverse squared distance from the eye, with infinite variance if the eye is in the medium.
      */
     private PathFollower.Event flyBy() {
         PathFollower.Event event = path.next(ray, onTheWay.distance);
@@ -259,7 +259,7 @@ abstract class LightWalker extends LightPathTracer {
         return path.next(ray, flight.length - flown);
     }
 
-    /** Where a medium scatters the path. */
+    /** Scatters the path in a medium; returns whether it goes on. */
     private boolean inMedium() {
         if (!isConnected) {
             connect(medium.phase, border, null);
@@ -272,15 +272,15 @@ abstract class LightWalker extends LightPathTracer {
     }
 
     /**
-     * Adds what the eye sees of the path's light at the surface, or at the point of a medium, that it is at.
+     * Connects the current vertex, on a surface or in a medium, to the eye and adds the path's light.
      *
-     * @param tint of what passes, at a rough border; null elsewhere
+     * @param tint of transmitted light at a rough interface; null elsewhere
      */
     private void connect(Bsdf bsdf, Scattering s, double[] tint) {
         connect(bsdf, s, tint, carried.left.red, carried.left.green, carried.left.blue);
     }
 
-    /** The same of other light than the path carries. */
+    /** Connects the current vertex to the eye and adds this light, in place of the path's throughput. */
     private void connect(Bsdf bsdf, Scattering s, double[] tint, double r, double g, double b) {
         if (eye.hasSeveralStarts()) {
             eye.sampleStart(unit(9), unit(10));
@@ -297,7 +297,7 @@ abstract class LightWalker extends LightPathTracer {
         }
     }
 
-    /** At a border of glass, or at a pane. */
+    /** Scatters the path at an interface of glass, or at a thin slab. */
     private boolean glass() {
         boolean goesOn = true;
         if (physical.hasRoughGlass) {
@@ -317,12 +317,14 @@ abstract class LightWalker extends LightPathTracer {
             path.filter(surface);
         }
         if (path.glass.passedStraight()) {
-            // No event: a path may be cut into any number of pieces. Paths from the eye find such light by shadow rays.
+            // Passing straight is no event: an object may be cut into any number of pieces. Paths from the eye find
+            // this light by shadow
+            // rays.
             pieces++;
             carried.left.filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
-        // Light that comes to rough glass straight is found there by shadow rays, but where its lobes are narrow.
+        // Shadow rays of paths from the eye find direct light at rough glass, except where its lobes are narrow.
         if (!goesOn) {
             return false;
         }
@@ -331,7 +333,7 @@ abstract class LightWalker extends LightPathTracer {
         return crosses() && path.goesOn();
     }
 
-    /** Multiplies by the weight of an event at a border, and plays roulette. */
+    /** Multiplies by the weight of an event at an interface, and plays Russian roulette. */
     private boolean crosses() {
         if (flight == null) {
             return filterAndSurvive(surface[0], surface[1], surface[2]);
@@ -351,13 +353,13 @@ abstract class LightWalker extends LightPathTracer {
         }
     }
 
-    /** Multiplies by the weight of an event, and plays roulette by it as {@link PathValue} does. */
+    /** Multiplies by the weight of an event, and plays Russian roulette by it as {@link PathValue} does. */
     private boolean filterAndSurvive(double r, double g, double b) {
         carried.left.filter(r, g, b);
         return isSafe() || carried.most() > 0 && survives(PathValue.survival(r, g, b));
     }
 
-    /** Whether nothing asks for an end of the path. */
+    /** Whether the path continues without Russian roulette. */
     private boolean isSafe() {
         return state.events < PathValue.ROULETTE_FROM && !carried.isFaint();
     }
@@ -370,7 +372,7 @@ abstract class LightWalker extends LightPathTracer {
         }
     }
 
-    /** Plays roulette after the last event with a probability of survival. */
+    /** Plays Russian roulette after the last event, with this probability of survival. */
     private boolean survives(double survival) {
         if (!(numbers.unit(state.events - 1, pieces, 4) < survival)) {
             return false;

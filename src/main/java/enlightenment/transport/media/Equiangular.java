@@ -4,47 +4,49 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Ray;
 
 /**
- * Samples points of a segment with a density in proportion to the inverse square of their distance from a given point: equal angles, seen
- * from there, have equal probabilities (C. Kulla and M. Fajardo, "Importance sampling techniques for path tracing in participating media",
- * 2012, section 4.1). A mutable work object, one per thread.
+ * Samples points of a segment with a density proportional to the inverse squared distance from a given point: equal angles, as seen from
+ * there, have equal probabilities (C. Kulla and M. Fajardo, "Importance sampling techniques for path tracing in participating media", 2012,
+ * section 4.1). A mutable work object, one per thread.
  */
 public final class Equiangular {
     private double fromX;
     private double fromY;
     private double fromZ;
 
-    /** How far aside of the point its place is taken, squared. */
+    /** The squared offset by which the given point is moved away from the plane of point and segment; bounds the density. */
     private double aside;
 
     private double length;
 
-    /** Of the segment's start, measured along the ray from the foot of the perpendicular. */
+    /** The position of the segment's start along the ray, from the foot of the perpendicular, in the frame. */
     private double start;
 
-    /** Of the line, from the point; and squared. */
+    /** The distance of the line from the point, and its square. */
     private double height;
 
     private double square;
 
-    /** Between the segment's ends, as seen from the point. */
+    /** The angle between the segment's ends, as seen from the point. */
     private double angle;
 
-    /** How far along the segment the point lies, in lengths of the frame. */
+    /** The distance of the sampled point from the segment's start, in the frame. */
     public double distance;
 
-    /** The probability density of that, per length of the frame. */
+    /** The density of the sampled point, per length of the frame. */
     public double density;
 
-    /** @param from the point that the segments are seen from, in the frame */
+    /**
+     * @param from the point that segments are seen from, in the frame
+     */
     public Equiangular(Vec3 from) {
         see(from.x(), from.y(), from.z(), 0);
     }
 
     /**
-     * Sets the point that the segments are seen from.
+     * Sets the point that segments are seen from.
      *
-     * @param radius distances from it are those from a place that lies so far aside of the plane of point and segment: no density grows
-     *     beyond what that leaves
+     * @param radius distances are measured from a point that is moved this far out of the plane of point and segment, which bounds the
+     *     density
      */
     public void see(double x, double y, double z, double radius) {
         fromX = x;
@@ -56,10 +58,9 @@ public final class Equiangular {
     /**
      * Samples a point of a ray.
      *
-     * @param length of the segment, from where the ray starts, in lengths of the frame; may be infinite
+     * @param length of the segment, from the ray's start, in the frame; may be infinite
      * @param u uniform in 0..1
-     * @return whether there is one: not where the segment is so short, or the point that it is seen from so near to its line, that rounding
-     *     leaves no angle
+     * @return false where rounding leaves no angle: a very short segment, or one whose line nearly meets the point
      */
     public boolean sample(Ray ray, double length, double u) {
         place(ray);
@@ -67,7 +68,7 @@ public final class Equiangular {
         return sample(u);
     }
 
-    /** Looks at a segment of the ray that was placed, from where that starts. */
+    /** Sets the length of the segment, on the ray of the last {@link #place}, from its start. */
     public void aim(double length) {
         this.length = length;
         height = Math.sqrt(square);
@@ -77,7 +78,7 @@ public final class Equiangular {
                 : StrictMath.atan2(height * length, Math.fma(start, start + length, square));
     }
 
-    /** Sees where a ray is. */
+    /** Sets the ray that segments lie on. */
     public void place(Ray ray) {
         double scale = 1 / Math.sqrt(ray.dd);
         double dx = ray.dx * scale;
@@ -93,7 +94,7 @@ public final class Equiangular {
         square = px * px + py * py + pz * pz + aside;
     }
 
-    /** Samples a point of the segment that was looked at, as {@link #sample(Ray, double, double)} does. */
+    /** Samples a point of the segment that {@link #aim} has set, as {@link #sample(Ray, double, double)} does. */
     public boolean sample(double u) {
         double sine = StrictMath.sin(u * angle);
         double cosine = StrictMath.cos(u * angle);
@@ -103,23 +104,23 @@ public final class Equiangular {
         return density > 0 && density < Double.POSITIVE_INFINITY;
     }
 
-    /** The density with which this point of the segment is sampled; not a positive number if there is none. */
+    /** The density, per length of the frame, of sampling this point of the segment; NaN or not positive if none can be sampled. */
     public double density(double at) {
         double along = start + at;
         return height / (angle * Math.fma(along, along, square));
     }
 
-    /** The integral over the segment of the inverse square of the distance. */
+    /** The integral of the inverse squared distance over the segment, per length of the frame. */
     public double integral() {
         return angle / height;
     }
 
-    /** The squared distance from the start of the ray that was placed. */
+    /** The squared distance of the given point from the start of the ray. */
     public double squareAtStart() {
         return Math.fma(start, start, square);
     }
 
-    /** The least squared distance from a segment of the ray that was placed. */
+    /** The least squared distance of the given point from a segment of the ray, of this length. */
     public double leastSquare(double length) {
         double along = start >= 0 ? start : Math.min(start + length, 0);
         return Math.fma(along, along, square);

@@ -3,53 +3,52 @@ package enlightenment.transport.media;
 import enlightenment.world.material.HomogeneousMedium;
 
 /**
- * How far a path flies freely in a medium that scatters light, and what such a flight is worth.
+ * Samples the free-flight distance of a path in a medium, and the throughput weights of the flight.
  *
- * <p>Where a medium's extinction differs between bands a flight is drawn for one of them, and weighted against all by the balance heuristic
- * (A. Wilkie et al., "Hero wavelength spectral sampling", 2014; J. Novák et al., "Monte Carlo methods for volumetric light transport
- * simulation", 2018). The weights are those of the whole way since the last opaque surface: there bands have shares by what the path
- * carries, none of them less than {@link #LEAST_SHARE}, and from flight to flight they become what is left of these, as if each band had
- * walked by itself. So the product of all weights of a band stays below the inverse of its first share, however long the walk. Where
- * the extinction does not differ every flight has the weight 1, and every scattering that of the medium's albedo. A mutable work object,
- * one per thread.
+ * <p>Where extinction differs between bands, a distance is sampled for one of them, and weighted against all by the balance heuristic (A.
+ * Wilkie et al., "Hero wavelength spectral sampling", 2014; J. Novák et al., "Monte Carlo methods for volumetric light transport
+ * simulation", 2018). The probabilities of the bands belong to the whole walk since the last opaque surface: they begin in proportion to
+ * the throughput, none of them less than {@link #LEAST_SHARE}, and are multiplied by each flight's weights, as if each band had walked by
+ * itself. So the product of all weights of a band stays below the inverse of its first probability, however long the walk. Where extinction
+ * does not differ, every flight has weight 1, and every scattering event that of the albedo. A mutable work object, one per thread.
  */
 public final class FreeFlight {
     /** The least probability of a band when a walk begins. */
     private static final double LEAST_SHARE = 0.1;
 
-    /** In a medium without end nothing comes back from here. */
+    /** A flight in an unbounded medium that is longer than this, in the frame, never returns. */
     private static final double FAR = 0x1p100;
 
     private HomogeneousMedium medium;
 
-    /** Whether no flight has been drawn for a band since the walk began. */
+    /** Whether no band has been sampled since the walk began. */
     private boolean isFirst;
 
-    /** The probabilities of the bands for the next flight; of a walk that has begun. */
+    /** The probability of each band for the next flight of a walk that has begun. */
     private double shareR;
 
     private double shareG;
     private double shareB;
 
-    /** How far the path flies unless something is in its way. */
+    /** The sampled free-flight distance, in the frame; a surface may come before it. */
     public double length;
 
-    /** By band: what {@link #pass} or {@link #scatter} multiply what the path carries by. */
+    /** The throughput weight of the last {@link #pass}, {@link #scatter}, {@link #reach} or {@link #scatterAt}, by band. */
     public double weightR;
 
     public double weightG;
     public double weightB;
 
-    /** Begins a walk: what was flown until now does not matter for the next flight's band. */
+    /** Begins a walk, whose first band is sampled by the throughput alone. */
     public void begin() {
         isFirst = true;
     }
 
     /**
-     * Draws the length of a flight.
+     * Samples the free-flight distance.
      *
-     * @param r how much the path carries of red, and so on
-     * @param u uniform in 0..1: the length
+     * @param r throughput of red; g and b that of green and blue
+     * @param u uniform in 0..1: the distance
      * @param v uniform in 0..1: the band
      */
     public void draw(HomogeneousMedium in, double r, double g, double b, double u, double v) {
@@ -65,7 +64,7 @@ public final class FreeFlight {
         length = extinction > 0 ? -StrictMath.log1p(-u) / extinction : Double.POSITIVE_INFINITY;
     }
 
-    /** Sets the shares by what the path carries. */
+    /** Sets the probabilities of the bands in proportion to the throughput. */
     private void share(double r, double g, double b) {
         double sum = r + g + b;
         double scale = sum > 0 ? (1 - 3 * LEAST_SHARE) / sum : 0;
@@ -75,7 +74,7 @@ public final class FreeFlight {
         shareB = Math.fma(b, scale, least);
     }
 
-    /** The probability density, per length, of flights that end so far away. */
+    /** The density, per length of the frame, of flights that end by scattering at this distance. */
     public double density(double flown) {
         HomogeneousMedium m = medium;
         if (m.isGrey) {
@@ -86,19 +85,22 @@ public final class FreeFlight {
                 + shareB * m.extinctionB * transmittance(m.extinctionB, flown);
     }
 
-    /** Sets the weights of light that is scattered so far away, per length: of whatever comes there along the flight, for sure. */
+    /**
+     * Sets the weights of scattering at this distance, per length, without the density of flights: scattering coefficient times
+     * transmittance.
+     */
     public void scatterAt(double flown) {
         weightR = medium.scatteringR * transmittance(medium.extinctionR, flown);
         weightG = medium.scatteringG * transmittance(medium.extinctionG, flown);
         weightB = medium.scatteringB * transmittance(medium.extinctionB, flown);
     }
 
-    /** Whether the flight leaves everything behind. */
+    /** Whether the flight leaves the scene unless a surface comes before. */
     public boolean isEndless() {
         return length > FAR;
     }
 
-    /** Sets the weights of a flight without scattering: transmittances over their mean. */
+    /** Sets the weights of a flight of this length without scattering: transmittances over their mean. The walk goes on. */
     public void pass(double flown) {
         if (medium.isGrey) {
             set(flown == Double.POSITIVE_INFINITY && medium.extinctionR > 0 ? 0 : 1);
@@ -109,8 +111,8 @@ public final class FreeFlight {
     }
 
     /**
-     * Sets the weights of having come so far, no farther than {@link #length}, whatever follows: transmittances over their mean. The flight
-     * goes on as before.
+     * Sets the weights of reaching this distance, at most {@link #length}, whatever follows: transmittances over their mean. Unlike
+     * {@link #pass} it leaves the flight as it is.
      */
     public void reach(double flown) {
         if (medium.isGrey) {
@@ -120,7 +122,10 @@ public final class FreeFlight {
         }
     }
 
-    /** The same of one that ends by scattering. */
+    /**
+     * Sets the weights of a flight that ends by scattering at {@link #length}: scattering coefficient times transmittance, over the mean of
+     * extinction times transmittance. The walk goes on.
+     */
     public void scatter() {
         HomogeneousMedium m = medium;
         if (m.isGrey) {
@@ -139,7 +144,7 @@ public final class FreeFlight {
         weightB = weight;
     }
 
-    /** Numbers by band times transmittances, over the mean of other numbers times transmittances. */
+    /** Sets the weights to numbers by band times transmittances, over the mean of other numbers times transmittances. */
     private void weigh(double flown, double r, double g, double b, double overR, double overG, double overB) {
         double red = transmittance(medium.extinctionR, flown);
         double green = transmittance(medium.extinctionG, flown);
@@ -151,7 +156,7 @@ public final class FreeFlight {
         weightB = b * blue * scale;
     }
 
-    /** The shares change as what the path carries does. */
+    /** Multiplies the probabilities of the bands by the weights. */
     private void carryOn() {
         double red = shareR * weightR;
         double green = shareG * weightG;

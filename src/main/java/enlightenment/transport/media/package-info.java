@@ -1,2 +1,2 @@
-/** Free flight in media: distances to the next collision, by transmittance or by the angle under which a light is seen. */
+/** Distance sampling in media: free flights by transmittance, and equiangular sampling towards a light. */
 package enlightenment.transport.media;

@@ -6,16 +6,16 @@ import enlightenment.primitive.Ray;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.world.material.SurfaceMaterial;
 
-/** What share of light a surface reflects: for pictures of that alone. */
+/** Reflectance of surfaces, for pictures of it. */
 final class Albedo {
     private Albedo() {}
 
     /**
-     * Turns the colour of the surface that a path is at into its reflectance.
+     * Converts the colour of the current surface to its reflectance.
      *
-     * @param hasUltraviolet whether there is light beyond violet, which fluorescent surfaces show
-     * @param rgb the colour; receives what share of light that comes along the normal is reflected, by band; of a fluorescent surface, how
-     *     much leaves of light that has the same in all bands that there are
+     * @param hasUltraviolet whether the scene has ultraviolet, which fluorescent surfaces show
+     * @param rgb the colour; receives the reflectance at normal incidence, 0..1 by band; of a fluorescent surface the reflected and
+     *     re-emitted light per incident light that is equal in all bands
      */
     static void find(PathFollower path, Ray ray, SurfaceMaterial material, boolean hasUltraviolet, double[] rgb) {
         if (material.reradiation != null) {

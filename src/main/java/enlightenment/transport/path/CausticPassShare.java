@@ -10,8 +10,8 @@ import enlightenment.transport.state.PathVertex;
 import enlightenment.world.light.CausticPass;
 
 /**
- * The share of the caustic pass, which makes its paths from the lights (docs/notes/caustics.md): light that mirrors or smooth glass, and narrow lobes
- * of small lights, send to a vertex that can be connected to the eye. Paths from the eye add nothing in its place. Immutable.
+ * The strategy of the caustic pass, whose paths begin at lights (docs/notes/caustics.md): it samples light that mirrors, smooth glass or,
+ * of small lights, narrow lobes send to a vertex that can be connected to the eye. Paths from the eye add nothing in its place. Immutable.
  */
 public final class CausticPassShare implements PathStrategy {
     private final CausticPass pass;
@@ -22,7 +22,7 @@ public final class CausticPassShare implements PathStrategy {
         takesNarrow = pass.takesNarrow();
     }
 
-    /** Whether the pass may sample what this BSDF makes of small lights. */
+    /** Whether the caustic pass samples light of small lights that this BSDF reflects. */
     public boolean isNarrow(Bsdf bsdf) {
         return takesNarrow && bsdf.isNarrow();
     }

@@ -14,7 +14,7 @@ import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
-/** Follows paths from the eye, of which each is worth what it gathers on its way. One per thread. */
+/** The base of tracers that follow a path from each camera ray and return the radiance it gathers. One per thread. */
 abstract class EyePathTracer implements Shader {
     final PhysicalScene physical;
     final PathFollower path;
@@ -22,21 +22,21 @@ abstract class EyePathTracer implements Shader {
 
     final PathState state = new PathState();
 
-    /** What the eye sees of lamps in pixels that they do not cover entirely. */
+    /** Emission that the eye sees directly, in pixels that the emitter's image covers in part. */
     final EyeImages images;
 
-    /** The colour of the surface that the path is at, then the weight of what happened there. */
+    /** The colour of the current surface; after a scattering event the event's weight, by band. */
     final double[] surface = new double[3];
 
     final double[] pair = new double[2];
 
-    /** A rough border of two media that the path is at. */
+    /** The scattering at a rough interface of two media. */
     final Scattering border = new Scattering();
 
     /**
      * @param scene whose shading is physical
-     * @param counters what this thread counts
-     * @param showsLamps whether light that comes to the eye straight counts
+     * @param counters of this thread
+     * @param showsLamps whether emission that the eye sees directly is included
      */
     EyePathTracer(CompiledScene scene, RayCounters counters, PathValue value, boolean showsLamps) {
         physical = scene.physical;
@@ -67,7 +67,7 @@ abstract class EyePathTracer implements Shader {
         path.poll.stopWhen(condition);
     }
 
-    /** Starts a path. */
+    /** Begins a path at a camera ray. */
     final void beginPath(Ray ray, Sampler sampler) {
         state.begin();
         path.begin(ray, sampler);
@@ -76,9 +76,9 @@ abstract class EyePathTracer implements Shader {
     }
 
     /**
-     * At glass the path crosses the border or is reflected; the surface's colour becomes the weight of that.
+     * Crosses the current interface of glass, or is reflected; {@link #surface} becomes the weight of that event.
      *
-     * @param choice which of the two, 0..1; {@link #pair} has the direction
+     * @param choice selects reflection or transmission, 0..1; {@link #pair} selects the direction
      */
     final void cross(Ray ray, double choice) {
         path.glass.choose(choice, pair);

@@ -8,39 +8,39 @@ import enlightenment.transport.state.IncidentLight;
 import java.util.Arrays;
 
 /**
- * What rough vertices make of light that paths share: by direction, where matte ones make the same of all of it. First vertices are in the
- * order of {@link PathConnections}. One per thread.
+ * Path reuse at rough vertices, whose reflection depends on direction (at matte ones it does not). First vertices are in the order of
+ * {@link PathConnections}. One per thread.
  */
 final class LobeShares {
-    /** By first vertex: how it scatters, null if it is matte; and, for rough ones, where. */
+    /** By first vertex, its BSDF and scattering geometry if it is rough; null if it is matte. */
     private Bsdf[] lobes = {};
 
     private ScatteringBatch at;
 
-    /** Whether any is rough. */
+    /** Whether any first vertex is rough. */
     private boolean hasRough;
 
-    /** By first vertex: how much of the radiance that leaves a second one it makes visible, per density: of a matte one its colour. */
+    /** By first vertex, BSDF times cosine over density, for radiance from the current second vertex; of a matte one its colour. */
     private double[] red;
 
     private double[] green;
     private double[] blue;
 
-    /** By first vertex: the radiance that it has gained. */
+    /** By first vertex, the radiance that other paths have added. */
     private double[] gainedR;
 
     private double[] gainedG;
     private double[] gainedB;
 
-    /** A rough second vertex, by the first ones that it reflects light to. */
+    /** The scattering at a rough second vertex, a column for each first vertex that it reflects light to. */
     private ScatteringBatch from;
 
     private int count;
 
-    /** How often a rough surface was asked since {@link #begin}. */
+    /** The number of BSDF evaluations since {@link #begin}. */
     private int evaluations;
 
-    /** How often light was divided since then, and the sum of the squares of the shares. */
+    /** The number of divisions of light since {@link #begin}, and the sum over them of the squared shares. */
     private int divisions;
 
     private double squares;
@@ -61,7 +61,7 @@ final class LobeShares {
         from = new ScatteringBatch(size);
     }
 
-    /** Forgets all first vertices, for so many others. */
+    /** Begins a group with this number of first vertices. */
     void begin(int size) {
         hasRough = false;
         count = size;
@@ -73,7 +73,7 @@ final class LobeShares {
         Arrays.fill(gainedB, 0, size, 0);
     }
 
-    /** Sets a first vertex. */
+    /** Sets first vertex n. */
     void set(int n, PathCut path) {
         lobes[n] = path.firstLobes;
         if (path.firstLobes == null) {
@@ -92,9 +92,9 @@ final class LobeShares {
     }
 
     /**
-     * Finds the densities of rough first vertices, times π, with which they would have found the second one.
+     * Finds the densities, times π, with which rough first vertices would have sampled the direction to the second one.
      *
-     * @param shares receives them; has those of matte ones
+     * @param shares receives them; already holds those of matte ones
      */
     void find(Hit second, double[] x, double[] y, double[] z, double[] shares) {
         for (int n = 0, end; n < count; n = end) {
@@ -151,7 +151,7 @@ final class LobeShares {
             double dx = x[n] - px;
             double dy = y[n] - py;
             double dz = z[n] - pz;
-            // Where both are the same point no light goes from one to the other.
+            // Coincident points would divide by 0; no light goes from one to the other.
             double scale = sign / Math.sqrt(Math.max(dx * dx + dy * dy + dz * dz, Double.MIN_NORMAL));
             toX[n] = dx * scale;
             toY[n] = dy * scale;
@@ -159,7 +159,7 @@ final class LobeShares {
         }
     }
 
-    /** Divides the radiance that leaves a matte second vertex, which is given over the sum of the shares. */
+    /** Divides the radiance that leaves a matte second vertex, given as its ratio to the sum of the shares. */
     void giveMatte(double[] shares, double sum, double r, double g, double b) {
         double square = 0;
         for (int n = 0; n < count; n++) {
@@ -173,7 +173,7 @@ final class LobeShares {
         }
     }
 
-    /** Divides what a rough second vertex reflects of what arrives there. */
+    /** Divides the light that a rough second vertex reflects. */
     void giveRough(PathCut giver, double[] x, double[] y, double[] z, double[] shares) {
         aim(from.ox, from.oy, from.oz, giver.second, 1, x, y, z, 0, count);
         fill(from.nx, from.ny, from.nz, giver.atSecond.nx, giver.atSecond.ny, giver.atSecond.nz);
@@ -205,7 +205,7 @@ final class LobeShares {
         Arrays.fill(c, 0, count, z);
     }
 
-    /** Divides radiance that arrives by all densities with which all paths would have found the same: that of the light, and the lobe's. */
+    /** Divides incident radiance over the sum of all densities with which all paths would have sampled it: the light's and the lobe's. */
     private void give(double[] shares, double ofLight, double byLobe, double r, double g, double b) {
         if (!(r > 0 || g > 0 || b > 0)) {
             return;
@@ -235,22 +235,22 @@ final class LobeShares {
         squares += square / sum / sum;
     }
 
-    /** How often light was divided by what rough surfaces make of it. */
+    /** The number of divisions of light by rough surfaces. */
     int divisions() {
         return divisions;
     }
 
-    /** The sum over these of the squares of the shares. */
+    /** The sum over these divisions of the squared shares. */
     double squares() {
         return squares;
     }
 
-    /** How often a rough surface was asked what it makes of light between two directions, for all second vertices. */
+    /** The number of BSDF evaluations at rough surfaces, for all second vertices. */
     int evaluations() {
         return evaluations;
     }
 
-    /** Adds what first vertices have gained to their paths. */
+    /** Adds the radiance that first vertices have gained to their paths. */
     void finish(int[] pathOf, double[][] out) {
         for (int n = 0; n < count; n++) {
             double[] rgb = out[pathOf[n]];
@@ -260,7 +260,7 @@ final class LobeShares {
         }
     }
 
-    /** Writes what the second vertex of a path brings it if nothing is shared; 0 if it gives nothing. */
+    /** Writes the radiance of a path by its own second vertex, without reuse; 0 if the path was not cut. */
     static void alone(PathCut path, double[] out) {
         out[0] = 0;
         out[1] = 0;

@@ -14,13 +14,13 @@ import java.util.Arrays;
  * are kept in a structure of arrays, for loops that the compiler vectorizes.
  */
 public final class PathConnections {
-    /** First vertices on more surfaces than this count as on one, which is none. */
+    /** First vertices on further surfaces count as on one that has no id. */
     private static final int MOST_SURFACES = 6;
 
     private final Tracer tracer;
     private final Ray ray = new Ray();
 
-    /** By surface: its id, how many first vertices lie on it and where they end in the arrays, and those as ends of segments. */
+    /** By surface: its id, the end of its first vertices in the arrays, and the first vertices as ends of segments. */
     private final int[] surfaces = new int[MOST_SURFACES];
 
     private final int[] sizes = new int[MOST_SURFACES];
@@ -31,7 +31,7 @@ public final class PathConnections {
     /** By path: the index of the surface that its first vertex lies on. */
     private int[] surfaceOf = {};
 
-    /** By first vertex, in the order of surfaces: its path, place, normal towards the side it is seen from, and albedo. */
+    /** By first vertex, in the order of surfaces: its path, position, normal towards the side it is seen from, and albedo. */
     private int[] pathOf = {};
 
     private double[] x;
@@ -45,7 +45,7 @@ public final class PathConnections {
     private double[] blue;
     private int count;
 
-    /** By first vertex: its share of what is given, and the radiance that it has gained. */
+    /** By first vertex: its share of the current second vertex's radiance, and the radiance that it has gained. */
     private double[] shares;
 
     private double[] gainedR;
@@ -87,17 +87,17 @@ public final class PathConnections {
         }
     }
 
-    /** How often a rough surface was asked what it makes of light between two directions when paths shared last. */
+    /** The number of BSDF evaluations at rough surfaces in the last {@link #share}. */
     public int evaluations() {
         return lobes.evaluations();
     }
 
-    /** How often light was divided then by what rough surfaces make of it. */
+    /** The number of divisions of light by rough surfaces in the last {@link #share}. */
     public int divisions() {
         return lobes.divisions();
     }
 
-    /** The sum over these of the squares of the shares: 1 each where all went to one path, less where many took a part. */
+    /** The sum over these divisions of the squared shares: 1 where all light went to one path, less where several received a part. */
     public double squares() {
         return lobes.squares();
     }
@@ -126,12 +126,12 @@ public final class PathConnections {
         lobes.begin(count);
     }
 
-    /** The primitive if rays that leave it never meet it again, else −1: they may meet other elements of it. */
+    /** The id to leave out of tests of rays that leave the surface; -1 if it has several elements, as rays may hit others of them. */
     private static int left(Hit at, int id) {
         return at.primitive.hasElements() ? -1 : id;
     }
 
-    /** The index of a surface. */
+    /** The index of a surface, which is added if it is new. */
     private int surface(Hit at, int id) {
         for (int k = 0; k < surfaceCount; k++) {
             if (surfaces[k] == id) {
@@ -167,7 +167,7 @@ public final class PathConnections {
         gainedB = new double[size];
     }
 
-    /** Puts first vertices in the order of their surfaces, of which each has its end moved behind them. */
+    /** Puts first vertices in the order of their surfaces, and moves each surface's end behind them. */
     private void order(PathCut[] paths, int size) {
         for (int p = 0; p < size; p++) {
             if (paths[p].takes) {
@@ -223,7 +223,10 @@ public final class PathConnections {
         }
     }
 
-    /** The density per area, but for a factor, with which paths from the first vertices would find a second one, if they see it. */
+    /**
+     * Sets the densities per area, up to a common factor, with which paths from the first vertices would have found a second one,
+     * visibility aside.
+     */
     private void findShares(double bx, double by, double bz, double mx, double my, double mz) {
         for (int k = 0; k < count; k++) {
             double dx = x[k] - bx;

@@ -12,21 +12,21 @@ import enlightenment.transport.state.PathValue;
 import enlightenment.world.surface.SurfaceInteraction;
 
 /**
- * A path that is cut at its second vertex, so that what comes from there can be shared: by all paths whose first vertices see it
- * (P. Bekaert, M. Sbert and J. Halton, "Accelerating path tracing by re-using paths", 2002).
+ * A path that is cut at its second vertex, so that the light there is shared with all paths whose first vertices see it (P. Bekaert, M.
+ * Sbert and J. Halton, "Accelerating path tracing by re-using paths", 2002).
  *
- * <p>It can be if both vertices are opaque, no mirrors, and surfaces that a ray which leaves them cannot meet again: flat, or convex from
- * outside. If the second is matte, the light that leaves it is the same in all directions. If it is rough, what arrives there is shared
- * with the directions that it comes from: a light that was sampled, and what was met in the direction that the path went on.
+ * <p>A path is cut only if both vertices are opaque, not mirrors, and on surfaces that a ray which leaves them cannot meet again: flat, or
+ * convex from outside. The radiance that leaves a matte second vertex is the same in all directions. At a rough one incident light is
+ * shared together with its direction: the light sample, and the emission met in the direction of the BSDF sample.
  */
 public final class PathCut {
-    /** How many events the path has had when it comes from the vertex that it was cut at. */
+    /** The number of events of a path at the vertex after the cut. */
     private static final int EVENTS = 2;
 
-    /** Whether the first vertex can take light from the second ones of other paths. */
+    /** Whether the first vertex can receive light from second vertices of other paths. */
     boolean takes;
 
-    /** Whether the second vertex can give light to the first ones of other paths. */
+    /** Whether the second vertex can give light to first vertices of other paths. */
     boolean gives;
 
     final Hit first = new Hit();
@@ -37,29 +37,29 @@ public final class PathCut {
     /** The colour of the first vertex if it is matte. */
     final double[] albedo = new double[3];
 
-    /** How the first vertex scatters, and where; null if it is matte. */
+    /** The BSDF of the first vertex, and its scattering geometry; null if it is matte. */
     Bsdf firstLobes;
 
     final Scattering atFirst = new Scattering();
 
-    /** The same of the second. */
+    /** The BSDF of the second vertex, and its scattering geometry; null if it is matte. */
     Bsdf secondLobes;
 
     final Scattering atSecond = new Scattering();
 
-    /** What the path brings without what leaves the second vertex. */
+    /** The radiance of the path without the part that leaves the second vertex. */
     final double[] own = new double[3];
 
     /**
-     * Radiance that leaves a matte second vertex, but for its own emission; or that arrives at a rough one, but for {@link #lamp} and
-     * {@link #met}.
+     * Of a matte second vertex, the radiance that leaves it without its own emission; of a rough one, incident radiance in the direction of
+     * the BSDF sample, without {@link #lamp} and {@link #met}.
      */
     final double[] given = new double[3];
 
-    /** The light that was sampled at a rough second vertex. */
+    /** The light sample at a rough second vertex. */
     final IncidentLight lamp = new IncidentLight();
 
-    /** Whether the path went on from there; and in which direction. */
+    /** Whether there was a BSDF sample at the rough second vertex, and its direction. */
     boolean wentOn;
 
     double onX;
@@ -67,18 +67,19 @@ public final class PathCut {
     double onZ;
 
     /**
-     * Radiance of a light that it met straight, and the density with which this would have been sampled at the vertex; 0 if it met none.
+     * Emission of a light that the BSDF sample met directly, and the density with which next-event estimation would have sampled it; 0 if
+     * it met none.
      */
     final double[] met = new double[3];
 
     double metDensity;
 
-    /** A path that is yet to be followed. */
+    /** Makes a path that shares nothing, to be passed to {@link PathIntegrator#shade}. */
     public PathCut() {}
 
     /**
-     * Whether a ray that leaves the surface there cannot meet it again, or knows the element that it does not meet; in empty space, and where it
-     * coincides with no other.
+     * Whether light can be shared at the current surface: in empty space, without coincident surfaces, and where a ray that leaves cannot
+     * hit the same surface again, or only other elements of it.
      */
     private static boolean isOpen(PathFollower path) {
         Primitive p = path.at.hit.primitive;
@@ -94,12 +95,12 @@ public final class PathCut {
     }
 
     /**
-     * Notes a matte vertex if it is the first: others may give to it if it is sure that its path goes on; or cuts the path if it is the
-     * second: from here on it is worth what leaves this. Surfaces are counted with panes, which are no events: what is shared has come
-     * straight.
+     * Records a matte vertex. The first receives light from other paths if its own path is sure to continue; the second cuts the path,
+     * whose value is relative to it from then on. Thin slabs count as surfaces although they are no events, so shared light has passed
+     * none.
      *
-     * @param color of the surface there
-     * @param isFluorescent whether what it makes of light is more than its colour says: then it takes none from others
+     * @param color of the surface
+     * @param isFluorescent whether the surface re-emits light in other bands: then it receives none from other paths
      */
     void note(PathFollower path, double[] color, PathValue value, boolean isFluorescent) {
         if (path.surfaces == 0 && !isFluorescent) {
@@ -120,9 +121,9 @@ public final class PathCut {
     }
 
     /**
-     * The same for a rough vertex, where paths that may be cut go on without roulette.
+     * Records a rough vertex, where paths that may be cut continue without Russian roulette.
      *
-     * @param s what is known of it
+     * @param s the scattering there
      * @param mayGive whether light can be shared there
      * @return whether the path is cut here
      */
@@ -158,7 +159,7 @@ public final class PathCut {
         }
     }
 
-    /** The path goes on from a rough second vertex. */
+    /** Records the BSDF sample at a rough second vertex. */
     void leave(Scattering s) {
         wentOn = true;
         onX = s.ix;
@@ -166,28 +167,32 @@ public final class PathCut {
         onZ = s.iz;
     }
 
-    /** Whether the path has come straight from a rough vertex that it was cut at. */
+    /** Whether the path has come directly from the rough vertex that it was cut at. */
     boolean isLeft(PathState state) {
         return gives && secondLobes != null && state.events == EVENTS;
     }
 
-    /** It meets a light then. */
+    /**
+     * Records the light that the BSDF sample has met.
+     *
+     * @param density with which next-event estimation would have sampled it
+     */
     void meet(SurfaceInteraction light, PathValue value, double density) {
         metDensity = density;
         value.getEmission(light, met);
     }
 
-    /** Writes what the path brings without what leaves the second vertex. */
+    /** Writes the radiance of the path without the part that leaves the second vertex. */
     public void own(double[] out) {
         System.arraycopy(own, 0, out, 0, 3);
     }
 
-    /** Writes what the second vertex brings the path if nothing is shared; 0 if it gives nothing. */
+    /** Writes the radiance of the path by its own second vertex, without reuse; 0 if the path was not cut. */
     public void bringsAlone(double[] out) {
         LobeShares.alone(this, out);
     }
 
-    /** Whether the second vertex can give light to the first ones of other paths. */
+    /** Whether the second vertex can give light to first vertices of other paths. */
     public boolean gives() {
         return gives;
     }

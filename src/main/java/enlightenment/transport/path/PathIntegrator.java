@@ -28,16 +28,16 @@ import java.util.Arrays;
 public final class PathIntegrator extends EyePathTracer {
     private final PathVertex vertex = new PathVertex();
 
-    /** Direct light at every vertex that does not scatter into single directions. */
+    /** Next-event estimation at every vertex but those of delta events. */
     private final NextEventEstimation nextEvent;
 
-    /** What paths from lights make; null if the scene has no pass of them. */
+    /** The strategy of the caustic pass, whose paths begin at lights; null if the scene has none. */
     private final CausticPassShare causticPass;
 
-    /** Caustics of mirror balls where the eye sees them in mirrors or through glass; null without such balls. */
+    /** The strategy for caustics of mirror balls that the eye sees in mirrors or through glass; null without such balls. */
     private final MirrorCaustics mirrorCaustics;
 
-    /** Follows paths through media that scatter light; null if there are none. */
+    /** Follows paths through scattering media; null if there are none. */
     private final RandomWalk walk;
 
     private final PathConnections connections;
@@ -48,20 +48,20 @@ public final class PathIntegrator extends EyePathTracer {
 
     private int followed;
 
-    /** Where the path is cut; null for a path that is whole. */
+    /** The path to be cut for path reuse; null if it is followed to its end. */
     private PathCut cut;
 
-    /** For one thread that follows whole paths. */
+    /** For one thread that estimates all light of each path. */
     public PathIntegrator(CompiledScene scene, RayCounters counters) {
         this(scene, counters, PathPart.WHOLE);
     }
 
-    /** For one thread, which counts there, and a scene of physical shading; of each path this part is wanted. */
+    /** For one thread and a scene of physical shading: estimates one part of the light of each path. */
     public PathIntegrator(CompiledScene scene, RayCounters counters, PathPart part) {
         this(scene, counters, part, scene.physical.hasCausticPass());
     }
 
-    /** @param hasCausticPass whether what a pass of caustics makes is left out, and what it cannot make is sampled in another way */
+    /** Makes the caustic pass's light be left out, and what it cannot sample be sampled in another way, if hasCausticPass. */
     public PathIntegrator(CompiledScene scene, RayCounters counters, boolean hasCausticPass) {
         this(scene, counters, PathPart.WHOLE, hasCausticPass);
     }
@@ -92,28 +92,24 @@ public final class PathIntegrator extends EyePathTracer {
         value.get(out);
     }
 
-    /**
-     * Follows a path no further than {@link #certain} takes it, whose value is the same after it as after {@link #shade}.
-     *
-     * @param ray the camera ray, within the tile; the path overwrites it
-     */
+    /** Follows a path up to its first random decision: {@link #certain} then returns the same as after {@link #shade}. */
     public void glimpse(Ray ray, Sampler sampler) {
         begin(ray, sampler);
         while (step(ray, sampler) && value.certain) {}
     }
 
     /**
-     * The deterministic part of the last path's value, which depends on the position on the film only: emission seen directly or in
-     * mirrors, and at the first matte surface the closed-form light of lamps that nothing can occlude there, and of point lights.
+     * The deterministic part of the last path's radiance, a function of the film position alone: emission seen directly or in mirrors, and
+     * at the first matte surface the closed forms of lamps that nothing can occlude there, and of point lights.
      *
-     * @param out receives its radiance: red, green and blue, linear
+     * @param out receives the radiance: red, green and blue, linear
      * @return a 64-bit hash of the surfaces that were hit, and of which lamps are hidden, fully visible or undecided there
      */
     public long certain(double[] out) {
         return value.certain(out, path.key);
     }
 
-    /** As {@link #shade}, for a path that may be shared: {@code out} receives it, worth what {@link #connections} make of it. */
+    /** As {@link #shade(Ray, Sampler, double[])}, but cuts the path at its second vertex if it can, for {@link #connections}. */
     public void shade(Ray ray, Sampler sampler, PathCut out) {
         cut = out;
         cut.clear();
@@ -122,12 +118,12 @@ public final class PathIntegrator extends EyePathTracer {
         cut = null;
     }
 
-    /** What connects paths of this thread that may be shared. */
+    /** Connects this thread's paths that were cut. */
     public PathConnections connections() {
         return connections;
     }
 
-    /** How many scattering events the last path went on from. */
+    /** The number of scattering events after which the last path continued. */
     public int events() {
         return followed;
     }
@@ -147,7 +143,7 @@ public final class PathIntegrator extends EyePathTracer {
         } while (step(ray, sampler));
     }
 
-    /** One vertex of the path: finds it, adds its emission and its direct light, and samples how the path goes on; whether it does. */
+    /** Processes one vertex: finds it, adds emission and direct light, samples the next direction; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
         value.disperse();
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
@@ -165,7 +161,7 @@ public final class PathIntegrator extends EyePathTracer {
         return event == PathFollower.Event.SURFACE ? surface(ray, sampler) : glass(ray, sampler);
     }
 
-    /** Adds what comes from where the path has left the scene. */
+    /** Adds the surroundings' radiance where the path has left the scene. */
     private void escape(Ray ray) {
         if (!isAlbedo) {
             nextEvent.escape(ray, state, causticPass == null || !state.isSampledByCausticPass());
@@ -173,7 +169,7 @@ public final class PathIntegrator extends EyePathTracer {
         }
     }
 
-    /** At an opaque surface. */
+    /** Shades an opaque surface; returns whether the path goes on. */
     private boolean surface(Ray ray, Sampler sampler) {
         SurfaceMaterial material = path.at.material;
         if (material.glows && !isAlbedo) {
@@ -195,7 +191,7 @@ public final class PathIntegrator extends EyePathTracer {
                 : rough(ray, path.at.bsdf, material.reradiation, sampler);
     }
 
-    /** Adds what the surface emits, by the share of it that no other strategy finds. */
+    /** Adds the surface's emission, times its MIS weight. */
     private void addEmission(Ray ray) {
         if (cut != null && cut.isLeft(state) && meetAtCut(ray)) {
             return;
@@ -206,7 +202,7 @@ public final class PathIntegrator extends EyePathTracer {
         }
     }
 
-    /** The weight of emission that the path hits: what the other strategies, of which each path has one at most, leave of it. */
+    /** The MIS weight of emission that the path hits: the product of those of all other strategies ({@link PathStrategy#weightOfHit}). */
     private double weightOfHit(Ray ray) {
         int light = path.at.light;
         double weight = causticPass == null ? 1 : causticPass.weightOfHit(state, ray, light);
@@ -219,7 +215,7 @@ public final class PathIntegrator extends EyePathTracer {
         return weight;
     }
 
-    /** A mirror. */
+    /** Reflects the path at a mirror; returns whether it goes on. */
     private boolean reflect(Ray ray, SurfaceMaterial material, Sampler sampler) {
         int mirror = path.at.id;
         if (!path.scatter(ray, material, surface, 0, 0, 0)) {
@@ -229,11 +225,7 @@ public final class PathIntegrator extends EyePathTracer {
         return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
-    /**
-     * A Lambertian surface, where direct light has closed forms.
-     *
-     * @param dye what makes it fluorescent; null for none
-     */
+    /** Shades a Lambertian surface, where direct light has closed forms; dye is that of a fluorescent surface, else null. */
     private boolean matte(Ray ray, Reradiation dye, Sampler sampler) {
         if (cut != null && path.surfaces < 2) {
             cut.note(path, surface, value, dye != null);
@@ -256,11 +248,7 @@ public final class PathIntegrator extends EyePathTracer {
         return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
     }
 
-    /**
-     * Any other lobes.
-     *
-     * @param dye what makes the surface fluorescent, as one with normals of its vertices may be; null for none
-     */
+    /** Shades a surface with any other BSDF; dye is that of a fluorescent surface (with vertex normals, say), else null. */
     private boolean rough(Ray ray, Bsdf bsdf, Reradiation dye, Sampler sampler) {
         if (dye != null && !value.scatter(dye, surface)) {
             return false;
@@ -268,7 +256,8 @@ public final class PathIntegrator extends EyePathTracer {
         value.leaveToChance(path.key);
         Scattering s = path.arrive(ray, surface);
         boolean isNarrow = causticPass != null && causticPass.isNarrow(bsdf);
-        // What comes to narrow lobes from narrow lobes is not shared with wide ones: the caustic pass makes it there.
+        // Path reuse skips narrow lobes: they gather light of other narrow lobes, which the caustic pass samples at
+        // wide vertices.
         if (!isNarrow
                 && !bsdf.hasDelta()
                 && !path.at.isSmooth()
@@ -303,7 +292,7 @@ public final class PathIntegrator extends EyePathTracer {
         return bsdf.sample(s, pair[0], pair[1], choice);
     }
 
-    /** A border of glass, or a pane. */
+    /** Scatters the path at an interface of glass, or at a thin slab; returns whether it goes on. */
     private boolean glass(Ray ray, Sampler sampler) {
         value.leaveToChance(path.key);
         sampler.pair(state.address, Sampler.Purpose.CHOICE, pair);
@@ -321,8 +310,9 @@ public final class PathIntegrator extends EyePathTracer {
         state.address++;
         cross(ray, choice);
         if (path.glass.passedStraight()) {
-            // No event: a path may be cut into any number of pieces. Shadow rays pass, too, so that the last vertex
-            // stays what it was.
+            // Passing straight is no event: an object may be cut into any number of pieces. Shadow rays pass, too: MIS
+            // keeps the last
+            // vertex.
             value.filter(surface[0], surface[1], surface[2]);
             return path.goesOn();
         }
@@ -340,7 +330,7 @@ public final class PathIntegrator extends EyePathTracer {
         return survives && path.goesOn();
     }
 
-    /** Adds direct light if the path is at a rough border; returns whether it is. */
+    /** Adds direct light if the path is at a rough interface; returns whether it is. */
     private boolean directAtBorder(Ray ray, Sampler sampler) {
         Bsdf bsdf = path.mayScatter() ? path.roughBorder(ray, border) : null;
         if (bsdf == null || !goesFurther()) {
@@ -361,7 +351,7 @@ public final class PathIntegrator extends EyePathTracer {
         return path.mayScatter() && goesFurther();
     }
 
-    /** At an event: whether the path goes on if it has been scattered; what it finds from here on is indirect then. */
+    /** Called at an event: returns whether the path may continue after it; light found from the next event on is indirect. */
     private boolean goesFurther() {
         if (state.hasScattered()) {
             value.beginIndirect();
@@ -369,7 +359,7 @@ public final class PathIntegrator extends EyePathTracer {
         return !(directOnly && state.hasScattered());
     }
 
-    /** Multiplies by the weight of the last event, and plays roulette where it is due. */
+    /** Multiplies the throughput by the weight of the last event, and plays Russian roulette where that is due. */
     private boolean survives(double r, double g, double b, Sampler sampler) {
         value.filter(r, g, b);
         if (value.isSafe(state) || cut != null && cut.takes && path.surfaces == 0) {
@@ -379,7 +369,7 @@ public final class PathIntegrator extends EyePathTracer {
         return value.survives(r, g, b, sampler, state);
     }
 
-    /** Leaves the vertex that the path is cut at: the radiance that arrives there is shared, and shaded by the paths that take it. */
+    /** Leaves the vertex at which the path is cut: incident radiance is stored there, and the paths that share it shade it. */
     private boolean leaveCut(Ray ray, Bsdf bsdf, Scattering s, Sampler sampler) {
         nextEvent.sample(sampler, state.address, cut.lamp);
         if (!sample(bsdf, s, sampler)) {
@@ -391,7 +381,7 @@ public final class PathIntegrator extends EyePathTracer {
         return path.goesOn();
     }
 
-    /** Tells the cut that the path has come straight from there to a light; returns whether a sample there might find it, too. */
+    /** Records in the cut that the path has hit a light next; returns whether next-event estimation could have sampled it, too. */
     private boolean meetAtCut(Ray ray) {
         double density = nextEvent.density(ray);
         if (density > 0 && path.at.emits()) {

@@ -21,7 +21,7 @@ import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * A path from the eye in media that scatter light: how far it flies freely, and when it ends.
+ * A path from the eye in scattering media: samples free flights, scatters the path, and plays Russian roulette.
  *
  * <p>One per thread, and only for scenes with such media.
  */
@@ -32,27 +32,27 @@ final class RandomWalk {
     private final FlightLight along;
     private final double[] pair = new double[2];
 
-    /** How many flights the path has begun: the address of the next one's numbers. */
+    /** The number of flights so far: the address of the next one's random numbers. */
     private int flights;
 
-    /** How often media have scattered the path since it left the last surface, or the eye. */
+    /** The number of scattering events in media since the path left the last surface, or the eye. */
     private int scatterings;
 
-    /** The medium that the path is in. */
+    /** The current medium. */
     private HomogeneousMedium medium;
 
-    /** Its index of refraction. */
+    /** Index of refraction of the current medium. */
     private double index;
 
     private final FreeFlight flight = new FreeFlight();
     private final RussianRoulette end = new RussianRoulette();
 
-    /** The point at which the path is scattered. */
+    /** The scattering in the medium: direction of the path and, once sampled, the next one. */
     final Scattering event = new Scattering();
 
     private final double[] white = {1, 1, 1};
 
-    /** What is wanted of paths. */
+    /** The part of the light that is estimated. */
     private final PathPart part;
 
     private RandomWalk(CompiledScene scene, RayCounters counters, PathFollower path, PathValue value, PathPart part) {
@@ -63,16 +63,16 @@ final class RandomWalk {
         along = new FlightLight(scene, counters, path);
     }
 
-    /** What follows a thread's paths through the media of a scene; null if it has none that scatter light. */
+    /** Makes the walk of one thread; null if no medium of the scene scatters light. */
     static RandomWalk of(CompiledScene scene, RayCounters counters, PathFollower path, PathValue value, PathPart part) {
         return scene.physical.hasScattering ? new RandomWalk(scene, counters, path, value, part) : null;
     }
 
     /**
-     * Follows the ray to what it meets next, or to where the medium that it is in scatters it.
+     * Traces the ray to its next event, or to the point where its medium scatters it.
      *
      * @param in the material of that medium, or null in empty space
-     * @return what {@link PathFollower#next} says; null if the medium scatters it first: then the path is there
+     * @return the event of {@link PathFollower#next}; null if the medium scatters the path first, which is then at that point
      */
     PathFollower.Event next(Ray ray, SurfaceMaterial in, PathState state, Sampler sampler) {
         if (path.surfaces == 0) {
@@ -123,12 +123,12 @@ final class RandomWalk {
         scatterings = 0;
     }
 
-    /** Whether light is gathered where the medium scatters the path. */
+    /** Whether there is next-event estimation where the medium scatters the path. */
     private boolean gathers() {
         return index == 1 || physical.lightsLieInGlass;
     }
 
-    /** Whether light that is scattered once on the flight is wanted. */
+    /** Whether single scattering along the flight is estimated by equiangular sampling. */
     private boolean gathersOn(PathState state) {
         return gathers()
                 && path.mayScatter()
@@ -148,14 +148,14 @@ final class RandomWalk {
     }
 
     /**
-     * Gathers light where the medium scatters the path, and lets it go on from there.
+     * Adds direct light where the medium scatters the path, and samples the next direction.
      *
      * @param vertex is overwritten
      * @return whether the path goes on
      */
     boolean scatter(Ray ray, NextEventEstimation direct, PathVertex vertex, PathState state, Sampler sampler) {
         if (part == PathPart.ALBEDO) {
-            // The flight has multiplied the throughput by it.
+            // The flight has multiplied the throughput by the albedo.
             return value.endsWith(white);
         }
         PathEvent kind = index == 1 ? PathEvent.MEDIUM : PathEvent.REFRACTIVE_MEDIUM;
@@ -176,14 +176,14 @@ final class RandomWalk {
         return survives(sampler, state);
     }
 
-    /** Plays roulette where the medium scattered the path: by its throughput now, against what that was before. */
+    /** Plays Russian roulette where the medium scattered the path, by its throughput now over that before the flight. */
     private boolean survives(Sampler sampler, PathState state) {
         double survival = end.survival(
                 value.throughput.sum(), path.at.hit.px, path.at.hit.py, path.at.hit.pz, value.isSafe(state));
         return survival == 1 || value.survives(survival, sampler, state);
     }
 
-    /** Multiplies by the weight of an event at a border of media, and plays roulette. */
+    /** Multiplies by the weight of an event at an interface of media, and plays Russian roulette. */
     boolean survives(double[] weight, Sampler sampler, PathState state) {
         value.filter(weight[0], weight[1], weight[2]);
         double survival = end.survivalAtBorder(weight[0], weight[1], weight[2]);

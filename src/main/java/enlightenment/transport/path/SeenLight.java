@@ -9,15 +9,15 @@ import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * What the eye sees of things that glow and of the surroundings, straight or by way of mirrors and smooth glass: light that no path from
- * its source can be connected to the eye with ({@code LightTracer}). Paths end at the first surface that scatters light otherwise.
+ * Emission and surroundings that the eye sees directly or by way of mirrors and smooth glass: light of no path that {@code LightTracer} can
+ * connect to the eye. Paths end at the first surface with another kind of lobe.
  */
 public final class SeenLight extends EyePathTracer {
     /**
      * For one thread.
      *
      * @param scene whose shading is physical
-     * @param counters what this thread counts
+     * @param counters of this thread
      */
     public SeenLight(CompiledScene scene, RayCounters counters) {
         super(scene, counters, new PathValue(), true);
@@ -31,7 +31,7 @@ public final class SeenLight extends EyePathTracer {
         value.get(out);
     }
 
-    /** Follows the ray to the next event; returns whether the path goes on. */
+    /** Traces the ray to its next event; returns whether the path goes on. */
     private boolean step(Ray ray, Sampler sampler) {
         value.disperse();
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
@@ -89,7 +89,7 @@ public final class SeenLight extends EyePathTracer {
         return survives(sampler) && path.goesOn();
     }
 
-    /** Multiplies by the weight of an event, and plays roulette where it is due. */
+    /** Multiplies the throughput by the weight of an event, and plays Russian roulette where that is due. */
     private boolean survives(Sampler sampler) {
         double r = surface[0];
         double g = surface[1];

@@ -2,16 +2,17 @@ package enlightenment.transport.ray;
 
 import enlightenment.primitive.Ray;
 
-/** How rays leave the vertex that a path is at: towards lights, the eye, or other vertices. */
+/** Starts rays at the current vertex of a path: towards lights, the eye, or other vertices. */
 public final class Departure {
     private Departure() {}
 
     /**
-     * Lets a ray whose origin is the vertex depart from all surfaces there.
+     * Starts a ray, whose origin is the vertex, on all surfaces that coincide there.
      *
-     * @param atBorder whether the vertex is on a rough border of two media
-     * @param through whether the ray leaves it on the side that the path did not come from
-     * @return whether a surface that coincides with the vertex is in its way, wherever rounding puts that; a walk may pass it
+     * @param atBorder whether the vertex is on a rough interface of two media
+     * @param through whether the ray leaves on the far side of the interface, as the path came
+     * @return whether a surface that coincides with the vertex occludes the ray, on whichever side rounding puts it; a {@link ShadowWalk}
+     *     may still pass it
      */
     public static boolean from(PathFollower path, Ray ray, boolean atBorder, boolean through) {
         ray.from(path.at.hit, through ? -path.at.hit.side : path.at.hit.side);
@@ -23,7 +24,7 @@ public final class Departure {
         return isStopped(path, atBorder, through);
     }
 
-    /** Whether such a ray has a surface in its way that coincides with the vertex. */
+    /** Whether a surface that coincides with the vertex occludes a ray from there. The parameters are those of {@link #from}. */
     public static boolean isStopped(PathFollower path, boolean atBorder, boolean through) {
         return atBorder ? path.glass.comesToOpaque(through) : path.glass.entersAtOnce();
     }

@@ -5,7 +5,10 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.world.contact.CoincidentHits;
 
-/** What a ray crosses at surfaces of glass that coincide: the media before and behind them, and which of them is the border of the two. */
+/**
+ * The change of media where several surfaces of glass coincide: the media before and behind them, and which surface is the interface of the
+ * two.
+ */
 final class GlassBorder {
     private static final int NONE = -1;
 
@@ -14,10 +17,10 @@ final class GlassBorder {
     /** The solids that the ray is inside of. */
     private final MediumStack inside;
 
-    /** Those before the last {@link #cross}. */
+    /** The solids that the ray was inside of before the last {@link #cross}. */
     private final MediumStack before;
 
-    /** The index of the coincident surface that is the border, or -1 if the medium stays the same. */
+    /** The index of the coincident surface that is the interface; -1 if the medium does not change. */
     private int boundary = NONE;
 
     GlassBorder(CoincidentHits coincident, MediumStack inside, MediumStack before) {
@@ -27,9 +30,9 @@ final class GlassBorder {
     }
 
     /**
-     * Crosses all borders that no opaque surface is before.
+     * Crosses the surfaces of all solids of glass up to the first opaque surface.
      *
-     * @param comesToOpaque whether an opaque surface lies there, which only those borders are before that the ray leaves
+     * @param comesToOpaque whether an opaque surface lies there: then only those solids are crossed that the ray leaves
      */
     void cross(boolean comesToOpaque) {
         int from = inside.current();
@@ -43,36 +46,36 @@ final class GlassBorder {
         boundary = from == to ? NONE : coincident.border(to, from);
     }
 
-    /** Undoes that: the ray is where it was. */
+    /** Undoes the last {@link #cross}. */
     void undo() {
         inside.set(before);
     }
 
-    /** Whether the medium changes. */
+    /** Whether the last {@link #cross} changed the medium. */
     boolean isThere() {
         return boundary != NONE;
     }
 
-    /** How the border scatters light, if it {@link #isThere is there}. */
+    /** The scattering function of the interface; requires {@link #isThere}. */
     Bsdf bsdf() {
         return coincident.bsdf(boundary);
     }
 
-    /** The hit on the border. */
+    /** The hit on the interface; requires {@link #isThere}. */
     Hit hit() {
         return coincident.hit(boundary);
     }
 
-    /** Whether coincident surface k filters the light: the border does, and so do panes that the ray passed. */
+    /** Whether coincident surface k filters the light: the interface does, and thin slabs that the ray was transmitted by. */
     boolean filters(int k, boolean through) {
         return k == boundary || through && coincident.isPane(k);
     }
 
     /**
-     * Which of the surfaces is opaque, where some are so in part.
+     * Samples which of the surfaces is opaque, where some are partly transparent.
      *
-     * @param number 0..1, chooses
-     * @return the index of the coincident surface, or -1 if all are clear
+     * @param number uniform in [0, 1)
+     * @return the index of the coincident surface; -1 if the ray passes all of them
      */
     int opaque(double number) {
         double left = number;
@@ -88,7 +91,7 @@ final class GlassBorder {
         return NONE;
     }
 
-    /** What is left of a share of light that crosses them: {@link #opaque} finds all of them clear with this probability. */
+    /** Multiplies a share of light by the transparency of all surfaces that it crosses: the probability that {@link #opaque} returns -1. */
     double clear(double share) {
         double left = share;
         for (int k = 0; k < coincident.size(); k++) {

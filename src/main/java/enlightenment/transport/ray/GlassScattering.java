@@ -10,20 +10,20 @@ import enlightenment.sampling.Hash;
 import enlightenment.transport.state.PathWavelength;
 
 /**
- * How one surface of glass turns a ray, by numbers that are given before: a border of two media refracts or reflects it, a pane lets it
- * pass or reflects it. Which surface it is, and which media are at it, is the business of {@link GlassTracer}.
+ * Scatters a ray at one surface of glass, by random numbers set before: the interface of two media refracts or reflects it, a thin slab
+ * transmits or reflects it. {@link GlassTracer} determines the surface and the media on both sides.
  */
 final class GlassScattering {
-    /** What was sampled last. */
+    /** The last scattering event. */
     final Scattering sampled = new Scattering();
 
-    /** Takes part of what has a wavelength; null if no glass of the scene disperses. */
+    /** The path's wavelength, which receives each scattering event; null if no glass of the scene disperses. */
     private final PathWavelength wavelength;
 
-    /** Which lobe is chosen, 0..1. */
+    /** The number in [0, 1) that selects the lobe. */
     private double choice;
 
-    /** A point of the unit square: the direction within a lobe. */
+    /** A point of the unit square that selects the direction within a lobe. */
     private double u;
 
     private double v;
@@ -32,7 +32,7 @@ final class GlassScattering {
         this.wavelength = wavelength;
     }
 
-    /** Sets the number that chooses between reflection and refraction next, and those that choose a direction within these. */
+    /** Sets the random numbers of the next event: one selects reflection or refraction, the pair a direction within the lobe. */
     void choose(double number, double[] pair) {
         choice = number;
         u = pair[0];
@@ -40,11 +40,11 @@ final class GlassScattering {
     }
 
     /**
-     * Lets a ray leave the border of two media. Classic glass needs no random numbers.
+     * Scatters a ray at the interface of two media. Glass of classic shading uses no random numbers.
      *
-     * @param at the hit on the surface that is the border
-     * @param eta the index of refraction before the border over that behind it
-     * @return false if the light is lost there
+     * @param at the hit on the surface that is the interface
+     * @param eta the index of refraction before the interface over that behind it
+     * @return false if the light is lost
      */
     boolean atBorder(Ray ray, Hit hit, Bsdf border, Hit at, double eta) {
         Optics.arrive(sampled, ray, hit);
@@ -61,10 +61,10 @@ final class GlassScattering {
     }
 
     /**
-     * Lets a ray come to a pane.
+     * Scatters a ray at a thin slab.
      *
-     * @param eta the index of refraction of the medium around it over that of the pane
-     * @return whether it was reflected, and leaves; else nothing has happened to it
+     * @param eta the index of refraction of the surrounding medium over that of the slab
+     * @return whether the ray was reflected, and leaves; otherwise the ray is unchanged
      */
     boolean isReflectedByPane(Ray ray, Hit hit, double eta) {
         Optics.arrive(sampled, ray, hit);

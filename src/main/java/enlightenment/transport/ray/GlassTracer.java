@@ -12,12 +12,12 @@ import enlightenment.world.contact.CoincidentHits;
 import enlightenment.world.parts.RayCounters;
 
 /**
- * Follows a ray through glass: keeps track of the solids that it is inside of, refracts it where the medium changes and lets it
- * pass where a solid lies inside another of higher priority.
+ * Follows a ray through glass: keeps the stack of solids that it is inside of, refracts it where the medium changes, and lets it pass where
+ * a solid lies inside another of higher priority.
  *
- * <p>Surfaces that coincide up to rounding ({@link CoincidentHits}) are one event: first the ray leaves solids, then it enters
- * solids, and it is refracted once, from the medium before to the medium after. An opaque surface comes between leaving and
- * entering. So the picture does not depend on which of the surfaces rounding puts first.
+ * <p>Surfaces that coincide up to rounding ({@link CoincidentHits}) are one event: first the ray leaves solids, then it enters solids, and
+ * it is refracted once, from the medium before to the medium behind. An opaque surface comes between leaving and entering. So the picture
+ * does not depend on the order in which rounding puts the surfaces.
  */
 public final class GlassTracer {
     private static final int NONE = -1;
@@ -29,22 +29,22 @@ public final class GlassTracer {
 
     private final MediumStack saved;
 
-    /** The media behind the border that {@link #roughBorder} found. */
+    /** The media behind the interface that the last {@link #roughBorder} found. */
     private final MediumStack beyond;
 
     private final CoincidentHits coincident;
     private final MissedBorders missed;
     private final GlassBorder media;
     private final Hit nextHit = new Hit();
-    /** What the last {@link #cross} sampled, unless it passed straight. */
+    /** The event that the last {@link #cross} sampled; not set if the ray passed straight. */
     public final Scattering border;
 
     private final GlassScattering scattering;
 
-    /** The primitive of the surface that {@link #arrive} chose among those that coincide. */
+    /** The id of the primitive whose surface the last {@link #arrive} selected. */
     int id;
 
-    /** The opaque surface that coincides with the glass surface and comes after it, or -1. */
+    /** The id of the opaque surface that coincides with the glass surface and comes after it; -1 if there is none. */
     private int next = NONE;
 
     /** Whether the last {@link #cross} left the ray's direction unchanged. */
@@ -55,7 +55,7 @@ public final class GlassTracer {
 
     public final PathWavelength wavelength;
 
-    /** Whether panes reflect: in physical shading. */
+    /** Whether thin slabs reflect: in physical shading. */
     private final boolean panesReflect;
 
     GlassTracer(CompiledScene scene, RayCounters counters) {
@@ -74,9 +74,11 @@ public final class GlassTracer {
     }
 
     /**
-     * Starts a ray that may start in some solids, and finds in which. If it starts on one of them, the side that it leaves that on decides.
+     * Starts a ray at a point that may lie inside of some solids, and determines which. If the ray starts on the surface of one, the side
+     * that it leaves on decides.
      *
-     * @param on the faces that it starts on, which it is outside of; null if there are none
+     * @param solids ids of all solids that may contain the point
+     * @param on the faces that the ray starts on, on their outside; null if there are none
      */
     void begin(Ray ray, int[] solids, EndFaces on) {
         next = NONE;
@@ -101,26 +103,26 @@ public final class GlassTracer {
         }
     }
 
-    /** Whether the last {@link #arrive} found nothing but one opaque surface, from empty space. */
+    /** Whether the last {@link #arrive} found a single opaque surface, seen from empty space. */
     public boolean isPlain() {
         int found = coincident.size();
         return inside.size() == 0 && (found == 0 || found == 1 && !coincident.isGlass(0));
     }
 
-    /** Lets a ray that passes a hole start behind it: on nothing but the surface that the hole is in. */
+    /** Starts a ray behind a hole of a surface (an alpha mask): on that surface alone. */
     void startBehindHole(Ray ray) {
         coincident.startBehind(ray, false);
         coincident.clear();
         next = NONE;
     }
 
-    /** The ray is at no surface now. */
+    /** Clears the coincident surfaces, for a ray that continues from a point on no surface. */
     void leaveSurfaces() {
         coincident.clear();
         next = NONE;
     }
 
-    /** Starts a ray in the medium that another one is in, or behind the rough border that that came to. */
+    /** Starts a ray in the medium of another path; if isBeyond, in that behind the rough interface that the path is at. */
     void begin(GlassTracer other, boolean isBeyond) {
         next = isBeyond ? other.next : other.coincident.left(nextHit);
         if (isBeyond && next != NONE) {
@@ -132,7 +134,7 @@ public final class GlassTracer {
         }
     }
 
-    /** Starts a ray in the medium that another one is flying through, whatever that has come to. */
+    /** Starts a ray in the medium of another path, at a point of its flight before the surface that it has hit since. */
     void beginOnTheWay(GlassTracer other) {
         next = NONE;
         inside.set(other.inside);
@@ -141,7 +143,7 @@ public final class GlassTracer {
         }
     }
 
-    /** The opaque surface that the ray meets at the point where it just left glass, or -1 if the ray must be traced. */
+    /** Returns and clears the opaque surface at the point where the ray has just left glass; -1 if the ray must be traced. */
     int takeNext(Hit hit) {
         int taken = next;
         next = NONE;
@@ -154,9 +156,10 @@ public final class GlassTracer {
     /**
      * Examines a hit together with the surfaces that coincide with it.
      *
-     * @param hit is replaced by that of the surface that the event is at, whose primitive is {@link #id} then: the opaque one that is seen, or
-     *     one by which the ray leaves glass
-     * @return whether the event is one of glass
+     * @param struck id of the primitive that was hit
+     * @param hit is replaced by the hit on the surface of the event, whose primitive is {@link #id}: the visible opaque surface, or one by
+     *     which the ray leaves glass
+     * @return whether the event is at glass
      */
     boolean arrive(Ray ray, int struck, Hit hit) {
         id = struck;
@@ -189,7 +192,7 @@ public final class GlassTracer {
         return false;
     }
 
-    /** The first of the surfaces at which the ray leaves a solid that it is inside of, or -1. */
+    /** The index of the first coincident surface by which the ray leaves a solid that it is inside of; -1 if there is none. */
     private int leaving() {
         for (int k = 0; k < coincident.size(); k++) {
             if (coincident.isGlass(k) && coincident.hit(k).side == Ray.INSIDE && inside.contains(coincident.id(k))) {
@@ -200,7 +203,7 @@ public final class GlassTracer {
     }
 
     /**
-     * Passes, refracts or reflects the ray at the surfaces that {@link #arrive} found.
+     * Passes, refracts or reflects the ray at the surfaces that the last {@link #arrive} found.
      *
      * @return whether it was transmitted
      */
@@ -230,7 +233,7 @@ public final class GlassTracer {
         return false;
     }
 
-    /** Undoes the crossing of borders: the ray stays on its side, and comes back to what is opaque there if it has just left that. */
+    /** Restores the media for a reflected ray; it returns to the coincident opaque surface if it has just left one. */
     private void reflect(Ray ray) {
         media.undo();
         next = coincident.left(nextHit);
@@ -239,9 +242,10 @@ public final class GlassTracer {
     }
 
     /**
-     * Lets a shadow ray pass the surfaces of glass that {@link #arrive} found, if they do not turn it.
+     * Lets a shadow ray pass the surfaces of glass that {@link #arrive} found, if they do not change its direction.
      *
-     * @return the share of the light that passes where nothing is opaque and colours are white; 0 if the surfaces turn the ray
+     * @return the Fresnel transmittance of thin slabs, without colours and transparency of materials; 0 if the surfaces change the
+     *     direction
      */
     double passStraight(Ray ray, Hit hit) {
         double from = inside.indexOfRefraction();
@@ -267,10 +271,10 @@ public final class GlassTracer {
     }
 
     /**
-     * Which of the surfaces of glass that {@link #arrive} found is opaque, where some are so in part: the ray does not cross it.
+     * Samples which of the surfaces that {@link #arrive} found is opaque, where some are partly transparent; the ray does not cross them.
      *
-     * @param number 0..1, chooses
-     * @return the index of the coincident surface, or -1 if all are clear
+     * @param number uniform in [0, 1)
+     * @return the index of the coincident surface; -1 if the ray passes all of them
      */
     public int opaque(double number) {
         media.cross(next != NONE);
@@ -280,17 +284,12 @@ public final class GlassTracer {
         return opaque;
     }
 
-    /**
-     * What is left of a share of light that crosses the surfaces where some are opaque in part: {@link #opaque} finds all of them clear with
-     * this probability.
-     */
+    /** Multiplies a share of light by the transparency of the surfaces that it crosses: the probability that {@link #opaque} returns -1. */
     public double clear(double share) {
         return media.clear(share);
     }
 
-    /**
-     * How the surfaces that {@link #arrive} found scatter light as a rough border of two media, and where; null if they are none.
-     */
+    /** The scattering function of the surfaces that {@link #arrive} found if they are a rough interface, with s set; else null. */
     Bsdf roughBorder(Ray ray, Hit hit, Scattering s) {
         double from = inside.leave();
         media.cross(next != NONE);
@@ -306,17 +305,17 @@ public final class GlassTracer {
         return bsdf.isDelta() ? null : bsdf;
     }
 
-    /** What the value of the border's lobe is, over the probability of the direction. */
+    /** The throughput weight of the last {@link #cross}, before colours: the value of the lobe over the density; 0 if the path ends. */
     public double weight() {
         return straight ? 1 : lost ? 0 : border.valueR;
     }
 
-    /** The probability of what the last {@link #cross} has chosen between reflection and transmission. */
+    /** The probability of the choice of reflection or transmission in the last {@link #cross}. */
     public double probability() {
         return straight && !(panesReflect && coincident.pane() != NONE) ? 1 : border.pdf;
     }
 
-    /** Sets the number that chooses between reflection and refraction next. */
+    /** Sets the random numbers of the next {@link #cross}: one selects reflection or refraction, the pair a direction. */
     public void choose(double number, double[] pair) {
         scattering.choose(number, pair);
     }
@@ -326,17 +325,17 @@ public final class GlassTracer {
         return inside.indexOfRefraction();
     }
 
-    /** The solid that is the medium that the ray is in, or that behind a rough border; -1 in empty space. */
+    /** The id of the solid that is the current medium or, if isBeyond, that behind the rough interface; -1 in empty space. */
     int medium(boolean isBeyond) {
         return (isBeyond ? beyond : inside).current();
     }
 
-    /** Whether the last {@link #cross} did not turn the ray: it passed a pane, between media of equal index, or what is no border. */
+    /** Whether the last {@link #cross} kept the direction: by a thin slab, media of equal index, or no change of medium. */
     public boolean passedStraight() {
         return straight;
     }
 
-    /** Starts a ray that leaves a rough border on all surfaces there. */
+    /** Starts a ray that leaves a rough interface on all surfaces that coincide there. */
     void startAtBorder(Ray ray, boolean through) {
         if (through) {
             coincident.startBehind(ray, next != NONE);
@@ -345,7 +344,7 @@ public final class GlassTracer {
         }
     }
 
-    /** Starts a ray that leaves one of the surfaces that {@link #arrive} found, on the side it came from, on all of them. */
+    /** Starts a ray that stays on the side it came from on all surfaces that {@link #arrive} found. */
     public void startOnAll(Ray ray) {
         coincident.startOn(ray);
     }
@@ -355,7 +354,7 @@ public final class GlassTracer {
         return coincident.size();
     }
 
-    /** Whether surface k filters the light: the boundary does, and so do panes that the ray passed. */
+    /** Whether coincident surface k filters the light: the interface does, and thin slabs that transmitted the ray. */
     public boolean filters(int k, boolean through) {
         return media.filters(k, through);
     }
@@ -371,24 +370,24 @@ public final class GlassTracer {
     }
 
     /**
-     * Finds a border that coincides with the opaque surface or the light that a ray leaves, and that rounding put behind it: the ray comes
-     * to that border next.
+     * Finds an interface that coincides with the opaque surface or light that a ray leaves, but that rounding put behind the origin: the
+     * ray meets it next.
      */
     void settle(Ray ray, int justHandled) {
         next = missed.find(ray, justHandled, nextHit);
     }
 
-    /** Whether a ray that leaves the opaque surface there enters glass at once, which the path left there. */
+    /** Whether a ray that leaves the opaque surface there is at once in the glass that the path has just left. */
     public boolean entersAtOnce() {
         return coincident.hasLeftGlass();
     }
 
-    /** Whether a ray that leaves a border to one side comes at once to an opaque surface there. */
+    /** Whether a ray that leaves an interface on one side meets a coincident opaque surface at once. */
     public boolean comesToOpaque(boolean through) {
         return through ? hasNext() : coincident.hasLeftOpaque();
     }
 
-    /** Whether an opaque surface is where a path goes on from the border that it crossed, or that reflected it. */
+    /** Whether a coincident opaque surface is the next vertex after the interface that the path crossed or was reflected by. */
     public boolean hasNext() {
         return next != NONE;
     }

@@ -7,15 +7,15 @@ import enlightenment.world.material.SurfaceMaterial;
 import java.util.Arrays;
 
 /**
- * The glass solids that a ray is inside of. Where several overlap, the one of smallest rank is the medium (Schmidt and
- * Budge, "Simple nested dielectrics in ray traced images", 2002).
+ * The solids of glass that a ray is inside of. Of several that overlap, the one with the smallest rank is the medium (Schmidt and Budge,
+ * "Simple nested dielectrics in ray traced images", 2002).
  */
 final class MediumStack {
     private final CompiledScene scene;
     private int[] ids = new int[4];
     private int size;
 
-    /** What indices of refraction depend on; null if there is no such thing. */
+    /** The path's wavelength, which indices of refraction depend on; null if no glass of the scene disperses. */
     private final PathWavelength wavelength;
 
     MediumStack(CompiledScene scene, PathWavelength wavelength) {
@@ -71,7 +71,11 @@ final class MediumStack {
         }
     }
 
-    /** Enters a solid through its border, or leaves it. */
+    /**
+     * Crosses the surface of a solid.
+     *
+     * @param side that the ray comes from: it enters the solid from outside and leaves it from inside
+     */
     void cross(int solid, int side) {
         if (side == Ray.OUTSIDE) {
             add(solid);
@@ -80,7 +84,7 @@ final class MediumStack {
         }
     }
 
-    /** The solid that is the medium, or -1 in empty space. */
+    /** The id of the solid that is the medium; -1 in empty space. */
     int current() {
         int best = -1;
         for (int k = 0; k < size; k++) {
@@ -100,13 +104,13 @@ final class MediumStack {
         return wavelength == null ? material.indexOfRefraction : wavelength.index(material);
     }
 
-    /** The index of refraction of the medium over that of a pane in it, both as the scene states them: panes do not disperse. */
+    /** The index of refraction of the medium over that of a thin slab in it, both as the scene states them: thin slabs do not disperse. */
     double over(SurfaceMaterial pane) {
         SurfaceMaterial material = material();
         return (material == null ? 1 : material.indexOfRefraction) / pane.indexOfRefraction;
     }
 
-    /** The same before a border, of which the wavelength is told. */
+    /** The index of refraction of the medium before an interface; reports the medium to the path's wavelength. */
     double leave() {
         if (wavelength != null) {
             wavelength.leave(material());
@@ -114,7 +118,7 @@ final class MediumStack {
         return indexOfRefraction();
     }
 
-    /** The same behind it. */
+    /** The index of refraction of the medium behind the interface; reports the medium to the path's wavelength. */
     double enter() {
         if (wavelength != null) {
             wavelength.enter(material());

@@ -6,7 +6,7 @@ import enlightenment.primitive.Ray;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.contact.GlassBoxes;
 
-/** Finds borders of glass that coincide with what a ray leaves and that rounding put behind it. One per thread. */
+/** Finds interfaces of glass that coincide with the surface that a ray leaves and that rounding put behind its origin. One per thread. */
 final class MissedBorders {
     static final int NONE = -1;
 
@@ -15,7 +15,9 @@ final class MissedBorders {
     private final GlassBoxes.Search boxes;
     private final Ray back = new Ray();
 
-    /** @param inside the solids that the ray is inside of, as far as is known */
+    /**
+     * @param inside the solids that the ray is inside of, without interfaces that were missed
+     */
     MissedBorders(CompiledScene scene, MediumStack inside) {
         this.scene = scene;
         this.inside = inside;
@@ -23,12 +25,12 @@ final class MissedBorders {
     }
 
     /**
-     * Finds a border that the ray has not crossed although it is behind it. All that coincide with it are crossed with it, so one is
+     * Finds an interface that the ray should have crossed but has behind it. All that coincide with it are crossed with it, so one is
      * enough.
      *
-     * @param justHandled a solid that is left out; -1 for none
-     * @param place receives where the border is
-     * @return the id of the solid; -1 if no border is missed
+     * @param justHandled id of a solid to leave out; -1 for none
+     * @param place receives the hit on the interface
+     * @return the id of the solid; -1 if no interface was missed
      */
     int find(Ray ray, int justHandled, Hit place) {
         int count = boxes.around(ray.ox, ray.oy, ray.oz);

@@ -5,11 +5,11 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.world.surface.SurfaceInteraction;
 
-/** From rays to the directions that a Bsdf scatters, and back. The outgoing ray starts at the hit, on the side that it leaves to. */
+/** Converts between rays and the directions of a {@link Scattering}. An outgoing ray starts at the hit, on the side that it leaves to. */
 public final class Optics {
     private Optics() {}
 
-    /** Sets direction and shading normal of the surface where the ray arrives. */
+    /** Sets the direction that the ray comes from and the shading normal of the surface. */
     public static void arrive(Scattering s, Ray ray, SurfaceInteraction at) {
         setOutgoing(s, ray);
         s.nx = at.nx;
@@ -20,7 +20,7 @@ public final class Optics {
         s.gz = at.hit.nz * at.hit.side;
     }
 
-    /** Sets direction and geometric normal of the place where the ray arrives. */
+    /** Sets the direction that the ray comes from and the geometric normal of the hit. */
     public static void arrive(Scattering s, Ray ray, Hit hit) {
         setOutgoing(s, ray);
         s.nx = hit.nx * hit.side;
@@ -31,14 +31,14 @@ public final class Optics {
         s.gz = s.nz;
     }
 
-    /** Sets the shading normal to that of a hit; the geometric one stays. */
+    /** Sets the shading normal of a hit; the geometric normal stays. */
     static void shade(Scattering s, Hit hit) {
         s.nx = hit.sx * hit.side;
         s.ny = hit.sy * hit.side;
         s.nz = hit.sz * hit.side;
     }
 
-    /** Sets the unit direction to where the ray came from. */
+    /** Sets o, the unit direction that the ray comes from. */
     private static void setOutgoing(Scattering s, Ray ray) {
         double scale = 1 / Math.sqrt(ray.dd);
         s.ox = -ray.dx * scale;
@@ -47,11 +47,12 @@ public final class Optics {
     }
 
     /**
-     * Turns what a rough border of two media does to light into what it does to radiance, if the direction to the light passes the border.
+     * Converts the value of a rough interface from power to radiance if the sampled direction crosses it: times the tint and the squared
+     * relative index of refraction.
      *
-     * @param s the border; its value is changed
-     * @param tint of what passes, by band
-     * @return whether the direction passes the border
+     * @param s the scattering at the interface; its value is changed
+     * @param tint the colour of transmitted light, by band
+     * @return whether the direction crosses the interface
      */
     public static boolean turn(Scattering s, double[] tint) {
         boolean passes = s.ix * s.nx + s.iy * s.ny + s.iz * s.nz < 0;
@@ -64,12 +65,12 @@ public final class Optics {
         return passes;
     }
 
-    /** Lets the ray leave in the direction that was sampled. */
+    /** Sets the ray to leave the hit in the sampled direction. */
     public static void leave(Ray ray, Hit hit, Scattering s) {
         ray.set(hit.px, hit.py, hit.pz, s.ix, s.iy, s.iz, 0).from(hit, s.transmitted ? -hit.side : hit.side);
     }
 
-    /** Lets the ray pass straight through, to the other side. */
+    /** Sets the ray to continue straight on the far side of the hit. */
     public static void pass(Ray ray, Hit hit) {
         ray.set(hit.px, hit.py, hit.pz, ray.dx, ray.dy, ray.dz, 0).from(hit, -hit.side);
     }

@@ -14,16 +14,16 @@ import enlightenment.world.parts.RayCounters;
 import enlightenment.world.surface.SurfaceInteraction;
 
 /**
- * Follows a path from event to event, through surfaces and media: says what comes next, and lets whoever shades decide what that is
- * worth and where the path goes on. One per thread.
+ * Follows a path from event to event through surfaces and media. It finds the next event; the caller shades there and chooses how the path
+ * goes on. One per thread.
  */
 public final class PathFollower {
 
-    /** What a path comes to. */
+    /** What the ray of a path meets next. */
     public enum Event {
-        /** It leaves the scene. */
+        /** The ray leaves the scene. */
         NOTHING,
-        /** {@link #light}. */
+        /** A light of classic shading: {@link #light}. */
         LIGHT,
         /** An opaque surface: {@link #at}. */
         SURFACE,
@@ -35,21 +35,21 @@ public final class PathFollower {
     public final GlassTracer glass;
     public final Poll poll;
 
-    /** The surface that the path is at. */
+    /** The surface of the last event. */
     public final SurfaceInteraction at = new SurfaceInteraction();
 
-    /** The light that the path came to. */
+    /** The light of the last event, if that is {@link Event#LIGHT}. */
     public ClassicLight light;
 
-    /** A hash of what the path came to, in order. */
+    /** A hash of the events so far, in order. */
     public long key;
 
-    /** How many surfaces the path has left behind. */
+    /** The number of surfaces that the path has left; light paths and shadow rays begin with 1. */
     public int surfaces;
 
     private final CompiledScene scene;
 
-    /** The material of what fills the whole scene outside of solids, or null. */
+    /** The ambient medium: the material that fills the scene outside of solids; null if empty space does. */
     private final SurfaceMaterial around;
 
     private final RayCounters counters;
@@ -57,16 +57,16 @@ public final class PathFollower {
     private final double[] tint = new double[3];
     private final PathLength bounces;
 
-    /** Whether there are surfaces with holes. */
+    /** Whether the scene has surfaces with alpha masks. */
     private final boolean hasMasks;
 
-    /** How far the last ray went to the last of the holes that it passed. */
+    /** The length from the ray's origin to the last hole that it passed, in the frame; 0 if none. */
     private double passed;
 
-    /** Whether the surface that the path is at coincides with the one before. */
+    /** Whether the current surface coincides with the previous one. */
     private boolean tookNext;
 
-    /** Whether the last event was glass that did not turn the ray. */
+    /** Whether the last event was at glass and kept the ray's direction. */
     private boolean passedStraight;
 
     public PathFollower(CompiledScene scene, RayCounters counters, int maxBounces) {
@@ -80,26 +80,26 @@ public final class PathFollower {
         poll = new Poll();
     }
 
-    /** Draws the wavelength of a path that begins next, where it matters. */
+    /** Samples the wavelength of the next path, if any glass of the scene disperses. */
     public void drawWavelength(Sampler sampler) {
         if (glass.wavelength != null) {
             glass.wavelength.begin(sampler);
         }
     }
 
-    /** Starts a path of physical shading with a camera ray. */
+    /** Begins a path of physical shading at a camera ray: samples its wavelength and counts a camera ray. */
     public void begin(Ray ray, Sampler sampler) {
         drawWavelength(sampler);
         begin(ray);
     }
 
-    /** Starts a path with a camera ray. */
+    /** Begins a path at a camera ray, which is counted. */
     public void begin(Ray ray) {
         counters.cameraRays++;
         beginAgain(ray);
     }
 
-    /** The same with one that is not counted, as it begins no sample. */
+    /** Begins a path at a camera ray that begins no sample, so that it is not counted. */
     public void beginAgain(Ray ray) {
         beginFrom(false);
         glass.begin(ray, scene.cameraSolids, null);
@@ -107,9 +107,9 @@ public final class PathFollower {
     }
 
     /**
-     * Starts a path with a ray that leaves a light.
+     * Begins a path at a light.
      *
-     * @param source it has just been emitted there
+     * @param source has just emitted the ray
      */
     public void beginAtLight(Ray ray, PathSource source) {
         beginFrom(true);
@@ -118,9 +118,9 @@ public final class PathFollower {
     }
 
     /**
-     * Starts a shadow ray in the medium that a path is in, or behind the rough border that it is at.
+     * Begins a shadow ray in the medium of a path; if isBeyond, in that behind the rough interface that it is at.
      *
-     * @param ray it has departed from the vertex that the path is at
+     * @param ray has departed from the path's current vertex
      */
     void beginShadow(PathFollower from, Ray ray, boolean isBeyond) {
         glass.begin(from.glass, isBeyond);
@@ -130,7 +130,7 @@ public final class PathFollower {
         }
     }
 
-    /** Starts a shadow ray in the medium that a path is flying through, whatever that has come to. */
+    /** Begins a shadow ray in the medium of a path, at a point of its flight before the surface that it has hit since. */
     void beginShadowOnTheWay(PathFollower from) {
         glass.beginOnTheWay(from.glass);
         begin(1);
@@ -149,14 +149,14 @@ public final class PathFollower {
         poll.tick();
     }
 
-    /** Follows the ray to what it meets next. */
+    /** Traces the ray to its next event. */
     public Event next(Ray ray) {
         passed = 0;
         Event event = meet(ray);
         while (hasMasks && event == Event.SURFACE && isAtHole()) {
-            // Nothing is there: neither an event nor a bounce, but the path has left a surface behind.
+            // The path passes a hole: no event and no bounce, but it has left a surface.
             passed += distanceOfHit(ray);
-            // The ray behind it starts at 0, wherever this one does.
+            // The ray behind the hole starts at parameter 0, wherever this one starts.
             tracer.limit -= at.hit.t;
             surfaces++;
             Optics.pass(ray, at.hit);
@@ -192,7 +192,7 @@ public final class PathFollower {
         return isGlass ? Event.GLASS : Event.SURFACE;
     }
 
-    /** Writes the colour of that surface. */
+    /** Writes the colour of the current surface, by band. */
     public void color(SurfaceMaterial material, double[] rgb) {
         if (!material.isTextured()) {
             material.color(rgb);
@@ -207,8 +207,8 @@ public final class PathFollower {
     }
 
     /**
-     * Lets the ray leave an opaque surface in a direction that its material samples, from a point (u, v) of the unit square and a number
-     * that chooses the lobe.
+     * Samples the direction in which the ray leaves an opaque surface, by a point (u, v) of the unit square and a number that selects the
+     * lobe.
      *
      * @param color the surface's colour; receives the weight of the direction, by which the path's throughput changes
      * @return false if the path ends here
@@ -231,7 +231,7 @@ public final class PathFollower {
         return scattering.delta;
     }
 
-    /** The opaque surface that the path is at, as a Bsdf wants it: with its colour, and without a direction to go on. */
+    /** Sets the scattering at the current opaque surface: its colour, normals and the direction that the path came from. */
     public Scattering arrive(Ray ray, double[] color) {
         Optics.arrive(scattering, ray, at);
         scattering.red = color[0];
@@ -240,18 +240,14 @@ public final class PathFollower {
         return scattering;
     }
 
-    /** Lets the ray leave that surface in the direction that was sampled. */
+    /** Sets the ray to leave the current surface in the sampled direction. */
     public void leave(Ray ray, Scattering s) {
         Optics.leave(ray, at.hit, s);
         glass.startOnAll(ray);
         glass.settle(ray, at.id);
     }
 
-    /**
-     * As {@link #scatter} at a Lambertian surface, whose colour is the weight. If the density is 0 the path ends.
-     *
-     * @return the direction, and its density
-     */
+    /** Samples a direction and its density at a Lambertian surface, whose weight is its colour; at density 0 the path ends. */
     public Scattering scatterMatte(Ray ray, double u, double v) {
         scattering.nx = at.nx;
         scattering.ny = at.ny;
@@ -261,7 +257,7 @@ public final class PathFollower {
         return scattering;
     }
 
-    /** How far the ray went to what {@link #next} found: nowhere if that coincides with the glass that it left. */
+    /** The length that the ray went to its last event, in the frame; 0 if that coincides with the glass that it left. */
     public double distance(Ray ray) {
         return passed + distanceOfHit(ray);
     }
@@ -270,9 +266,7 @@ public final class PathFollower {
         return tookNext ? 0 : (at.hit.t - ray.tMin) * Math.sqrt(ray.dd);
     }
 
-    /**
-     * The same for a ray that goes no further than this, in lengths of the frame: {@link Event#NOTHING} if it meets nothing on that way.
-     */
+    /** Traces the ray to its next event within a length, in the frame; {@link Event#NOTHING} if there is none. */
     public Event next(Ray ray, double length) {
         tracer.limit = Math.min(ray.tMin + length / Math.sqrt(ray.dd), Double.MAX_VALUE);
         Event event = next(ray);
@@ -281,7 +275,7 @@ public final class PathFollower {
     }
 
     /**
-     * Stops on the way, after a length, in the medium that the ray is in: the path is at no surface then.
+     * Sets the position to a point of the ray in its current medium, at a length in the frame; the path is at no surface then.
      *
      * @param s receives the direction that the path came from
      */
@@ -297,39 +291,39 @@ public final class PathFollower {
         glass.leaveSurfaces();
     }
 
-    /** The material of the medium that the ray is in, or null in empty space. */
+    /** The material of the current medium; null in empty space. */
     public SurfaceMaterial medium() {
         return medium(false);
     }
 
-    /** The same, or that behind the rough border that the path is at. */
+    /** The material of the current medium or, if isBeyond, that behind the rough interface; null in empty space. */
     public SurfaceMaterial medium(boolean isBeyond) {
         int solid = glass.medium(isBeyond);
         return solid < 0 ? around : scene.inside(solid);
     }
 
-    /** How glass scatters where the path is at a rough border of two media, and where; null elsewhere. */
+    /** The scattering function where the path is at a rough interface of two media, with s set; null elsewhere. */
     public Bsdf roughBorder(Ray ray, Scattering s) {
         return glass.roughBorder(ray, at.hit, s);
     }
 
-    /** How many scattering events it has had. */
+    /** The number of scattering events of the path. */
     public int bounces() {
         return bounces.bounces();
     }
 
-    /** Whether the path may have one more scattering event. */
+    /** Whether the limit of bounces admits one more scattering event. */
     public boolean mayScatter() {
         return bounces.mayScatter(1);
     }
 
-    /** Whether it may have two more. */
+    /** Whether the limit of bounces admits two more scattering events. */
     public boolean mayScatterTwice() {
         return bounces.mayScatter(2);
     }
 
     /**
-     * Lets the ray pass, be refracted or be reflected at the surfaces of glass that it came to.
+     * Passes, refracts or reflects the ray at the surfaces of glass that it has hit.
      *
      * @return whether it was transmitted
      */
@@ -341,10 +335,10 @@ public final class PathFollower {
     }
 
     /**
-     * Lets a shadow ray pass the surfaces of glass that it came to, if they do not turn it.
+     * Lets a shadow ray pass the surfaces of glass that it has hit, if they do not change its direction.
      *
-     * @param rgb is multiplied by the share that passes
-     * @return whether it did
+     * @param rgb is multiplied by the transmittance, by band
+     * @return whether the ray passed
      */
     boolean passStraight(Ray ray, double[] rgb) {
         double share = glass.passStraight(ray, at.hit);
@@ -360,7 +354,7 @@ public final class PathFollower {
         return goesOn();
     }
 
-    /** Multiplies by the colours of the glass that the ray was just transmitted by. */
+    /** Multiplies by the colours of the glass that has just transmitted the ray. */
     public void filter(double[] rgb) {
         for (int k = 0; k < glass.surfaces(); k++) {
             if (glass.filters(k, true)) {
@@ -373,21 +367,20 @@ public final class PathFollower {
         }
     }
 
-    /** Turns to one of the surfaces that coincide here. */
+    /** Makes coincident surface k the current one. */
     public void turnTo(int k) {
         at.hit.set(glass.hitOf(k));
         at.arrive(scene, glass.surface(k));
     }
 
-    /** Turns to one of them, of glass, where {@link GlassTracer#opaque} finds it opaque. */
+    /** Makes coincident surface k, of glass, the current one; {@link GlassTracer#opaque} has found it opaque. */
     public void turnToOpaque(int k) {
         turnTo(k);
         at.becomeOpaque();
     }
 
     /**
-     * Counts the event that the path leaves behind. Surfaces that do not turn the ray are no bounces, so cutting a scene into more
-     * pieces changes nothing.
+     * Counts the current event. Surfaces that keep the direction are no bounces, so that cutting an object into pieces changes nothing.
      *
      * @return whether the path may go on
      */

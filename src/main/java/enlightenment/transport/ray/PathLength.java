@@ -1,10 +1,13 @@
 package enlightenment.transport.ray;
 
-/** How long a path is, and how long it may become. Surfaces that do not turn the ray are no bounces: cutting a scene into more pieces changes nothing. */
+/**
+ * Counts and limits the bounces of a path. Surfaces that keep the ray's direction are no bounces, so that cutting an object into pieces
+ * changes nothing.
+ */
 final class PathLength {
     private final int maxBounces;
 
-    /** No line meets more surfaces: a path that passes more of them straight is caught in a loop by rounding, and ends. */
+    /** No line meets more surfaces: a path that passes more of them without a bounce is in a loop by rounding, and ends. */
     private final int maxStraight;
 
     private int bounces;
@@ -20,17 +23,17 @@ final class PathLength {
         straight = 0;
     }
 
-    /** How many scattering events the path has had. */
+    /** The number of scattering events so far. */
     int bounces() {
         return bounces;
     }
 
-    /** Whether it may have this number of scattering events more. */
+    /** Whether the limit admits this number of further scattering events. */
     boolean mayScatter(int times) {
         return bounces <= maxBounces - times;
     }
 
-    /** Counts a surface that was passed straight; returns whether the path may go on. */
+    /** Counts a surface that kept the ray's direction; returns whether the path may go on. */
     boolean passed() {
         return ++straight <= maxStraight;
     }

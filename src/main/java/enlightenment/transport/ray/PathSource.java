@@ -7,9 +7,9 @@ import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.world.light.PhysicalLight;
 
-/** Starts paths of light: chooses a light, a point on it and a direction. A mutable work object, one per thread. */
+/** Samples the first ray of light paths: a light, a point on it, and a direction. A mutable work object, one per thread. */
 public abstract class PathSource {
-    /** How many random numbers a start takes. */
+    /** The number of random numbers that a start takes. */
     public static final int NUMBERS = 6;
 
     private static final int[] EMPTY_SPACE = {};
@@ -21,49 +21,50 @@ public abstract class PathSource {
     private final double[] relative = new double[3];
     private final Hit textured = new Hit();
 
-    /** The direction. */
+    /** The direction of emission, a unit vector in the frame. */
     public double dx;
 
     public double dy;
     public double dz;
 
-    /** The power that a path with these numbers brings, over the density of these: by band. */
+    /** The emitted power over the density of the sample, by band: the initial throughput. */
     public double red;
 
     public double green;
     public double blue;
     public double ultraviolet;
 
-    /** The light that the path leaves, by its index. */
+    /** The index of the light that the path begins at. */
     public int light;
 
     /**
      * Starts a path.
      *
-     * @param numbers of the unit cube, {@link #NUMBERS} of them; each two of them from the first on are spread evenly over their square
-     * @param ray receives its first ray
-     * @return false if no light goes this way
+     * @param numbers a point of the unit cube of dimension {@link #NUMBERS}; each pair, from the first number on, is stratified over its
+     *     square
+     * @param ray receives the first ray
+     * @return false if these numbers give no light
      */
     public abstract boolean emit(double[] numbers, Ray ray);
 
-    /** The solids of glass that the path that was started last may begin in. */
+    /** The ids of the solids of glass that the last path may begin in. */
     protected int[] media() {
         return EMPTY_SPACE;
     }
 
-    /** The faces that the light which the path leaves lies on; null if it has no place. */
+    /** The faces that the light of the last path lies on; null if it has no position. */
     protected abstract EndFaces faces();
 
-    /** The sum of the bands, of ultraviolet as much as this. */
+    /** The sum of the throughput over the visible bands, plus ultraviolet times this factor. */
     public final double power(double ofUltraviolet) {
         double visible = red + green + blue;
         return ofUltraviolet > 0 ? Math.fma(ofUltraviolet, ultraviolet, visible) : visible;
     }
 
     /**
-     * Starts the ray in the direction from the point of a light with a surface, on a side of that.
+     * Starts the ray at the sampled point of a light with a surface, on one side of it.
      *
-     * @return false if the light is covered there
+     * @return false if another surface covers the light there
      */
     protected final boolean leave(PhysicalLight l, int side, Ray ray) {
         ray.set(point.x, point.y, point.z, dx, dy, dz, 0).from(l.surface, side);
@@ -74,7 +75,9 @@ public abstract class PathSource {
         return true;
     }
 
-    /** Multiplies what the path brings by the relative intensity of its direction, if the light has a profile; of ultraviolet as of blue. */
+    /**
+     * Multiplies the throughput by the relative intensity of the direction, if the light has a profile; ultraviolet by the factor of blue.
+     */
     protected final void weighByProfile(PhysicalLight l) {
         if (l.profile != null) {
             l.profile.intensity(dx, dy, dz, relative);
@@ -82,7 +85,7 @@ public abstract class PathSource {
         }
     }
 
-    /** Multiplies what the path brings by the factor of a textured light's point; of ultraviolet as of blue. */
+    /** Multiplies the throughput by the texture's factor at the light's point; ultraviolet by the factor of blue. */
     protected final void weighByTexture(PhysicalLight l, double x, double y, double z) {
         if (l.texture != null) {
             l.texture.factor(x, y, z, textured, relative);

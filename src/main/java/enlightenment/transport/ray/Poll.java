@@ -3,7 +3,7 @@ package enlightenment.transport.ray;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
-/** Ends paths that are cancelled: polled once per so many paths, surfaces and light points, taken together. One per thread. */
+/** Checks for cancellation every {@link #INTERVAL} ticks; a tick is a path, a surface or a shadow ray. One per thread. */
 public final class Poll {
     static final int INTERVAL = 1024;
 

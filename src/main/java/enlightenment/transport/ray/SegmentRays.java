@@ -8,8 +8,8 @@ import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
 /**
- * Whether a vertex of a path sees a place on another surface, and what of light the medium on the way and glass that
- * does not turn rays let pass. Paths pass the same surfaces by the same rules.
+ * Visibility between the vertex of a path and a place on another surface, and the transmittance of media and of glass that keeps directions
+ * on the way. The path itself passes the same surfaces by the same rules.
  */
 public final class SegmentRays {
     private final PathFollower path;
@@ -17,7 +17,7 @@ public final class SegmentRays {
     private final Ray ray = new Ray();
     private final boolean absorbs;
 
-    /** Follows rays through glass that does not turn them; null if there is none. */
+    /** Follows rays through glass that keeps their direction; null if the scene has none. */
     private final PathFollower walk;
 
     private boolean isBorder;
@@ -29,10 +29,12 @@ public final class SegmentRays {
     private int endId;
     private int endFace;
 
-    /** What comes through, by band. */
+    /** The transmittance of the last segment, by band. */
     public final double[] rgb = new double[3];
 
-    /** From the vertex that a path is at. */
+    /**
+     * @param path the path from whose current vertex segments start
+     */
     public SegmentRays(CompiledScene scene, RayCounters counters, PathFollower path) {
         this.path = path;
         hit = path.at.hit;
@@ -41,17 +43,20 @@ public final class SegmentRays {
     }
 
     /**
-     * Begins at the vertex that the path is at.
+     * Begins at the path's current vertex.
      *
-     * @param atBorder whether that is a rough border of two media
-     * @param through whether the rays leave it on the side that the path did not come from
+     * @param atBorder whether the vertex is on a rough interface of two media
+     * @param through whether the rays leave on the far side of the interface, as the path came
      */
     public void begin(boolean atBorder, boolean through) {
         isBorder = atBorder;
         isBeyond = through;
     }
 
-    /** Whether it sees the place at this distance along a unit vector, on a face of a primitive, or on none if its id is negative. */
+    /**
+     * Whether nothing occludes the place at this distance along a unit vector: on a face of a primitive, or on no surface if the id is
+     * negative.
+     */
     public boolean reaches(double x, double y, double z, double distance, int id, int face) {
         dx = x;
         dy = y;
@@ -68,7 +73,7 @@ public final class SegmentRays {
         return walk != null && walks();
     }
 
-    /** Returns whether something is in the ray's way at once. */
+    /** Starts the ray; returns whether a surface that coincides with the vertex occludes it. */
     private boolean start() {
         ray.set(hit.px, hit.py, hit.pz, dx, dy, dz, 0);
         return Departure.from(path, ray, isBorder, isBeyond);

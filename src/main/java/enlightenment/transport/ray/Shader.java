@@ -5,22 +5,22 @@ import enlightenment.sampling.Sampler;
 import java.util.function.BooleanSupplier;
 
 /**
- * What one camera ray is worth. A method says which rays are followed and what becomes of their colours; a shader knows nothing of
- * pixels. The colour is a pure function of the ray and the sampler's numbers. One per thread.
+ * Computes the colour or radiance along one camera ray. A method decides which rays are followed and how their colours become pixels; a
+ * shader depends on no pixel. The result is a pure function of the ray and the sampler's numbers. One per thread.
  */
 public interface Shader {
     /**
-     * Sets the tile of the camera rays to come, so that what it cannot show need not be tested: (x0..x1, y0..y1), 0..1 from the
+     * Sets the tile of the camera rays to come, so that primitives outside of its view are skipped: (x0..x1, y0..y1), 0..1 from the
      * picture's upper left corner.
      */
     void beginTile(double x0, double y0, double x1, double y1);
 
-    /** Whether it is known that all camera rays of the tile see the background. */
+    /** Whether all camera rays of the tile are known to leave the scene. */
     boolean seesNothing();
 
     /**
-     * Lets {@link #shade} end in the middle of a path: it throws a {@link java.util.concurrent.CancellationException} soon after this
-     * becomes true, however long the path is.
+     * Sets the condition of cancellation: once it holds, {@link #shade} soon throws a {@link java.util.concurrent.CancellationException},
+     * however long the path is.
      */
     void stopWhen(BooleanSupplier condition);
 

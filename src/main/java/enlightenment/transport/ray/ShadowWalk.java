@@ -9,9 +9,9 @@ import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
 /**
- * Follows a shadow ray through glass that does not turn it: panes, borders between media of equal index of refraction, and faces of solids
- * where another solid fills the place. Paths pass the same surfaces by the same rules, so both find the same light. One per thread, and
- * only for scenes with such glass.
+ * Follows a shadow ray through glass that keeps its direction: thin slabs, interfaces between media of equal index of refraction, and faces
+ * of solids inside a solid of higher priority. Paths pass the same surfaces by the same rules, so that BSDF sampling and next-event
+ * estimation find the same light. One per thread, and only for scenes with such glass.
  */
 public final class ShadowWalk {
     private final CompiledScene scene;
@@ -19,7 +19,7 @@ public final class ShadowWalk {
     private final Hit end = new Hit();
     private final boolean absorbs;
 
-    /** How far beyond the end of a ray to the eye something may be that is taken to lie there, and hides it. */
+    /** The distance beyond the end of a ray to the eye within which a surface counts as being at the eye, and occludes it. */
     private double slack;
 
     public ShadowWalk(CompiledScene scene, RayCounters counters) {
@@ -29,15 +29,15 @@ public final class ShadowWalk {
     }
 
     /**
-     * Whether the ray comes to the place where a camera ray starts. What lies there is before the eye, since camera rays meet it; the border
-     * of a solid is not: they begin on one side of it.
+     * Whether nothing occludes the place where a camera ray starts. A surface at that place does, since camera rays hit it; the interface
+     * of a solid does not: camera rays begin on one side of it.
      *
      * @param ray is changed
-     * @param distance to that place
-     * @param error the distance's
-     * @param path the path whose vertex it leaves, into the medium that the path is in
-     * @param isBehind whether it leaves it into the medium behind a rough border instead
-     * @param through receives what comes through of the light, by band
+     * @param distance to that place, in the frame
+     * @param error bound of the distance's error
+     * @param path the path whose vertex the ray leaves, into the path's medium
+     * @param isBehind whether the ray leaves into the medium behind a rough interface instead
+     * @param through receives the transmittance, by band
      */
     public boolean reachesEye(
             Ray ray, double distance, double error, PathFollower path, boolean isBehind, double[] through) {
@@ -48,14 +48,14 @@ public final class ShadowWalk {
     }
 
     /**
-     * Whether the ray comes to the light.
+     * Whether nothing occludes a point of a light.
      *
-     * @param light what it goes to; null for a place where nothing is
+     * @param light that the ray goes to; null for a point on no surface
      * @param ray is changed
-     * @param distance to the point of the light
-     * @param path the path whose vertex it leaves, into the medium that the path is in
-     * @param isBehind whether it leaves it into the medium behind a rough border instead
-     * @param through receives what comes through of the light, by band
+     * @param distance to the point, in the frame
+     * @param path the path whose vertex the ray leaves, into the path's medium
+     * @param isBehind whether the ray leaves into the medium behind a rough interface instead
+     * @param through receives the transmittance, by band
      */
     public boolean reaches(
             PhysicalLight light, Ray ray, double distance, PathFollower path, boolean isBehind, double[] through) {
@@ -63,7 +63,7 @@ public final class ShadowWalk {
         return reaches(light, ray, distance, through);
     }
 
-    /** The same for a ray that leaves a point of the medium that a path is flying through, whatever that has come to. */
+    /** As {@link #reaches}, for a ray from a point of the path's flight through its medium, before the surface that it has hit since. */
     public boolean reachesFromTheWay(
             PhysicalLight light, Ray ray, double distance, PathFollower path, double[] through) {
         follower.beginShadowOnTheWay(path);
@@ -98,8 +98,8 @@ public final class ShadowWalk {
     }
 
     /**
-     * Whether the ray, which met something, has passed its end before. At a light nothing covers that then, and it did not meet what the
-     * light lies on. It need not meet the light: that may be small beside the rounding of directions.
+     * Whether the ray has passed its end before its last event. At a light that holds only if nothing covers it there and the event is not
+     * on the surface that it lies on. The ray need not hit the light, which may be small beside the rounding of directions.
      */
     private boolean isPast(PhysicalLight light, Ray ray, double left, PathFollower.Event event) {
         double distance = follower.distance(ray);

@@ -1,5 +1,5 @@
 /**
- * From one surface to the next: the media that a path is in, glass and its dispersion, borders that rays miss by rounding, and
- * shadow rays through what transmits light.
+ * Rays from one surface to the next: the stack of media, glass and its dispersion, interfaces that rays miss by rounding, and shadow rays
+ * through transmitting surfaces.
  */
 package enlightenment.transport.ray;

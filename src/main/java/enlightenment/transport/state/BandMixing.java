@@ -5,32 +5,35 @@ import enlightenment.world.PhysicalScene;
 import java.util.Arrays;
 
 /**
- * What light of each band that comes to where a path is brings to the eye in each displayed band, for paths that fluorescent surfaces have
- * scattered: light that they turn into another band. So no wavelength is chosen, and none is noisier than without. One per thread.
+ * The matrix by which light of each band, emitted or incident at the current vertex, contributes to each displayed band at the eye, for
+ * paths scattered by fluorescent surfaces, which re-emit light in other bands. No wavelength is sampled, so that fluorescence adds no
+ * spectral noise. One per thread.
  *
- * <p>The weights of all other events are those of the path's throughput, and of ultraviolet those of blue.
+ * <p>Weights of all other events are those of the path's throughput; ultraviolet takes those of blue.
  */
 public final class BandMixing {
     private static final int BANDS = Reradiation.BANDS;
     private static final int SHOWN = 3;
 
-    /** By displayed band, then by band. */
+    /** The matrix in row-major order: a row for each displayed band, a column for each band of light. */
     private final double[] worth = new double[SHOWN * BANDS];
 
-    /** About how much light there is of each band. */
+    /** By band, roughly the amount of light in the scene, relative; weighs the columns in {@link #most}. */
     private final double[] light;
 
-    /** For a thread; null if the scene has no fluorescent surfaces. */
+    /** Returns the matrix of one thread; null if the scene has no fluorescent surfaces. */
     public static BandMixing of(PhysicalScene scene) {
         return scene.lightOfBands == null ? null : new BandMixing(scene.lightOfBands);
     }
 
-    /** @param light about how much there is of each band, not negative, not all 0 */
+    /**
+     * @param light by band, roughly the amount of light in the scene, relative; not negative, not all 0
+     */
     BandMixing(double[] light) {
         this.light = light;
     }
 
-    /** Each displayed band shows light of itself. */
+    /** Begins a path: the identity matrix, in which each displayed band shows light of itself alone. */
     public void clear() {
         Arrays.fill(worth, 0);
         for (int band = 0; band < SHOWN; band++) {
@@ -38,7 +41,7 @@ public final class BandMixing {
         }
     }
 
-    /** What light brings to a displayed band. */
+    /** The contribution of light of these bands at the current vertex to one displayed band at the eye, without the path's throughput. */
     public double of(int band, double r, double g, double b, double ultraviolet) {
         int k = BANDS * band;
         return Math.fma(
@@ -47,7 +50,7 @@ public final class BandMixing {
                 Math.fma(worth[k + 1], g, Math.fma(worth[k + 2], b, worth[k + Reradiation.ULTRAVIOLET] * ultraviolet)));
     }
 
-    /** Multiplies what light is worth. */
+    /** Multiplies by the weight of an event that leaves each band in itself; ultraviolet takes the weight of blue. */
     public void filter(double r, double g, double b) {
         for (int k = 0; k < worth.length; k += BANDS) {
             worth[k] *= r;
@@ -58,14 +61,14 @@ public final class BandMixing {
     }
 
     /**
-     * The path is scattered by a fluorescent surface of this colour, and goes on as from a white one. What was in its way must have been
-     * filtered.
+     * Multiplies by the reradiation of a fluorescent surface of this colour; the path's throughput goes on as at a white surface. Weights
+     * of the events before must have been applied by {@link #filter}.
      */
     public void scatter(Reradiation by, double[] color) {
         by.adjoin(color, worth);
     }
 
-    /** The most that a displayed band may get of the light that there is. */
+    /** The largest contribution that any displayed band receives of the scene's light. */
     double most() {
         double most = 0;
         for (int k = 0; k < worth.length; k += BANDS) {
@@ -79,10 +82,10 @@ public final class BandMixing {
     }
 
     /**
-     * As {@link #scatter}, but the path goes on as from a grey surface, whose reflectance says how much less is to be expected of it from
-     * here on, so that roulette may go by it.
+     * As {@link #scatter}, but the path's throughput goes on as at a grey surface, whose reflectance is the factor by which {@link #most}
+     * falls, at most 1: Russian roulette goes by it.
      *
-     * @return that reflectance, 0..1; 0 if nothing is
+     * @return that reflectance, 0..1; 0 if no light is left
      */
     double scatterAsGrey(Reradiation by, double[] color) {
         double before = most();

@@ -2,29 +2,27 @@ package enlightenment.transport.state;
 
 import enlightenment.world.light.PhysicalLight;
 
-/**
- * What arrives from lights at a vertex of a path, and how much of it is no matter of chance. Mutable, one per thread.
- */
+/** Direct lighting at a vertex of a path, by band, and the deterministic part of it. Mutable, one per thread. */
 public final class GatheredLight {
     private final boolean hasUltraviolet;
 
-    /** All of it. */
+    /** Red, green and blue, with the deterministic part included. */
     public double red;
 
     public double green;
     public double blue;
 
-    /** The same of ultraviolet, which surfaces reflect as blue; 0 if nothing in the scene shows it. */
+    /** Ultraviolet, which surfaces reflect as blue; 0 if nothing in the scene shows it. */
     public double ultraviolet;
 
-    /** The part that no random number has a part in. */
+    /** The part that depends on no random number, by band; included in the sums above. */
     double certainRed;
 
     double certainGreen;
     double certainBlue;
     double certainUltraviolet;
 
-    /** What is known of the lights: a digit to base three for each, hidden, in full view, or a matter of chance. */
+    /** What was noted of the lights, a digit to base three each: 0 for hidden, 1 for visible without a random number, 2 for random. */
     public long views;
 
     /** @param hasUltraviolet whether anything in the scene gives and shows ultraviolet */
@@ -32,7 +30,7 @@ public final class GatheredLight {
         this.hasUltraviolet = hasUltraviolet;
     }
 
-    /** Forgets everything. */
+    /** Begins a new vertex: nothing arrives, no light was noted. */
     public void clear() {
         red = 0;
         green = 0;
@@ -45,21 +43,21 @@ public final class GatheredLight {
         views = 0;
     }
 
-    /** Makes it this much light, of which nothing is known. */
+    /** Sets the light, without a deterministic part. */
     public void set(double r, double g, double b) {
         red = r;
         green = g;
         blue = b;
     }
 
-    /** Adds light. */
+    /** Adds light in the visible bands. */
     public void add(double r, double g, double b) {
         red += r;
         green += g;
         blue += b;
     }
 
-    /** Adds light: the radiance or intensity of a source, times these; of ultraviolet as much as of blue. */
+    /** Adds the radiance or intensity of a source times a factor for each band; ultraviolet takes the factor of blue. */
     public void add(PhysicalLight l, double r, double g, double b) {
         red = Math.fma(r, l.r, red);
         green = Math.fma(g, l.g, green);
@@ -69,7 +67,7 @@ public final class GatheredLight {
         }
     }
 
-    /** Says that so much of a light's radiance or intensity, which was added, is certain. */
+    /** Declares this multiple of a light's radiance or intensity, which was added before, to be deterministic. */
     public void addCertain(PhysicalLight l, double factor) {
         certainRed = Math.fma(factor, l.r, certainRed);
         certainGreen = Math.fma(factor, l.g, certainGreen);
@@ -77,7 +75,12 @@ public final class GatheredLight {
         certainUltraviolet = Math.fma(factor, l.ultraviolet, certainUltraviolet);
     }
 
-    /** Notes what is known of the next light: whether a random number has a part in what it gave, and whether it gave anything. */
+    /**
+     * Appends a light to {@link #views}.
+     *
+     * @param isByChance whether its contribution depends on a random number
+     * @param isSeen whether it contributed anything
+     */
     public void note(boolean isByChance, boolean isSeen) {
         views = 3 * views + (isByChance ? 2 : isSeen ? 1 : 0);
     }

@@ -4,14 +4,14 @@ package enlightenment.transport.state;
 public enum PathEvent {
     /** A delta lobe: a mirror, smooth glass, or such a lobe of another surface. No next-event estimation. */
     SPECULAR,
-    /** Rough glass: next-event estimation on both sides, but the caustic pass connects none of its vertices to the eye. */
+    /** Rough glass: next-event estimation on both sides; the caustic pass connects none of its vertices to the eye. */
     ROUGH_BORDER,
-    /** A glossy lobe that is {@linkplain enlightenment.bsdf.Bsdf#isNarrow narrow}, where the caustic pass takes such. */
+    /** A {@linkplain enlightenment.bsdf.Bsdf#isNarrow narrow} glossy lobe, in a scene whose caustic pass covers such lobes. */
     NARROW,
     /** Any other lobe. */
     WIDE,
-    /** A medium of index 1, which scatters the paths of the caustic pass, too. */
+    /** A medium with index of refraction 1: the caustic pass connects its vertices to the eye. */
     MEDIUM,
-    /** A medium of another index: the caustic pass follows no light there. */
+    /** A medium with another index of refraction: the caustic pass does not scatter its paths there. */
     REFRACTIVE_MEDIUM
 }

@@ -3,36 +3,38 @@ package enlightenment.transport.state;
 import enlightenment.bsdf.Scattering;
 
 /**
- * The scattering events of a path, from the eye or from a light, and the last direction that its BSDFs sampled: what multiple importance
- * sampling of the light that the path hits depends on ({@link PathStrategy#weightOfHit}). Surfaces that the path passes straight are no events: shadow rays pass them,
- * too. Mutable, one per thread.
+ * The scattering events of a path, from the eye or from a light, and its last BSDF sample: all that the MIS weight of emission that the
+ * path hits depends on ({@link PathStrategy#weightOfHit}). Surfaces that the path passes straight are no events, since shadow rays pass
+ * them, too. Mutable, one per thread.
  */
 public final class PathState {
-    /** How many scattering events there were. */
+    /** The number of scattering events. */
     public int events;
 
-    /** The address of the next random numbers: how many events and passages have used some. */
+    /** The address of the next random numbers: the number of events and straight passages that have used some. */
     public int address;
 
-    /** Whether direct light was sampled at the last event, so that emission that the path hits is weighted. */
+    /** Whether direct light was sampled at the last event, so that emission that the path hits gets an MIS weight. */
     public boolean hasDirect;
 
     /** Whether the next hit coincides with the rough glass that the path left: next-event estimation cannot reach it. */
     public boolean nextIsCoincident;
 
-    /** Whether direct light of {@linkplain enlightenment.world.light.CausticPass#takesNarrow small lights} was left out there. */
+    /**
+     * Whether next-event estimation at the last event left out {@linkplain enlightenment.world.light.CausticPass#takesNarrow small lights}.
+     */
     public boolean leftSmallLights;
 
     /** Density per solid angle of the BSDF sample at the last vertex with next-event estimation. */
     public double pdf;
 
-    /** Its direction. */
+    /** The direction of that sample, a unit vector in the frame. */
     public double dx;
 
     public double dy;
     public double dz;
 
-    /** The mirror that reflected the path last, by its id; -1 where the last event was none at a mirror. */
+    /** The id of the mirror at which the last event happened; -1 if it was no reflection at a mirror. */
     public int mirror;
 
     private PathEvent first;
@@ -41,7 +43,7 @@ public final class PathState {
     private PathEvent beforeLast;
     private boolean wasInRefractiveMedium;
 
-    /** Begins at the eye, or at a light. */
+    /** Begins a path at the eye or at a light: no events yet. */
     public void begin() {
         events = 0;
         address = 0;
@@ -56,7 +58,11 @@ public final class PathState {
         wasInRefractiveMedium = false;
     }
 
-    /** Appends an event in a single direction, at the mirror of this id; -1 for glass, and for such lobes of other surfaces. */
+    /**
+     * Appends a delta event.
+     *
+     * @param atMirror id of the mirror; -1 for glass, and for delta lobes of other surfaces
+     */
     public void extendSpecular(int atMirror) {
         append(PathEvent.SPECULAR);
         hasDirect = false;
@@ -64,9 +70,10 @@ public final class PathState {
     }
 
     /**
-     * Appends an event at which direct light was sampled, or that connections may end at, by the direction and density that were sampled.
+     * Appends an event at which direct light was sampled, or which is connected to other subpaths.
      *
-     * @param leavesSmallLights whether direct light of small lights was left out
+     * @param sampled the BSDF sample: its direction and density
+     * @param leavesSmallLights whether next-event estimation left out small lights
      */
     public void extend(PathEvent event, Scattering sampled, boolean leavesSmallLights) {
         append(event);
@@ -78,7 +85,7 @@ public final class PathState {
         dz = sampled.iz;
     }
 
-    /** Appends scattering in a medium, at a vertex without next-event estimation. */
+    /** Appends an event in a medium, at a vertex without next-event estimation. */
     public void extendWithoutDirect() {
         append(PathEvent.REFRACTIVE_MEDIUM);
         hasDirect = false;
@@ -87,7 +94,9 @@ public final class PathState {
     /**
      * Appends an event at rough glass.
      *
-     * @param toCoincident whether the next hit coincides with it
+     * @param sampled the BSDF sample: its direction and density
+     * @param leavesSmallLights whether next-event estimation left out small lights
+     * @param toCoincident whether the next hit coincides with the glass
      */
     public void extendAtRoughGlass(Scattering sampled, boolean leavesSmallLights, boolean toCoincident) {
         extend(PathEvent.ROUGH_BORDER, sampled, leavesSmallLights);
@@ -116,25 +125,31 @@ public final class PathState {
         return beforeLast;
     }
 
-    /** Whether anything but mirrors and borders of glass has scattered the path: light that comes to it then is indirect. */
+    /** Whether anything but mirrors and interfaces of glass has scattered the path: light that it finds from then on is indirect. */
     public boolean hasScattered() {
         return firstScattering != null;
     }
 
-    /** Whether the eye sees the vertex that the path is at, or the first that scattered it, in a mirror or through glass. */
+    /**
+     * Whether the eye sees the first vertex in a mirror or through glass, or a medium of another index of refraction has scattered the
+     * path.
+     */
     public boolean isSeenBySpecular() {
         return first == PathEvent.SPECULAR || first == PathEvent.ROUGH_BORDER || wasInRefractiveMedium;
     }
 
     /**
-     * Whether the caustic pass samples such paths if their last event is specular and a light comes next: from the light, over that, to the
-     * first vertex, which it connects to the eye.
+     * Whether the caustic pass samples this path if its last event is specular and it hits a light next: the pass follows it from the
+     * light, by the specular event, to the first vertex, which it connects to the eye.
      */
     public boolean isSampledByCausticPass() {
         return firstScattering != null && !isSeenBySpecular();
     }
 
-    /** As {@link #isSampledByCausticPass} for a narrow lobe as the last event: false if the first lobe that is not specular is narrow, too. */
+    /**
+     * As {@link #isSampledByCausticPass}, for a last event at a narrow lobe: false if the first lobe that is not specular is narrow as
+     * well.
+     */
     public boolean isNarrowSampledByCausticPass() {
         return isSampledByCausticPass() && firstScattering != PathEvent.NARROW;
     }

@@ -4,25 +4,25 @@ import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 
 /**
- * One way in which light reaches a vertex of a path from the eye, with its share in multiple importance sampling. The weight of emission that
- * a path hits by BSDF sampling is the product of all strategies' weights: each says 1 of paths that it does not make, and of each
- * path at most one says anything else. So for every path the shares add up to 1 (docs/notes/path-tracing.md).
+ * A sampling strategy for light that reaches a vertex of a path from the eye, with its MIS weights. The weight of emission that a path hits
+ * by BSDF sampling is the product of {@link #weightOfHit} of all strategies: each returns 1 for paths that it cannot sample, and at most
+ * one returns anything else. So for every path the weights of all strategies add up to 1 (docs/notes/path-tracing.md).
  */
 public interface PathStrategy {
     /**
-     * Adds this strategy's estimate of the light that arrives at a vertex and leaves it towards where the path came from.
+     * Adds this strategy's weighted estimate of the light that arrives at a vertex and is scattered towards the path's previous vertex.
      *
      * @param state of the path up to the vertex
      */
     void direct(PathVertex vertex, PathState state, Sampler sampler, PathValue value);
 
     /**
-     * The weight, 0 to 1, of emission that the path hits by BSDF sampling: one less the share of this strategy. It depends on the path
-     * alone, of which the strategy may have kept what {@link #direct} saw: that must have been called last at the last vertex that is not
-     * specular.
+     * The MIS weight, 0 to 1, of emission that the path hits by BSDF sampling: 1 minus the weight of this strategy for the same path. It
+     * depends on the path alone; the strategy may have kept data from {@link #direct}, so that must have been called last at the path's
+     * last vertex that is not specular.
      *
-     * @param ray by which the path came to it
-     * @param light index of the light that was hit; negative if it is none that can be sampled
+     * @param ray by which the path came to the emitter
+     * @param light index of the light that was hit; negative if no strategy can sample the emitter
      */
     double weightOfHit(PathState state, Ray ray, int light);
 }

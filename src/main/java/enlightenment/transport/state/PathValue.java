@@ -8,23 +8,23 @@ import enlightenment.world.surface.SurfaceInteraction;
 import java.util.Arrays;
 
 /**
- * What a path from the eye has gathered, and how much of what is still to come counts: its throughput. Of both, the part that is not left
- * to chance is told apart. Mutable, one per thread.
+ * The radiance L that a path from the eye has gathered, its throughput β for what is to come, and the deterministic part of L. Mutable, one
+ * per thread.
  */
 public final class PathValue {
-    /** From this scattering event on roulette may end a path. */
+    /** Russian roulette may end a path from this scattering event on. */
     public static final int ROULETTE_FROM = 5;
 
-    /** Sooner, if less than this is left of a path's throughput. */
+    /** Russian roulette may end a path before {@link #ROULETTE_FROM} if its throughput is less than this. */
     public static final double FAINT = 0.05;
 
-    /** Paths of a closed white room must end, too. */
+    /** The upper bound of the probability of surviving Russian roulette: paths in a closed white room must end, too. */
     public static final double LARGEST_SURVIVAL = 0.99;
 
-    /** The wavelength of the path; null if none matters. */
+    /** The wavelength of the path; null if no glass of the scene disperses. */
     public PathWavelength wavelength;
 
-    /** What was gathered. */
+    /** The radiance gathered so far, red, green and blue. */
     double red;
 
     double green;
@@ -33,14 +33,14 @@ public final class PathValue {
     /** Whether only the indirect part of that is wanted ({@link PathPart#INDIRECT}). */
     public boolean isIndirect;
 
-    /** Whether all that is added now is part of it; and what was before. */
+    /** Whether all light added from now on is indirect; and the indirect light that was added before. */
     private boolean onlyIndirect;
 
     private double indirectR;
     private double indirectG;
     private double indirectB;
 
-    /** Radiance at the eye per radiance here, where the index of refraction is another one. */
+    /** (n₀/n)²: radiance at the eye over radiance here, where n₀ and n are the indices of refraction there and here. */
     private double compression;
 
     private final double[] transmittance = new double[3];
@@ -51,37 +51,43 @@ public final class PathValue {
     /** True until the first random decision of the path. */
     public boolean certain;
 
-    /** What was gathered until then. */
+    /** Radiance gathered before the first random decision. */
     private double certainRed;
 
     private double certainGreen;
     private double certainBlue;
 
-    /** What the path came to until then. */
+    /** The hash of the path at its first random decision. */
     private long certainKey;
 
-    /** How much of what is still to come counts. */
+    /** The throughput of the path up to its current vertex. */
     public final Throughput throughput = new Throughput();
 
-    /** What fluorescent surfaces do with light; null if there are none. */
+    /** The matrix of bands of a path scattered by fluorescent surfaces; null if the scene has none. */
     private final BandMixing mixing;
 
-    /** Whether the path has been scattered by one. */
+    /** Whether a fluorescent surface has scattered the path. */
     private boolean mixes;
 
     private final double[] mixed = new double[3];
 
-    /** Of a path that meets no fluorescent surfaces. */
+    /** Makes the value of paths in a scene without fluorescent surfaces. */
     public PathValue() {
         this(null);
     }
 
-    /** @param mixing of this path alone; null if there are no fluorescent surfaces */
+    /**
+     * @param mixing owned by this path; null if there are no fluorescent surfaces
+     */
     public PathValue(BandMixing mixing) {
         this.mixing = mixing;
     }
 
-    /** @param index of refraction of the medium that the eye is in */
+    /**
+     * Begins a path at the eye.
+     *
+     * @param index of refraction of the medium that the eye is in
+     */
     public void begin(double index) {
         beginPart();
         onlyIndirect = false;
@@ -96,7 +102,7 @@ public final class PathValue {
         certainBlue = 0;
     }
 
-    /** Forgets what was gathered, for what comes from here on to be worth what it is here. */
+    /** Sets what was gathered to 0 and the throughput to 1: from here on the value is relative to the current vertex. */
     public void beginPart() {
         mixes = false;
         red = 0;
@@ -105,12 +111,12 @@ public final class PathValue {
         throughput.begin(1, 1, 1, 1);
     }
 
-    /** Adds visible radiance that leaves what the path is at towards where it came from. */
+    /** Adds radiance in the visible bands that leaves the current vertex towards the previous one. */
     public void add(double r, double g, double b) {
         add(r, g, b, 0);
     }
 
-    /** Adds radiance, that of ultraviolet as well, that leaves what the path is at towards where it came from. */
+    /** Adds radiance, with ultraviolet, that leaves the current vertex towards the previous one. */
     public void add(double r, double g, double b, double ultraviolet) {
         if (mixes) {
             mix(r, g, b, ultraviolet);
@@ -125,10 +131,10 @@ public final class PathValue {
     }
 
     /**
-     * Adds what a surface emits. All of it is certain, whatever the weight is, but for what a texture makes of it: between corners that
-     * see the same surface that is not what they see.
+     * Adds emission of a surface, times its MIS weight. It counts as deterministic whatever the weight is, unless a texture varies it:
+     * pixel corners that see the same surface then see different emission.
      *
-     * @param key what the path has come to, as a hash
+     * @param key hash of the path up to here
      */
     public void addEmission(SurfaceInteraction at, double weight, long key) {
         at.findEmission();
@@ -140,7 +146,7 @@ public final class PathValue {
         }
     }
 
-    /** Writes what a surface's emission is worth, in place of {@link #addEmission}. */
+    /** Writes the emission of a surface times throughput and compression: what {@link #addEmission} would add with weight 1. */
     public void getEmission(SurfaceInteraction at, double[] out) {
         at.findEmission();
         out[0] = throughput.red * compression * at.emittedR;
@@ -148,12 +154,12 @@ public final class PathValue {
         out[2] = throughput.blue * compression * at.emittedB;
     }
 
-    /** Adds the light that was gathered where the path is. */
+    /** Adds direct lighting at the current vertex: radiance towards the previous one. */
     public void add(GatheredLight light) {
         add(light.red, light.green, light.blue, light.ultraviolet);
     }
 
-    /** Adds what a Lambertian surface of this colour reflects of the light that was gathered there. */
+    /** Adds the reflection, at a Lambertian surface of this colour, of the direct lighting of a white one. */
     public void addReflected(GatheredLight light, double[] color) {
         add(color[0] * light.red, color[1] * light.green, color[2] * light.blue, color[2] * light.ultraviolet);
         if (certain) {
@@ -165,7 +171,7 @@ public final class PathValue {
         }
     }
 
-    /** Finds what light brings to the eye, if fluorescent surfaces have scattered the path. */
+    /** Transforms radiance of the current vertex to displayed bands at the eye, if a fluorescent surface has scattered the path. */
     private void mix(double r, double g, double b, double ultraviolet) {
         double x = throughput.red * compression * r;
         double y = throughput.green * compression * g;
@@ -176,7 +182,7 @@ public final class PathValue {
         }
     }
 
-    /** Adds radiance that is indirect although the path is not yet. */
+    /** Adds radiance that counts as indirect although the path itself is still direct. */
     public void addIndirect(double r, double g, double b, double ultraviolet) {
         add(r, g, b, ultraviolet);
         if (!isIndirect || onlyIndirect) {
@@ -194,9 +200,10 @@ public final class PathValue {
     }
 
     /**
-     * Adds what comes from where the path has left the scene.
+     * Adds the radiance of the surroundings for a path that has left the scene.
      *
-     * @param isEven whether it is the same everywhere: else it is left to chance
+     * @param isEven whether the surroundings are constant: only then is it deterministic
+     * @param key hash of the path up to here
      */
     public void addEscaped(GatheredLight light, boolean isEven, long key) {
         add(light.red, light.green, light.blue);
@@ -207,7 +214,7 @@ public final class PathValue {
         }
     }
 
-    /** From here on the path is indirect. */
+    /** Declares all light from here on to be indirect. */
     public void beginIndirect() {
         if (isIndirect && !onlyIndirect) {
             dropDirect();
@@ -221,7 +228,7 @@ public final class PathValue {
         blue = indirectB;
     }
 
-    /** Notes the part of what is added that no random number has a part in. */
+    /** Adds to the deterministic part, if the path has made no random decision yet. */
     void addCertain(double r, double g, double b, double ultraviolet) {
         if (certain && mixes) {
             // Nothing has turned the path: light is what it is at the eye.
@@ -237,9 +244,9 @@ public final class PathValue {
     }
 
     /**
-     * From here on random numbers have a part in the path.
+     * Marks the path's first random decision: the deterministic part is complete.
      *
-     * @param key what it came to until now, as a hash
+     * @param key hash of the path up to here
      */
     public void leaveToChance(long key) {
         if (certain) {
@@ -249,10 +256,10 @@ public final class PathValue {
     }
 
     /**
-     * Writes the part that is not left to chance.
+     * Writes the deterministic part of the radiance.
      *
-     * @param key what the path has come to now, as a hash
-     * @return what it had come to when chance began; the key if all is certain
+     * @param key hash of the path up to here
+     * @return the hash at the first random decision; the key if there was none
      */
     public long certain(double[] out, long key) {
         out[0] = certainRed;
@@ -261,7 +268,7 @@ public final class PathValue {
         return certain ? key : certainKey;
     }
 
-    /** Writes what was gathered. */
+    /** Writes the gathered radiance, or its indirect part if only that is wanted. */
     public void get(double[] out) {
         if (isIndirect && !onlyIndirect) {
             dropDirect();
@@ -271,7 +278,7 @@ public final class PathValue {
         out[2] = blue;
     }
 
-    /** Makes the path worth the share of light that its last surface reflects, in place of light; returns that it does not go on. */
+    /** Ends the path with a reflectance in place of radiance: throughput times this. Returns false, as the path does not go on. */
     public boolean endsWith(double[] rgb) {
         red = throughput.red * rgb[0];
         green = throughput.green * rgb[1];
@@ -280,9 +287,9 @@ public final class PathValue {
     }
 
     /**
-     * The path is scattered by a fluorescent surface, and goes on as from a grey one.
+     * Scatters the path at a fluorescent surface; its throughput goes on as at a grey one.
      *
-     * @param surface its colour; receives the reflectance of that
+     * @param surface its colour; receives the grey reflectance
      * @return whether the path goes on
      */
     public boolean scatter(Reradiation by, double[] surface) {
@@ -298,7 +305,10 @@ public final class PathValue {
         return surface[0] > 0;
     }
 
-    /** The same, but that the path goes on as from a white surface, with this colour in what mixes bands. */
+    /**
+     * Scatters the path at a fluorescent surface; its throughput goes on as at a white one, and the matrix of bands takes the colour. See
+     * {@link #scatter}, which goes on as at a grey one.
+     */
     public void reradiate(Reradiation by, double[] color) {
         beginMixing();
         mixing.filter(throughput.red, throughput.green, throughput.blue);
@@ -313,49 +323,49 @@ public final class PathValue {
         }
     }
 
-    /** The path is in a medium with this index of refraction now. */
+    /** Enters a medium with this index of refraction. */
     public void enter(double index) {
         compression = firstIndex * firstIndex / (index * index);
     }
 
-    /** Radiance at the eye per radiance here, where the index of refraction is another one. */
+    /** (n₀/n)²: radiance at the eye over radiance here, where n₀ and n are the indices of refraction there and here. */
     public double compression() {
         return compression;
     }
 
-    /** Multiplies the throughput. */
+    /** Multiplies the throughput by the weight of an event. */
     public void filter(double r, double g, double b) {
         throughput.filter(r, g, b);
     }
 
-    /** Takes note of it where the path's wavelength has become the only one. */
+    /** Multiplies the throughput by the weights of the path's wavelength, once it has become the only one. */
     public void disperse() {
         if (wavelength != null && wavelength.takesEffect()) {
             filter(wavelength.red, wavelength.green, wavelength.blue);
         }
     }
 
-    /** The same by Beer and Lambert's law, on the way to what the path has come to. */
+    /** Multiplies the throughput by the transmittance of a medium along a length, by the law of Beer and Lambert. */
     public void absorb(SurfaceMaterial medium, double length) {
         Arrays.fill(transmittance, 1);
         medium.absorb(length, transmittance);
         filter(transmittance[0], transmittance[1], transmittance[2]);
     }
 
-    /** Whether the path goes on from its last event without roulette. */
+    /** Whether the path continues after its last event without Russian roulette. */
     public boolean isSafe(PathState state) {
         return state.events < ROULETTE_FROM && throughput.most() >= FAINT;
     }
 
     /**
-     * Plays roulette by the weight of the last event, which was filtered by: by the event's own albedo, since what is left of the path's
-     * throughput says little of what is to come.
+     * Plays Russian roulette by the weight of the last event, with which the throughput was filtered. The weight is the event's own albedo;
+     * the whole throughput says little about the light to come.
      */
     public boolean survives(double r, double g, double b, Sampler sampler, PathState state) {
         return throughput.most() > 0 && survives(survival(r, g, b), sampler, state);
     }
 
-    /** Plays roulette after the last event with a probability of survival. */
+    /** Plays Russian roulette after the last event, with this probability of survival, and divides the throughput by it. */
     public boolean survives(double survival, Sampler sampler, PathState state) {
         if (!(sampler.unit(state.events - 1, Sampler.Purpose.ROULETTE) < survival)) {
             return false;
@@ -364,7 +374,7 @@ public final class PathValue {
         return true;
     }
 
-    /** The probability of surviving an event of this weight. */
+    /** The probability of surviving Russian roulette after an event of this weight: its largest band, at most {@link #LARGEST_SURVIVAL}. */
     public static double survival(double r, double g, double b) {
         return Math.min(Math.max(r, Math.max(g, b)), LARGEST_SURVIVAL);
     }

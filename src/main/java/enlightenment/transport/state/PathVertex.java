@@ -4,29 +4,29 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 
-/** A vertex at which a path from the eye is scattered, as strategies see it. Mutable, one per thread. */
+/** A vertex at which a path from the eye is scattered, as a {@link PathStrategy} receives it. Mutable, one per thread. */
 public final class PathVertex {
-    /** What scatters light there: a surface, a rough border, or a medium's phase function. */
+    /** The scattering function of a surface, of a rough interface of two media, or of a medium (its phase function). */
     public Bsdf bsdf;
 
     /** Directions, normal and colours, as {@link Bsdf} wants them; at a Lambertian surface null unless more than {@link #color} is needed. */
     public Scattering s;
 
-    /** The colour of a Lambertian surface; at a rough border the tint of what passes. */
+    /** The colour of a Lambertian surface; at a rough interface the tint of what passes. */
     public double[] color;
 
-    /** How the path leaves it, if not in a single direction. */
+    /** The kind of the scattering event here, unless a delta lobe is sampled. */
     public PathEvent event;
 
-    /** Whether direct light of small lights is left to the caustic pass. */
+    /** Whether next-event estimation leaves out small lights, which the caustic pass covers here. */
     public boolean leavesSmallLights;
 
-    /** Whether it is a Lambertian surface, at which direct light has closed forms. */
+    /** Whether the vertex is on a Lambertian surface, where direct light has closed forms. */
     public boolean isMatte() {
         return bsdf == Lambert.INSTANCE;
     }
 
-    /** Sets the vertex. */
+    /** Sets all fields. */
     public void set(Bsdf by, Scattering at, double[] ofColor, PathEvent how, boolean leaves) {
         bsdf = by;
         s = at;

@@ -8,50 +8,52 @@ import enlightenment.sampling.Sampler;
 import enlightenment.world.material.SurfaceMaterial;
 
 /**
- * The wavelength of a path through glass that disperses. It is drawn when the path begins, and all indices of refraction are those that it
- * sees. But the path stays one of all wavelengths, in three bands, until it does what they do not do alike: until it is refracted at
- * a border whose index depends on the wavelength, or reflected there by that part of the reflectance that not all of them share. From
- * then on each band counts as the wavelength belongs to it, over the probability of the wavelength. See docs/notes/dispersion.md.
+ * The wavelength of a path through glass that disperses. It is sampled when the path begins and decides all indices of refraction. The path
+ * still stands for all wavelengths, in three bands, until an event at which they differ: refraction at an interface whose index depends on
+ * the wavelength, or the part of its reflectance that not all wavelengths share. From then on each band is weighted by its sensitivity to
+ * the wavelength over the density of the wavelength. See docs/notes/dispersion.md.
  */
 public final class PathWavelength {
     private static final BandSensitivities BANDS = BandSensitivities.DAYLIGHT;
     private static final double FIRST = CauchyFormula.place(BandSensitivities.SHORTEST);
     private static final double LAST = CauchyFormula.place(BandSensitivities.LONGEST);
 
-    /** The sensitivity of the bands to the wavelength, over its probability: each is 1 in the mean, and may be negative. */
+    /**
+     * Sensitivity of red, green and blue to the wavelength over the wavelength's density: the mean of each is 1, and it may be negative.
+     */
     public double red;
 
     public double green;
     public double blue;
 
-    /** Whether the path is one of this wavelength alone. */
+    /** Whether the path stands for its own wavelength alone. */
     boolean isAlone;
 
-    /** Whether it has become that, and nobody took note yet. */
+    /** Whether that has begun since the last call of {@link #takesEffect}. */
     private boolean isNew;
 
-    /** Where the wavelength is ({@link CauchyFormula#place}). */
+    /** The position of the wavelength as {@link CauchyFormula#place} measures it. */
     private double place = FIRST;
 
-    /** The index of refraction before the border, at both ends of the range of wavelengths. */
+    /** The index of refraction before the interface, at both ends of the spectrum. */
     private double fromFirst;
 
     private double fromLast;
 
-    /** The relative index at the border, at both ends. */
+    /** The relative index of refraction at the interface, at both ends of the spectrum. */
     double etaFirst;
 
     double etaLast;
 
     private final double[] pair = new double[2];
 
-    /** Draws the wavelength of a path that begins. */
+    /** Samples the wavelength of a path that begins. */
     public void begin(Sampler sampler) {
         sampler.pair(0, Sampler.Purpose.WAVELENGTH, pair);
         begin(pair[0]);
     }
 
-    /** The same by a number in [0, 1). */
+    /** Sets the wavelength by inverting its distribution at a number in [0, 1). */
     public void begin(double number) {
         double wavelength = BANDS.draw(number);
         place = CauchyFormula.place(wavelength);
@@ -62,23 +64,23 @@ public final class PathWavelength {
         isNew = false;
     }
 
-    /** Takes the wavelength of another path. */
+    /** Copies the wavelength of another path. */
     public void set(PathWavelength o) {
         place = o.place;
     }
 
-    /** The index of refraction of a material. */
+    /** The index of refraction of a material at this wavelength. */
     public double index(SurfaceMaterial material) {
         return CauchyFormula.index(material.indexOfRefraction, material.dispersion, place);
     }
 
-    /** Tells the medium before a border; null is empty space. */
+    /** Sets the medium before an interface; null is empty space. */
     public void leave(SurfaceMaterial medium) {
         fromFirst = index(medium, FIRST);
         fromLast = index(medium, LAST);
     }
 
-    /** Tells the medium behind it. */
+    /** Sets the medium behind the interface whose other side {@link #leave} has set; null is empty space. */
     public void enter(SurfaceMaterial medium) {
         etaFirst = fromFirst / index(medium, FIRST);
         etaLast = fromLast / index(medium, LAST);
@@ -89,10 +91,10 @@ public final class PathWavelength {
     }
 
     /**
-     * Tells that the path was scattered at the border.
+     * Reports a scattering event at the interface, after which the path may stand for its wavelength alone.
      *
-     * @param s how
-     * @param number uniform in [0, 1), independent of that
+     * @param s the sampled event
+     * @param number uniform in [0, 1), independent of the event
      */
     public void scattered(Scattering s, double number) {
         if (!isAlone && number >= common(s)) {
@@ -101,7 +103,10 @@ public final class PathWavelength {
         }
     }
 
-    /** Whether the path is alone since this was asked last: then what it is worth has to be multiplied by the weights of the bands. */
+    /**
+     * Whether the path has come to stand for its wavelength alone since the last call: its throughput must then be multiplied by the
+     * weights {@link #red}, green and blue.
+     */
     public boolean takesEffect() {
         boolean was = isNew;
         isNew = false;
@@ -109,8 +114,8 @@ public final class PathWavelength {
     }
 
     /**
-     * Of the light that was scattered at the border, the share that is so at all wavelengths alike: of light that a smooth one reflects a
-     * reflectance that no wavelength falls below, over that of this wavelength.
+     * The share of the event's light that all wavelengths have in common, 0..1: for reflection at a smooth interface the least reflectance
+     * of any wavelength over that of this one.
      */
     double common(Scattering s) {
         if (!disperses()) {
@@ -130,15 +135,18 @@ public final class PathWavelength {
     }
 
     /**
-     * Whether light that is scattered towards the path where it is has the wavelength's colour.
+     * Whether light that is scattered at the current vertex towards the previous one has the colour of the wavelength.
      *
-     * @param isRough whether that is at a rough border
+     * @param isRough whether the vertex is on a rough interface
      */
     public boolean colors(boolean isRough) {
         return isAlone || isRough && disperses();
     }
 
-    /** Multiplies the value of light at the rough border that the path is at by its colour, if the path has not taken that itself. */
+    /**
+     * Multiplies the value of light that is scattered at a rough interface by the wavelength's colour, unless the path's throughput has
+     * that already.
+     */
     public void color(Scattering s) {
         if (!isAlone && disperses()) {
             s.valueR *= red;

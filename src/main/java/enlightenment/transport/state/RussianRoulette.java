@@ -1,11 +1,10 @@
 package enlightenment.transport.state;
 
 /**
- * When a random walk in media that scatter light ends by chance: the probabilities of Russian roulette. A mutable work object, one per
- * thread.
+ * Survival probabilities of Russian roulette for random walks in media. A mutable work object, one per thread.
  *
- * <p>At a point where a medium scatters a path, what the path carries is compared to what it carried before the flight that brought it
- * there; what was lost since roulette was last played counts once.
+ * <p>Where a medium scatters a path, its throughput is compared to that before the flight that led there; a loss since roulette was last
+ * played counts once.
  */
 public final class RussianRoulette {
     /**
@@ -15,32 +14,35 @@ public final class RussianRoulette {
      */
     private static final int LONG = 64;
 
-    /** From this event on it falls as a geometric series: a path that can never leave has an end. */
+    /**
+     * From this event on survival no longer rises towards 1: the share of surviving paths falls as a geometric series, so that a path that
+     * can never leave its medium ends.
+     */
     private static final int ENDLESS = 1 << 16;
 
-    /** All of a scene is nearer to the origin of its frame. */
+    /** An upper bound of the distance of anything in a scene from the origin of its frame. */
     private static final double NEAR = 4;
 
-    /** How many events of media and their borders the path has had. */
+    /** The number of events in media and at their interfaces so far. */
     private int events;
 
-    /** Whether the last event was one of a medium at which roulette was played. */
+    /** Whether the last event was in a medium and roulette was played there. */
     private boolean isLevel;
 
-    /** What the path carried, summed over bands, when roulette last was even. */
+    /** The throughput, summed over bands, that survival is measured against. */
     private double level;
 
-    /** How far from the origin the path has been. */
+    /** The largest distance from the origin that the path has had where roulette was played, in the frame; at least {@link #NEAR}. */
     private double farthest;
 
-    /** Begins a path. */
+    /** Begins a path: no events. */
     public void begin() {
         events = 0;
         isLevel = false;
         farthest = NEAR;
     }
 
-    /** The path sets out on a flight and carries this, summed over bands. */
+    /** Begins a flight with this throughput, summed over bands. */
     public void depart(double carried) {
         if (!isLevel) {
             level = carried;
@@ -49,10 +51,10 @@ public final class RussianRoulette {
     }
 
     /**
-     * The probability with which a path goes on that a medium has scattered at (x, y, z).
+     * The survival probability at a point (x, y, z) of a medium that has scattered the path.
      *
-     * @param carried what it carries now, summed over bands
-     * @param isSafe whether nothing in its history asks for an end
+     * @param carried throughput now, summed over bands
+     * @param isSafe whether events and throughput call for no roulette yet ({@link PathValue#isSafe})
      */
     public double survival(double carried, double x, double y, double z, boolean isSafe) {
         events++;
@@ -67,8 +69,8 @@ public final class RussianRoulette {
     }
 
     /**
-     * The probability with which a path goes on after an event at a border of media of this weight. Inside a white medium nothing but its
-     * border turns a path, so that the usual end of every hundredth path would make noise of the others.
+     * The survival probability after an event of this weight at an interface of media. It may reach 1: inside a white medium only the
+     * interface changes the throughput, and the usual {@link PathValue#LARGEST_SURVIVAL} would only add noise.
      */
     public double survivalAtBorder(double r, double g, double b) {
         events++;
@@ -76,7 +78,7 @@ public final class RussianRoulette {
         return Math.min(most, 1) * thinning();
     }
 
-    /** The share of paths that go on from here because they have had so many events. */
+    /** The survival probability because of the number of events alone. */
     private double thinning() {
         return events <= LONG ? 1 : Math.sqrt(1 - 1.0 / Math.min(events, ENDLESS));
     }

@@ -3,20 +3,20 @@ package enlightenment.transport.state;
 import enlightenment.bsdf.Reradiation;
 
 /**
- * The throughput of a path, or of a part of one, from the eye or from a light: the product of the weights of its events, by band. Bands of a
- * single wavelength may be negative. Mutable, one per thread.
+ * The throughput β of a path or a subpath, from the eye or from a light: the product of the weights of its events, by band. Bands of a path
+ * with a single wavelength may be negative. Mutable, one per thread.
  */
 public final class Throughput {
     public double red;
     public double green;
     public double blue;
 
-    /** That of ultraviolet, which surfaces reflect, and glass lets pass, as blue. */
+    /** The throughput of ultraviolet, which surfaces reflect, and glass transmits, as blue. */
     public double ultraviolet;
 
     private final double[] bands = new double[Reradiation.BANDS];
 
-    /** Begins with these. */
+    /** Sets red, green, blue and ultraviolet. */
     public void begin(double r, double g, double b, double u) {
         red = r;
         green = g;
@@ -24,7 +24,7 @@ public final class Throughput {
         ultraviolet = u;
     }
 
-    /** Multiplies by the weight of an event. */
+    /** Multiplies by the weight of an event; ultraviolet takes that of blue. */
     public void filter(double r, double g, double b) {
         red *= r;
         green *= g;
@@ -32,28 +32,28 @@ public final class Throughput {
         ultraviolet *= b;
     }
 
-    /** Multiplies all bands by the same. */
+    /** Multiplies all bands by a factor. */
     public void scale(double factor) {
         filter(factor, factor, factor);
     }
 
-    /** The largest of the visible bands. */
+    /** The largest absolute value of the visible bands. */
     public double most() {
         return Math.max(Math.abs(red), Math.max(Math.abs(green), Math.abs(blue)));
     }
 
-    /** The sum of the visible bands. */
+    /** The sum of the absolute values of the visible bands. */
     public double sum() {
         return Math.abs(red) + Math.abs(green) + Math.abs(blue);
     }
 
-    /** Whether there is light in any band that is not negative. */
+    /** Whether any band, ultraviolet included, is positive. */
     public boolean isLit() {
         return red > 0 || green > 0 || blue > 0 || ultraviolet > 0;
     }
 
     /**
-     * A fluorescent surface turns light of some bands into light of others, along the way that light takes.
+     * Multiplies by the reradiation of a fluorescent surface, in the direction of light: from bands that it absorbs to bands that it emits.
      *
      * @param color its reflectance by band
      */

@@ -1,5 +1,5 @@
 /**
- * What a path carries from vertex to vertex: its throughput, its history and the light it has gathered; the power heuristic and
- * Russian roulette.
+ * The state of a path from vertex to vertex: its throughput, its scattering events and the radiance it has gathered; the power heuristic
+ * and Russian roulette.
  */
 package enlightenment.transport.state;

@@ -6,17 +6,17 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * A rectangle of pixels that is rendered as one: a square that is fixed by the picture and never by threads or crops; smaller at the
- * picture's right and lower border.
+ * A rectangle of pixels that is rendered as one: a square on a grid fixed by the picture, never by threads or crops; cut off at the
+ * picture's right and lower edges.
  *
  * @param x first column
  * @param y first row
- * @param width columns, 1 and more
- * @param height rows, 1 and more
+ * @param width columns, at least 1
+ * @param height rows, at least 1
  */
 public record Block(int x, int y, int width, int height) {
     /**
-     * The block that a pixel of a picture belongs to.
+     * The block of a picture that contains a pixel.
      *
      * @param side of all blocks, in pixels
      */
@@ -27,7 +27,7 @@ public record Block(int x, int y, int width, int height) {
     }
 
     /**
-     * Visits the blocks that pixels of a tile belong to, row by row.
+     * Visits the blocks that overlap a tile, row by row.
      *
      * @param side of all blocks, in pixels
      */
@@ -42,9 +42,10 @@ public record Block(int x, int y, int width, int height) {
     }
 
     /**
-     * This many blocks of a picture, or all of them if there are no more, evenly spread over it.
+     * A subset of a picture's blocks of this size, evenly spread over it; all of them if there are no more.
      *
      * @param side of all blocks, in pixels
+     * @param count the number of blocks
      */
     public static List<Block> spread(int pictureWidth, int pictureHeight, int side, int count) {
         int across = (pictureWidth + side - 1) / side;
@@ -56,7 +57,7 @@ public record Block(int x, int y, int width, int height) {
         return blocks;
     }
 
-    /** How many pixels it has. */
+    /** The number of pixels. */
     public int pixels() {
         return width * height;
     }

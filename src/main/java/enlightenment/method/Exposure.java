@@ -8,14 +8,16 @@ import enlightenment.world.CompiledScene;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 
-/** What camera samples see while the shutter is open: each sees one of the scene's moments ({@link Moments}). */
+/** Camera samples while the shutter is open: each sees one of the scene's moments ({@link Moments}). */
 final class Exposure {
     private final CompiledScene[] moments;
     private final Shader[] shaders;
     private final Moments lots;
     private long pixelHash;
 
-    /** @param shader makes what a ray of a moment is worth */
+    /**
+     * @param shader makes the shader of a moment
+     */
     Exposure(CompiledScene[] moments, Function<CompiledScene, Shader> shader) {
         this.moments = moments;
         shaders = new Shader[moments.length];
@@ -41,12 +43,12 @@ final class Exposure {
         pixelHash = Hash.of(Hash.of(seed, Moments.PURPOSE), x, y);
     }
 
-    /** The index of the moment that a sample of the pixel sees. */
+    /** The index of the moment that this sample of the current pixel sees. */
     int moment(int sample) {
         return lots.of(pixelHash, sample);
     }
 
-    /** As {@link Shader#shade}, of a sample at a place of the picture, 0..1. */
+    /** As {@link Shader#shade}, for a sample at a film position (u, v) in 0..1. */
     void shade(int sample, double u, double v, Ray ray, Sampler sampler, double[] out) {
         int moment = moment(sample);
         moments[moment].camera.ray(u, v, sampler, ray);

@@ -3,13 +3,13 @@ package enlightenment.method;
 import java.util.function.BooleanSupplier;
 
 /**
- * A way to estimate the integrals that are the pixels; one per thread. There are two kinds: a {@link TileIntegrator} takes pixels
- * and finds the light that reaches them, a {@link SplatIntegrator} takes paths and finds the pixels that they reach.
+ * Estimates the integrals that are the pixels; one per thread. A {@link TileIntegrator} takes pixels and estimates the light that reaches
+ * them; a {@link SplatIntegrator} traces paths and adds them to the pixels that they reach.
  */
 public sealed interface Integrator permits TileIntegrator, SplatIntegrator {
     /**
-     * Lets this end in the middle of its work, by a {@link java.util.concurrent.CancellationException}, soon after this has become
-     * true; it stays true then.
+     * Sets the condition of cancellation: once it holds, which is then for good, the work soon ends by a
+     * {@link java.util.concurrent.CancellationException}.
      */
     void stopWhen(BooleanSupplier cancelled);
 }

@@ -9,24 +9,27 @@ import enlightenment.world.parts.RayCounters;
 import java.util.function.BooleanSupplier;
 
 /**
- * Paths from lights whose light is added to what tiles make of the same picture. Where the picture is the mean of several moments, each
- * path sees one of them ({@link Moments}).
+ * Light paths whose splats are added to the tiles of the same picture. Where the picture is the mean of several moments, each path sees one
+ * of them ({@link Moments}).
  */
 public final class LightPaths implements SplatIntegrator {
-    /** Paths that tell how bright their light is in the picture, up to a factor that sums have room for; so many of each moment at least. */
+    /**
+     * The number of paths per moment, at least, by which the mean contribution is estimated; it need be right only up to a factor that sums
+     * have room for.
+     */
     private static final int TRIAL_PATHS = 1 << 9;
 
     private static final int TRIAL_PATHS_OF_MOMENT = 1 << 6;
 
-    /** One for each moment; null where there is nothing to follow. */
+    /** One tracer for each moment; null where there are no paths. */
     private final LightPathTracer[] tracers;
 
     private final Moments moments;
 
-    /** Of all paths' moments. */
+    /** The hash from which all paths' moments follow. */
     private final long lots;
 
-    /** What follows the paths of a moment. */
+    /** Makes the tracer of a moment. */
     private interface Tracers {
         LightPathTracer of(CompiledScene moment, long seed, int width, int height, RayCounters counters);
     }
@@ -43,8 +46,8 @@ public final class LightPaths implements SplatIntegrator {
     }
 
     /**
-     * The caustics of a picture of which tiles make the rest: paths that are aimed at mirrors and smooth glass (docs/notes/caustics.md). For one
-     * thread, and a scene with a pass of caustics ({@link CompiledScene#hasCausticPass}).
+     * Makes the caustics of a picture whose other light tiles estimate: light paths aimed at mirrors and smooth glass
+     * (docs/notes/caustics.md). For one thread, and a scene with a caustic pass ({@link CompiledScene#hasCausticPass}).
      */
     public static LightPaths ofCaustics(CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return new LightPaths(
@@ -57,16 +60,16 @@ public final class LightPaths implements SplatIntegrator {
     }
 
     /**
-     * Light tracing: paths from everything that shines make all light that surfaces scatter to the eye. What the eye sees of lights,
-     * straight and in mirrors, is the business of tiles ({@link RayTraceMethod#ofSeenLight}). See docs/notes/light-tracing.md. For one thread,
-     * and a scene of physical shading.
+     * Makes the light paths of light tracing: all light that surfaces scatter to the eye. Emission that the eye sees, directly and in
+     * mirrors, is left to tiles ({@link RayTraceMethod#ofSeenLight}). See docs/notes/light-tracing.md. For one thread, and a scene of
+     * physical shading.
      */
     public static LightPaths ofAllLight(CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return new LightPaths(scene, settings, counters, LightPathTracer::ofAllLight);
     }
 
     /**
-     * Of {@link BidirectionalMethod} the light paths that are connected to the eye itself. For one thread, and a scene of physical
+     * Makes the light paths of {@link BidirectionalMethod} that are connected to the eye itself. For one thread, and a scene of physical
      * shading.
      */
     public static LightPaths ofBidirectional(CompiledScene scene, RenderSettings settings, RayCounters counters) {

@@ -22,19 +22,19 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 
 /**
- * Evenly spaced camera rays, the paper's first phase: well-distributed positions in every pixel, each of them shaded once;
- * antialias² of them unless a budget says how many.
+ * Evenly spaced camera rays, the paper's first phase: well-distributed positions in every pixel, each shaded once; antialias² of them
+ * unless a budget sets their number.
  */
 public final class RayTraceMethod implements TileIntegrator {
     private final CompiledScene scene;
     private final RenderSettings settings;
-    /** Shades one sample after the other; null if {@link #tiles} does it. */
+    /** Shades single samples; null if {@link #tiles} shades. */
     private final Shader shader;
 
-    /** Shades the samples of a tile; null if they are shaded one by one. */
+    /** Shades all samples of a tile; null if {@link #shader} shades them one by one. */
     private final TileShader tiles;
 
-    /** Which moment a sample sees; null if all see the same. */
+    /** Assigns moments to samples; null if the scene has only one. */
     private final Exposure exposure;
 
     private final Ray ray = new Ray();
@@ -42,23 +42,23 @@ public final class RayTraceMethod implements TileIntegrator {
     private final SampleSpread spread = new SampleSpread();
     private final double[] color = new double[3];
 
-    /** Where in its pixel the last sample is. */
+    /** The position of the last sample within its pixel, 0..1. */
     private double dx;
 
     private double dy;
 
-    /** Samples of the pixels that get fewer; others get twice as many. */
+    /** The smaller number of samples per pixel; other pixels have twice as many. */
     private final int fewer;
 
-    /** The share of pixels that get twice as many. */
+    /** The share of pixels that have twice as many samples. */
     private final double doubled;
 
     /**
-     * Takes this many samples per pixel in the mean: the next power of two below in some pixels and that above in the others,
-     * since these are the numbers for which the points are best distributed.
+     * Takes this number of samples per pixel in the mean: the power of two below in some pixels and that above in the others, since points
+     * are distributed best at powers of two.
      *
      * @param scene has no instants, or is rendered at the time of its frame
-     * @param shader what each of the rays is worth
+     * @param shader shades each camera ray
      * @param samples at least 1; or 0 for antialias² samples in each pixel
      */
     public RayTraceMethod(CompiledScene scene, RenderSettings settings, Shader shader, double samples) {
@@ -81,7 +81,11 @@ public final class RayTraceMethod implements TileIntegrator {
         doubled = samples == 0 ? 0 : samples / fewer - 1;
     }
 
-    /** The same with the scene's shading. */
+    /**
+     * Makes the method with the shader of the scene's shading, at all moments of the scene.
+     *
+     * @param samples as for the constructor
+     */
     public static RayTraceMethod of(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
         int lightPoints = BuiltInMethod.RayTraceSettings.of(settings).shadowSamples();
@@ -95,7 +99,11 @@ public final class RayTraceMethod implements TileIntegrator {
                         : ClassicShader.ofColors(moment, lightPoints, counted));
     }
 
-    /** The same, of whose samples a log is kept. */
+    /**
+     * Makes the method with the shader of the scene's shading, and records its samples in a log.
+     *
+     * @param samples as for the constructor
+     */
     public static RayTraceMethod recorded(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples, SampleLog log) {
         int lightPoints = BuiltInMethod.RayTraceSettings.of(settings).shadowSamples();
@@ -107,7 +115,7 @@ public final class RayTraceMethod implements TileIntegrator {
                 (moment, counted) -> RecordingShader.of(moment, lightPoints, counted, log));
     }
 
-    /** The same with a shader of each moment. */
+    /** Makes the method with a shader for each moment of the scene. */
     static RayTraceMethod of(
             CompiledScene scene,
             RenderSettings settings,
@@ -119,13 +127,13 @@ public final class RayTraceMethod implements TileIntegrator {
         return new RayTraceMethod(scene, settings, counted.apply(scene), null, exposure, samples);
     }
 
-    /** Another shader takes the samples of a whole tile. Tiles that are begun elsewhere do not grow here. */
+    /** Makes the method with a shader of whole tiles. Its tiles cannot be continued from samples taken elsewhere. */
     public static RayTraceMethod ofTiles(
             CompiledScene scene, RenderSettings settings, double samples, TileShader shader) {
         return new RayTraceMethod(scene, settings, null, shader, null, samples);
     }
 
-    /** Of physical shading, that part of each sample which is direct light: {@link PathPart#DIRECT}. */
+    /** Makes the method for direct light alone, of physical shading: {@link PathPart#DIRECT}. */
     public static RayTraceMethod ofDirectLight(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
         return of(
@@ -136,7 +144,7 @@ public final class RayTraceMethod implements TileIntegrator {
                 (moment, counted) -> new PathIntegrator(moment, counted, PathPart.DIRECT));
     }
 
-    /** Of physical shading, in place of light the reflectance of what is seen: {@link PathPart#ALBEDO}. */
+    /** Makes the method for reflectance in place of radiance, of physical shading: {@link PathPart#ALBEDO}. */
     public static RayTraceMethod ofAlbedo(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
         return of(
@@ -147,7 +155,7 @@ public final class RayTraceMethod implements TileIntegrator {
                 (moment, counted) -> new PathIntegrator(moment, counted, PathPart.ALBEDO));
     }
 
-    /** Of physical shading, that part of each sample which no path from a light can be connected to the eye with: {@link SeenLight}. */
+    /** Makes the method for the light that no light path can bring to the eye, of physical shading: {@link SeenLight}. */
     public static RayTraceMethod ofSeenLight(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double samples) {
         return of(scene, settings, counters, samples, SeenLight::new);
@@ -197,7 +205,7 @@ public final class RayTraceMethod implements TileIntegrator {
         }
     }
 
-    /** Tells which samples are taken of which pixels. */
+    /** Passes the numbers of each pixel's samples to the tile shader. */
     private void begin(FilmTile tile, int pass, int passes) {
         int pixels = tile.width * tile.height;
         int[] first = new int[pixels];
@@ -235,7 +243,7 @@ public final class RayTraceMethod implements TileIntegrator {
         spread.begin(samples);
         int there = growth.begin(tile, x, y, samples, spread);
         if (there < samples) {
-            // There is a half of them at most: all others or none.
+            // Unless all samples exist, at most half of them do.
             int half = (samples + 1) / 2;
             take(tile, x, y, there, half);
             growth.half(tile, x, y);
@@ -270,7 +278,7 @@ public final class RayTraceMethod implements TileIntegrator {
         tile.spread(x, y, spread);
     }
 
-    /** Takes samples that the spread hears of. */
+    /** Takes samples whose positions and values are recorded in the pixel's spread. */
     private void take(FilmTile tile, int x, int y, int from, int to) {
         for (int s = from; s < to; s++) {
             sample(tile, x, y, s);

@@ -3,26 +3,25 @@ package enlightenment.method;
 import enlightenment.film.SplatBatch;
 
 /**
- * Follows numbered paths that may reach any pixel, as those of light from its source to the eye. All random numbers of a path are
- * pure functions of the seed and the path's number; so it does not matter who follows which paths, in which order, and in batches of
- * which size.
+ * Traces numbered paths that may reach any pixel, such as light paths. All random numbers of a path are pure functions of the seed and the
+ * path's number, so that threads, order and sizes of batches do not change the result.
  */
 public non-sealed interface SplatIntegrator extends Integrator {
     /**
-     * What a path adds to the picture, in the mean over all paths, as deterministically known before the first: the sum of its
-     * contributions ({@link SplatBatch#add}), mean of the three components. This is the mean of the picture's pixels. Chooses the
-     * unit in which contributions are summed ({@link enlightenment.film.SplatScale}); a factor of a thousand off does no harm. A
-     * function of scene and settings; not negative, finite; 0 where nothing shines.
+     * The expected contribution of a path to the picture, known deterministically before the first path: the mean over all paths of the sum
+     * of a path's splats ({@link SplatBatch#add}), averaged over three components; it is the mean of the picture's pixels. Sets the unit in
+     * which splats are summed ({@link enlightenment.film.SplatScale}), where an error by a factor of a thousand does no harm. A function of
+     * scene and settings; finite, not negative; 0 where the scene has no light.
      */
     double expectedContribution();
 
     /**
-     * Follows paths and adds what they contribute.
+     * Traces paths and adds their splats.
      *
      * @param firstPath the number of the first, from 0
-     * @param paths how many there are, with consecutive numbers
+     * @param paths the number of paths, with consecutive numbers
      * @param out begun for these paths ({@link SplatBatch#begin})
-     * @throws java.util.concurrent.CancellationException as {@link #stopWhen} tells; the batch is then of no use
+     * @throws java.util.concurrent.CancellationException once the condition of {@link #stopWhen} holds; the batch is then of no use
      */
     void trace(long firstPath, int paths, SplatBatch out);
 }

@@ -3,13 +3,12 @@ package enlightenment.method;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Some fields of a grid, evenly spread over it. */
+/** Selects fields of a grid that are evenly spread over it. */
 public final class SpreadPlaces {
     private SpreadPlaces() {}
 
     /**
-     * {@code count} different fields, or all of them if there are no more: those with the lowest thresholds of {@link Dither}, row by
-     * row.
+     * {@code count} different fields, or all of them if there are no more: those with the lowest thresholds of {@link Dither}, row by row.
      */
     public static List<int[]> of(int columns, int rows, int count) {
         List<int[]> places = of(columns, rows, 0, (double) count / ((double) columns * rows));
@@ -20,9 +19,8 @@ public final class SpreadPlaces {
     }
 
     /**
-     * About a share of the fields, row by row: those whose thresholds lie in the range of this length that begins here, and goes on
-     * at 0 where it passes 1. So two ranges that touch are together one that is as even as each of them, and have no field in
-     * common.
+     * About this share of the fields, row by row: those whose thresholds of {@link Dither} lie in a range, which continues at 0 where it
+     * passes 1. Two adjacent ranges have no field in common, and their union is as even as each.
      *
      * @param from where the range begins, 0..1
      * @param share its length, 0..1; from 1 on all fields are in it

@@ -1,13 +1,13 @@
 package enlightenment.method.cluster;
 
 /**
- * How far the camera rays of a block may be from what is asked for, whatever its first paths showed. The effort comes from some blocks
- * that were tried; what those did not show, or showed by a chance that does not repeat, would otherwise be answered by any multiple of
- * what is asked. With at most √P times the mean in a block, of P that were tried, a kind of block that none or one of them showed changes
- * the sum by about 1/√P; and a picture that is a single block gets just what is asked.
+ * Limits of the camera rays per pixel of a block, relative to the number asked for, whatever its first paths showed. The effort is fitted
+ * to some blocks that were tried; what these did not show, or showed by chance, could otherwise cost any multiple of what is asked. At most
+ * √P times the mean in a block, of P tried, a kind of block that none or one of them showed changes the sum by about 1/√P; and a picture of
+ * a single block gets just what is asked.
  */
 public final class BlockLimits {
-    /** No limits: of a method that only looks. */
+    /** No limits, for a method that only surveys. */
     public static final BlockLimits NONE = new BlockLimits(0, 0, Double.POSITIVE_INFINITY);
 
     private final double mean;
@@ -22,7 +22,7 @@ public final class BlockLimits {
 
     /**
      * @param samples the mean number of camera rays per pixel in blocks that show more than background
-     * @param tried how many of them were tried
+     * @param tried the number of these blocks that were tried
      */
     static BlockLimits of(double samples, int tried) {
         int blocks = Math.max(tried, 1);
@@ -30,11 +30,11 @@ public final class BlockLimits {
     }
 
     /**
-     * The same where all blocks that show something were tried, and they are few: none gets less than 1/√P either. Things smaller than a
-     * pixel are missed by chance, and what is spent where nothing was seen is what finds them.
+     * The limits where all blocks that show something were tried, and they are few: none gets less than 1/√P of the mean either. Objects
+     * smaller than a pixel are missed at random, and samples spent where nothing was seen are what finds them.
      *
      * @param samples the mean number of camera rays per pixel in blocks that show more than background
-     * @param all how many of them there are
+     * @param all the number of these blocks
      */
     public static BlockLimits ofFew(double samples, int all) {
         double root = Math.sqrt(all);
@@ -46,7 +46,7 @@ public final class BlockLimits {
         return mean;
     }
 
-    /** What is spent on a block that needs this much. */
+    /** The number of camera rays per pixel for a block that needs this many, within the limits. */
     public double limited(double samples) {
         return Math.min(Math.max(samples, least), most);
     }

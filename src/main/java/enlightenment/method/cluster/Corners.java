@@ -1,14 +1,14 @@
 package enlightenment.method.cluster;
 
-/** What rays through the corners of a block's pixels have seen: a colour for each, and a key of what it met. */
+/** Results of rays through the corners of a block's pixels: for each a colour, and a key of the surfaces that it met. */
 public abstract class Corners {
-    /** No path's key, but for one in 2⁶⁴. */
+    /** A key that no path has, but for a chance of 2⁻⁶⁴. */
     public static final long DIFFERENT = Long.MIN_VALUE;
 
-    /** How many there are along a side of the block. */
+    /** The number of corners along a side of the largest block. */
     public final int side;
 
-    /** How many there are. */
+    /** The number of corners of the largest block. */
     public final int nodes;
 
     /** Red, green and blue of each corner, row by row. */
@@ -16,7 +16,9 @@ public abstract class Corners {
 
     public final long[] keys;
 
-    /** @param blockSide of the largest block, in pixels */
+    /**
+     * @param blockSide of the largest block, in pixels
+     */
     public Corners(int blockSide) {
         side = blockSide + 1;
         nodes = side * side;
@@ -28,7 +30,7 @@ public abstract class Corners {
         return side * j + i;
     }
 
-    /** What all corners of a pixel met, or {@link #DIFFERENT} if they did not meet the same. */
+    /** The key of all four corners of a pixel, or {@link #DIFFERENT} if they have different ones. */
     public final long commonKey(int i, int j) {
         int k = node(i, j);
         int below = k + side;

@@ -1,10 +1,9 @@
 package enlightenment.method.cluster;
 
-/** What an effort costs, as the surveys of some blocks tell. */
+/** The cost of an effort, extrapolated from surveys of some blocks. */
 public interface EffortCost {
     /**
-     * The largest effort that costs at most this many samples per pixel, as far as the blocks tell; at least the smallest one,
-     * whatever it costs.
+     * The largest effort whose estimated cost is at most this many samples per pixel; at least the smallest effort, whatever it costs.
      *
      * @throws java.util.concurrent.CancellationException if it is cancelled before that is known
      */

@@ -6,10 +6,13 @@ import java.util.function.DoubleUnaryOperator;
 public final class EffortSearch {
     public static final double LEAST_EFFORT = 1;
 
-    /** Binary logarithm of the largest effort: variances below the rounding of pixels are worth nothing. */
+    /** Binary logarithm of the largest effort: smaller variances are below the rounding of pixels. */
     private static final int MOST_EFFORT = 128;
 
-    /** Halvings of the interval of logarithms: where all pixels need the same, a step of samples is crossed within 1/64 of it. */
+    /**
+     * The number of bisections of the interval of logarithms: where all pixels need the same, a step of samples is crossed within 1/64 of
+     * it.
+     */
     private static final int HALVINGS = 19;
 
     private EffortSearch() {}
@@ -17,13 +20,13 @@ public final class EffortSearch {
     /**
      * The largest effort that costs at most this many samples; at least the smallest one, whatever it costs.
      *
-     * @param cost how many samples an effort costs; grows with it
+     * @param cost the number of samples that an effort costs; grows with it
      */
     public static double effort(DoubleUnaryOperator cost, double samples) {
         return power(search(cost, samples));
     }
 
-    /** The effort that costs nearly this many samples, or a step of them more if that is nearer: of few pixels steps are large. */
+    /** The effort that costs nearly this many samples, or one step more if that is nearer: with few pixels steps are large. */
     public static double nearest(DoubleUnaryOperator cost, double samples) {
         double low = search(cost, samples);
         double below = power(low);
@@ -47,7 +50,7 @@ public final class EffortSearch {
 
     private static double power(double exponent) {
         int whole = (int) exponent;
-        // Between powers of two a straight line does: the effort need only grow.
+        // Between powers of two it is linear in the exponent: the effort need only grow.
         return Math.scalb(1 + (exponent - whole), whole);
     }
 }

@@ -18,31 +18,31 @@ import java.util.Set;
 import java.util.function.BooleanSupplier;
 
 /**
- * One sample of each pixel of a group that still gets any; their paths may share what they bring. Where things move while the shutter is open,
- * all of them see the same moment. One per thread.
+ * Traces one path for each pixel of a group that needs another sample; the paths may be connected for path reuse. Where objects move while
+ * the shutter is open, all paths of a group see the same moment. One per thread.
  */
 final class GroupPaths {
     private static final int NONE = -1;
 
     private final RenderSettings settings;
 
-    /** The scene at each moment that samples see, and what follows paths there. */
+    /** The scene at each moment, and the path integrator of each. */
     private final CompiledScene[] moments;
 
     private final PathIntegrator[] tracers;
 
-    /** These, and what follows rays at the time of the frame. */
+    /** All path integrators: those of moments, and that at the time of the frame. */
     private final Set<PathIntegrator> all;
 
     private final Moments lots;
 
-    /** Tells which moments the samples of the group see. */
+    /** The hash from which the moments of the group's samples follow. */
     private long groupHash;
 
     private final PixelGroup group;
     private final Ray ray = new Ray();
 
-    /** Set to the pixels of the group: what they know of a pixel serves all of its samples. */
+    /** Samplers set to the pixels of the group; what a sampler computes once per pixel serves all its samples. */
     private final SobolSampler[] samplers = new SobolSampler[PixelGroup.MOST_MEMBERS];
 
     /** By member: the index of its sample, or {@link #NONE}. */
@@ -50,7 +50,7 @@ final class GroupPaths {
 
     private int size;
 
-    /** By sample: its path, its value, and what of that is certain. */
+    /** By sample: its path, its value, and the deterministic part of that. */
     private final PathCut[] paths = new PathCut[PixelGroup.MOST_MEMBERS];
 
     private final double[][] colors = new double[PixelGroup.MOST_MEMBERS][3];
@@ -61,8 +61,8 @@ final class GroupPaths {
     private final double[] placeY = new double[PixelGroup.MOST_MEMBERS];
 
     /**
-     * @param counters what this thread counts
-     * @param atFrame follows paths in the scene at the time of its frame
+     * @param counters of this thread
+     * @param atFrame traces paths in the scene at the time of its frame
      */
     GroupPaths(
             CompiledScene scene,
@@ -92,14 +92,14 @@ final class GroupPaths {
         }
     }
 
-    /** Turns to a rectangle of the picture, 0..1, that all paths come from. */
+    /** Sets the rectangle of the picture, 0..1, that camera rays come from. */
     void beginTile(double x0, double y0, double x1, double y1) {
         for (PathIntegrator tracer : all) {
             tracer.beginTile(x0, y0, x1, y1);
         }
     }
 
-    /** Turns to the pixels of the group. */
+    /** Sets the samplers to the pixels of the group. */
     void toPixels(long seed) {
         groupHash = group.hash(Hash.of(seed, Moments.PURPOSE));
         for (int m = 0; m < group.members; m++) {
@@ -108,9 +108,9 @@ final class GroupPaths {
     }
 
     /**
-     * Makes the samples with a number black, in place of {@link #take}.
+     * Makes the samples with this number black, in place of {@link #take}.
      *
-     * @param counts how many each member gets
+     * @param counts the number of samples of each member
      */
     void clear(int number, int[] counts) {
         begin(number, counts);
@@ -126,15 +126,15 @@ final class GroupPaths {
         }
     }
 
-    /** Whether there is a sample of a member. */
+    /** Whether a member has a sample. */
     boolean has(int m) {
         return sampleOf[m] != NONE;
     }
 
     /**
-     * Takes the sample with a number of each member that gets so many.
+     * Takes the sample with this number for each member that needs it.
      *
-     * @param counts how many each gets
+     * @param counts the number of samples of each member
      */
     void take(int number, int[] counts, SharingGain sharing) {
         begin(number, counts);
@@ -172,24 +172,25 @@ final class GroupPaths {
         }
         keys[k] = tracer.certain(certain[k]);
         if (moments.length > 1 || moments[moment].camera.hasLens()) {
-            // The film position alone does not say where the path leads.
+            // With a lens or several moments the deterministic part depends on more than the film position, so it is
+            // not used.
             Arrays.fill(certain[k], 0);
         }
         events[k] = tracer.events();
     }
 
-    /** Subtracts from a member's sample what its corners let expect, but for the mean of that. */
+    /** Subtracts the interpolation of the pixel's corners, less its mean, from a member's sample: a control variate. */
     void subtract(Interpolation interpolation, int m) {
         int k = sampleOf[m];
         interpolation.subtract(placeX[k], placeY[k], colors[k]);
     }
 
-    /** The value of a member's sample. */
+    /** The value of a member's sample: red, green and blue. */
     double[] color(int m) {
         return colors[sampleOf[m]];
     }
 
-    /** Tells of a member's sample, which has this number among those of its pixel. */
+    /** Records a member's sample, which has this number in its pixel, in the noise statistics. */
     void tell(PathNoise noise, int m, int number) {
         int i = group.column[m];
         int j = group.row[m];
@@ -208,7 +209,7 @@ final class GroupPaths {
                 color[2] - known * c[2]);
     }
 
-    /** Tells where in the pixel a sample of a member lies, the next that the spread is told of. */
+    /** Passes the position within its pixel of a member's sample to the spread, which receives that sample next. */
     void place(SampleSpread spread, int m, int number) {
         samplers[m].sample(number);
         spread.at(samplers[m].filmX(), samplers[m].filmY());

@@ -1,11 +1,11 @@
 package enlightenment.method.cluster;
 
-/** The colour between the four corners of a pixel, bilinear: a control variate, whose mean over the pixel is known. */
+/** The bilinear interpolation between the four corners of a pixel: a control variate with a known mean over the pixel. */
 public final class Interpolation {
-    /** Constant, by x, by y and by xy, for red, green and blue. */
+    /** Coefficients of 1, x, y and xy, for red, green and blue. */
     private final double[] corners = new double[12];
 
-    /** Turns to a pixel of the block. */
+    /** Sets the pixel of the block, by its column and row there. */
     public void between(Corners survey, int i, int j) {
         int upper = 3 * survey.node(i, j);
         int lower = upper + 3 * survey.side;
@@ -21,7 +21,7 @@ public final class Interpolation {
         }
     }
 
-    /** Subtracts the colour at a place in the pixel from one. */
+    /** Subtracts the interpolated colour at a position within the pixel, 0..1. */
     public void subtract(double dx, double dy, double[] color) {
         double dxy = dx * dy;
         for (int c = 0; c < 3; c++) {
@@ -31,7 +31,7 @@ public final class Interpolation {
         }
     }
 
-    /** The mean of a component over the pixel. */
+    /** The mean of a colour component over the pixel. */
     public double mean(int c) {
         int k = 4 * c;
         return corners[k] + (corners[k + 1] + corners[k + 2]) / 2 + corners[k + 3] / 4;

@@ -5,28 +5,28 @@ import enlightenment.method.Block;
 import java.util.Arrays;
 
 /**
- * How much single paths through the pixels of a block vary in what a screen shows, as the first paths of other pixels tell.
+ * The variance of single paths through the pixels of a block, as a display would show it, estimated from first paths of other pixels.
  *
- * <p>The pixels of a block are the fields of a chessboard: what is told of the black ones comes from paths through the white ones alone,
- * and the other way round. So no pixel's own paths have a part in how many it gets.
+ * <p>The pixels of a block are coloured like a chessboard: estimates for black pixels use paths through white ones alone, and vice versa.
+ * So no pixel's own paths influence its number of samples.
  *
- * <p>Paths are clustered by what is certain of them ({@link Corners#keys}): the surface that they met first, and which lamps are hidden
- * there, in full view, or neither. The rest of a path's value, beside what is certain, is taken for a sample of its cluster. Its deviation
- * counts as a screen would show it, were it that of the pixel's mean: on dark ground it counts more than on bright ground, and nothing
- * where all is white.
+ * <p>Paths are clustered by their deterministic part ({@link Corners#keys}): the surface that they hit first, and which lamps are hidden
+ * there, fully visible, or neither. The rest of a path's value, without its deterministic part, is a sample of its cluster. Its deviation
+ * counts as a display would show it, were it that of the pixel's mean: more in dark pixels than in bright ones, and not at all where all is
+ * white.
  */
 final class PathNoise {
     private static final int SIDE = PhysicalClusterMethod.BLOCK_SIDE;
 
     private static final int MOST_CLUSTERS = 32;
 
-    /** Clusters beyond the others are one. */
+    /** The index of the cluster that takes all keys beyond the others. */
     private static final int OTHERS = MOST_CLUSTERS - 1;
 
-    /** How much more a touching pixel tells than one that is further away. */
+    /** The weight of a path through an adjacent pixel relative to one farther away. */
     private static final double NEAR = 2;
 
-    /** The block counts in a cluster like this many paths. */
+    /** The number of paths in a cluster that the mean of the whole block is worth. */
     private static final double OF_BLOCK = 8;
 
     private final DisplayCurve curve;
@@ -36,41 +36,41 @@ final class PathNoise {
     private int clusters;
     private final int[] clusterOfCorner;
 
-    /** The cluster of each pixel whose corners are of the same, or -1. */
+    /** By pixel: the cluster that all four corners belong to; -1 if they differ. */
     private final int[] clusterOfPixel = new int[PhysicalClusterMethod.PIXELS];
 
     private Block block;
     private int perPixel;
 
-    /** Per path: the rest of its value, and its cluster. */
+    /** By path: its value without the deterministic part, and its cluster. */
     private double[] rest = new double[0];
 
     private int[] clusterOfPath = new int[0];
 
     private int[] costOfPath = new int[0];
 
-    /** Per field colour and cluster: the number of paths, the sums of their rest, and of their squared deviations as shown. */
+    /** By chessboard colour and cluster: the number of paths, the sums of their rest, and of their squared deviations as shown. */
     private final int[] counts = new int[2 * MOST_CLUSTERS];
 
     private final double[] sums = new double[3 * 2 * MOST_CLUSTERS];
     private final double[] squares = new double[2 * MOST_CLUSTERS];
     private final long[] costs = new long[2 * MOST_CLUSTERS];
 
-    /** Per field colour, over all clusters: the mean of squares. */
+    /** By chessboard colour, over all clusters: the mean squared deviation as shown. */
     private final double[] meanSquare = new double[2];
 
     private final double[] meanCost = new double[2];
 
     private final double[] meanRest = new double[6];
 
-    /** Per pixel the sum of squared deviations as shown. */
+    /** By pixel: the sum of squared deviations as shown. */
     private final double[] ofPixel = new double[PhysicalClusterMethod.PIXELS];
 
     private final double[] level = new double[3];
     private final double[] shownLevel = new double[3];
     private final double[] corner = new double[3];
 
-    /** The root of the number of samples that the pixels' means are of. */
+    /** The square root of the number of samples per pixel. */
     private double root;
 
     PathNoise(DisplayCurve curve, Corners corners) {
@@ -80,10 +80,10 @@ final class PathNoise {
     }
 
     /**
-     * Starts over with a block whose corners were looked at.
+     * Begins a block whose corners were surveyed.
      *
-     * @param paths how many will be told of, per pixel
-     * @param samplesPerPixel how many the means will be of
+     * @param paths the number of paths per pixel that {@link #tell} will record
+     * @param samplesPerPixel the number of samples of a pixel's mean
      */
     void begin(Block target, int paths, double samplesPerPixel) {
         block = target;
@@ -127,18 +127,18 @@ final class PathNoise {
         return SIDE * j + i;
     }
 
-    /** Whether all corners of a pixel met the same. */
+    /** Whether all four corners of a pixel have the same key. */
     boolean isQuiet(int i, int j) {
         return clusterOfPixel[pixel(i, j)] >= 0;
     }
 
     /**
-     * Tells of a path.
+     * Records a path.
      *
-     * @param k its number among those of the pixel
-     * @param key what it met
-     * @param cost about how many rays it took, in any unit
-     * @param r its value beside what is certain; of a quiet pixel beside what its corners let expect
+     * @param k its number in its pixel
+     * @param key of the surfaces that it met
+     * @param cost roughly the number of its rays, in any unit
+     * @param r its value without the deterministic part; in a pixel whose corners agree, without the interpolation of the corners
      */
     void tell(int i, int j, int k, long key, int cost, double r, double g, double b) {
         int pixel = pixel(i, j);
@@ -158,7 +158,7 @@ final class PathNoise {
         Arrays.fill(squares, 0);
     }
 
-    /** In place of {@link #finish}, if nothing was told, since all that there is to see is certain. */
+    /** Ends a block for which no path was recorded, as all its light is deterministic; in place of {@link #finish}. */
     void finishQuiet() {
         clear();
         Arrays.fill(ofPixel, 0);
@@ -166,7 +166,7 @@ final class PathNoise {
         Arrays.fill(meanCost, 1);
     }
 
-    /** Works out what was told. */
+    /** Computes the statistics of the recorded paths. */
     void finish() {
         clear();
         for (int j = 0; j < block.height(); j++) {
@@ -194,7 +194,7 @@ final class PathNoise {
         }
     }
 
-    /** The colour of a pixel's field, 0 or 1. */
+    /** The chessboard colour of a pixel, 0 or 1. */
     static int field(int i, int j) {
         return (i + j) & 1;
     }
@@ -211,7 +211,7 @@ final class PathNoise {
         }
     }
 
-    /** Sums become means; clusters that had no paths get that of all. */
+    /** Turns sums into means; clusters without paths get the mean of all. */
     private void findMeans() {
         for (int field = 0; field < 2; field++) {
             int from = MOST_CLUSTERS * field;
@@ -249,7 +249,7 @@ final class PathNoise {
         ofPixel[pixel] = sum;
     }
 
-    /** The light that is to be expected in a pixel. */
+    /** Sets the expected radiance of a pixel, as the mean of its corners. */
     private void findLevel(int i, int j, int field) {
         Arrays.fill(level, 0);
         for (int k = 0; k < 4; k++) {
@@ -263,7 +263,7 @@ final class PathNoise {
         }
     }
 
-    /** Sets the light that is to be expected at a corner of a pixel. */
+    /** Sets the expected radiance at a corner of a pixel. */
     private void toCorner(int i, int j, int which, int field) {
         int node = corners.node(i + (which & 1), j + (which >> 1));
         int k = MOST_CLUSTERS * field + clusterOfCorner[node];
@@ -272,15 +272,12 @@ final class PathNoise {
         }
     }
 
-    /**
-     * What a deviation of a sample shows, as large as that of the mean of the pixel's samples: multiplied by the root of their number
-     * again.
-     */
+    /** The deviation of a sample as shown: that of the mean of the pixel's samples, multiplied by the square root of their number. */
     private double shown(double deviation, int c) {
         return root * (curve.nearly(level[c] + deviation / root) - shownLevel[c]);
     }
 
-    /** The variance, as shown, of one of a pixel's samples, as far as it does not come from its place among the corners. */
+    /** The variance, as shown, of one sample of a pixel, without that of the interpolation between its corners. */
     double variance(int i, int j) {
         int field = 1 - field(i, j);
         int own = clusterOfPixel[pixel(i, j)];
@@ -305,14 +302,14 @@ final class PathNoise {
         return of(field, own, near, count);
     }
 
-    /** The mean square of a cluster, in which some paths have told more. */
+    /** The mean square of a cluster, in which paths of adjacent pixels weigh more. */
     private double of(int field, int cluster, double near, int nearPaths) {
         int k = MOST_CLUSTERS * field + cluster;
         return ((NEAR - 1) * near + squares[k] + OF_BLOCK * meanSquare[field])
                 / ((NEAR - 1) * nearPaths + counts[k] + OF_BLOCK);
     }
 
-    /** What a path through a pixel costs, in the unit in which it was told. */
+    /** The mean cost of a path through a pixel, in the unit of {@link #tell}. */
     double cost(int i, int j) {
         int field = 1 - field(i, j);
         double sum = 0;
@@ -323,7 +320,7 @@ final class PathNoise {
         return sum / 4;
     }
 
-    /** The variance, as shown, of what the corners of a pixel let expect: of an edge that passes between them. */
+    /** The variance, as shown, of the interpolation between a pixel's corners: of an edge that passes between them. */
     double edge(int i, int j) {
         int own = clusterOfPixel[pixel(i, j)];
         if (own >= 0) {

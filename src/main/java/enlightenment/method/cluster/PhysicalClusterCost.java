@@ -10,18 +10,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 
-/** How many camera rays an effort of {@link PhysicalClusterMethod} costs, judged by some blocks spread over the picture. */
+/** The number of camera rays that an effort of {@link PhysicalClusterMethod} costs, estimated from some blocks spread over the picture. */
 public final class PhysicalClusterCost implements EffortCost {
-    /** Keeps the random numbers of what is tried apart from the picture's. */
+    /** Mixed into the seed, so that trials share no random numbers with the picture. */
     private static final long PURPOSE = 0x706879736963L;
 
-    /** First paths are followed in a share of the blocks, but at least, and at most, in so many. */
+    /** The share of blocks in which first paths are traced, one in this many, with a least and a greatest number of blocks. */
     private static final int SHARE = 32;
 
     private static final int LEAST_BLOCKS = 24;
     private static final int MOST_BLOCKS = 512;
 
-    /** Where what is needed by one of a block's two colours and not by the other is more than this share, few of the paths decide. */
+    /** If the needs estimated for a block's two colours differ by more than this share, few paths decide. */
     private static final double DOUBTFUL = 0.25;
 
     private final CompiledScene scene;
@@ -30,16 +30,16 @@ public final class PhysicalClusterCost implements EffortCost {
     private final List<Block> blocks;
     private final BooleanSupplier cancelled;
 
-    /** What the blocks need, by the exponent of the number of samples asked for: the number of first paths changes with it. */
+    /** The needs of the blocks by the exponent of the number of samples asked for, which sets the number of first paths. */
     private final Map<Integer, Needed> needed = new HashMap<>();
 
-    /** The same by as many first paths as the picture takes. */
+    /** The needs of the blocks by as many first paths as the picture takes, by that exponent. */
     private final Map<Integer, Needed> neededSurely = new HashMap<>();
 
     /**
-     * Judges by a share of the blocks that show more than background.
+     * Estimates from a share of the blocks that show more than background.
      *
-     * @param cancelled once true, nothing more is looked at, and there is no effort
+     * @param cancelled once true, no more blocks are surveyed, and there is no effort
      */
     public PhysicalClusterCost(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         this.scene = scene;
@@ -55,7 +55,7 @@ public final class PhysicalClusterCost implements EffortCost {
         return seen.spread((int) Math.min(Math.max(all / SHARE, LEAST_BLOCKS), MOST_BLOCKS));
     }
 
-    /** How far a block may be from what is asked. */
+    /** The limits of camera rays in a block. */
     static BlockLimits limits(CompiledScene scene, RenderSettings settings, double samples) {
         SeenBlocks seen = SeenBlocks.of(scene, settings, PhysicalClusterMethod.BLOCK_SIDE);
         return limits(seen, tried(settings, seen).size(), samples);
@@ -89,7 +89,7 @@ public final class PhysicalClusterCost implements EffortCost {
         return effort;
     }
 
-    /** What the pixels of the blocks need. */
+    /** The needs of the pixels of the blocks. */
     private final class Needed {
         private final double[] noise = new double[PhysicalClusterMethod.PIXELS * blocks.size()];
         private final double[] edge = new double[noise.length];
@@ -103,7 +103,7 @@ public final class PhysicalClusterCost implements EffortCost {
                     ? PhysicalClusterMethod.lookingAsPicture(scene, settings, samples)
                     : PhysicalClusterMethod.looking(scene, settings, samples);
             method.stopWhen(cancelled);
-            // Not the picture's own samples: nothing that is decided may depend on those that it is decided about.
+            // Not the picture's own samples: no decision may depend on the samples that it is about.
             long seed = Hash.of(settings.seed(), PURPOSE);
             for (int b = 0; b < rays.length; b++) {
                 Block block = blocks.get(b);
@@ -125,8 +125,8 @@ public final class PhysicalClusterCost implements EffortCost {
         }
 
         /**
-         * Whether few of the paths decide: then the two colours of a block, which tell the same of it, disagree, and of more paths more
-         * blocks would know, so that the same effort would cost more.
+         * Whether few of the paths decide: then the estimates by the two colours of a block disagree, and with more paths more blocks would
+         * need samples, so that the same effort would cost more.
          */
         boolean isDoubtful(double effort, double asked) {
             PhysicalAllocation allocation = new PhysicalAllocation(effort, asked);
@@ -148,7 +148,7 @@ public final class PhysicalClusterCost implements EffortCost {
             return apart > DOUBTFUL * sum;
         }
 
-        /** Mean number of camera rays per pixel, the survey's included. */
+        /** The mean number of camera rays per pixel, the survey's included. */
         double samples(double effort, double asked) {
             PhysicalAllocation allocation = new PhysicalAllocation(effort, asked);
             BlockLimits limits = limits(seen, rays.length, asked);

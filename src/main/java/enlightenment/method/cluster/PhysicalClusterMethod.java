@@ -14,32 +14,33 @@ import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
- * The cluster method for physical light. Rays through the corners of a block's pixels show what is certain: surfaces,
- * edges, and light that is not left to chance, which is interpolated between them as a control variate. The first paths of each pixel show
- * how much paths vary, in what a screen shows; by that the other paths are allotted. See docs/notes/cluster-sampler.md.
+ * The cluster method for physical light. Rays through the corners of a block's pixels find what is deterministic: surfaces, edges, and
+ * light without random decisions, which is interpolated between them as a control variate. The first paths of each pixel show the variance
+ * of paths, as a display would; the other paths are allocated by that. See docs/notes/cluster-sampler.md.
  *
  * <p>Unbiased, because a pixel's number of samples depends on the corners and on paths of other pixels only.
  */
 public final class PhysicalClusterMethod implements TileIntegrator {
     /**
-     * Side, in pixels, of the blocks whose pixels learn from each other and share paths: 16. Larger than in classic shading, because the
-     * errors of pixels that share paths are correlated, which is less visible the farther apart they lie (docs/notes/cluster-sampler.md).
+     * Side, in pixels, of the blocks whose pixels share statistics and paths: 16. Larger than in classic shading, because the errors of
+     * pixels that share paths are correlated, which is less visible the farther apart they lie (docs/notes/cluster-sampler.md).
      */
     public static final int BLOCK_SIDE = 2 * FilmTile.BLOCK_SIDE;
 
-    /** The most pixels of such a block. */
+    /** The largest number of pixels in such a block. */
     public static final int PIXELS = BLOCK_SIDE * BLOCK_SIDE;
 
     private static final int MOST_MEMBERS = PixelGroup.MOST_MEMBERS;
 
-    /** Samples of each pixel in which sharing is tried. */
+    /** The number of samples of each pixel in which path reuse is tried. */
     private static final int TRIED = 2;
 
-    /** Binary logarithm of the largest number of first paths; more would tell little more. */
+    /** Binary logarithm of the largest number of first paths per pixel; more would improve the statistics little. */
     private static final int MOST_FIRST = 4;
 
     /**
-     * Binary logarithm of the largest number of samples that a path's deviation is thought to be spread over: then it shows in proportion.
+     * Binary logarithm of the largest number of samples over which a path's deviation is assumed to be spread: beyond it shows in
+     * proportion.
      */
     private static final int MOST_SPREAD = 6;
 
@@ -48,10 +49,10 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final double samplesPerPixel;
     private final double effort;
 
-    /** Of the pixels of each chessboard colour of the block. */
+    /** By chessboard colour, the allocation of the block's pixels. */
     private final PhysicalAllocation[] allocations = new PhysicalAllocation[2];
 
-    /** Made with the first block that is rendered. */
+    /** The limits of blocks, computed with the first block that is rendered. */
     private BlockLimits limits;
 
     private final PhysicalSurvey survey;
@@ -68,13 +69,13 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final int firstSamples;
 
     private final double[] first;
-    /** How many samples a pixel's mean is of, about. */
+    /** Roughly the number of samples of a pixel's mean. */
     private final double spreadOver;
 
     /**
      * @param scene of physical shading
-     * @param effort how much is spent: the inverse of the smallest reduction of variance for which one more sample is taken
-     * @param samples the camera rays per pixel that this is expected to take: a share of them goes everywhere
+     * @param effort inverse of the smallest reduction of variance for which one more sample is taken
+     * @param samples the expected number of camera rays per pixel: a share of them is the same for all pixels
      */
     public PhysicalClusterMethod(
             CompiledScene scene, RenderSettings settings, RayCounters counters, double effort, double samples) {
@@ -108,12 +109,12 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         return Math.min(PhysicalAllocation.leastSamples(samples), MOST_FIRST);
     }
 
-    /** One that only looks at blocks, with half as many first paths: of many blocks together they tell enough. */
+    /** Makes one that only surveys blocks, with half as many first paths: statistics over many blocks are precise enough. */
     static PhysicalClusterMethod looking(CompiledScene scene, RenderSettings settings, double samples) {
         return looking(scene, settings, samples, Math.max(firstOf(samples) - 1, 0));
     }
 
-    /** One that only looks at blocks, with as many first paths as the picture has. */
+    /** Makes one that only surveys blocks, with as many first paths as the picture has. */
     static PhysicalClusterMethod lookingAsPicture(CompiledScene scene, RenderSettings settings, double samples) {
         return looking(scene, settings, samples, firstOf(samples));
     }
@@ -129,7 +130,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         paths.stopWhen(cancelled);
     }
 
-    /** Pixels learn from the first samples of others. */
+    /** False: allocation uses the first samples of other pixels. */
     @Override
     public boolean dividesIntoPasses() {
         return false;
@@ -156,7 +157,9 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         }
     }
 
-    /** The effort with which the pixels of a colour stay within the limits; like their needs, it depends on the other colour's paths only. */
+    /**
+     * The effort with which the pixels of a colour stay within the limits; like their needs, it depends on the other colour's paths only.
+     */
     private double limitedEffort(Block block, int colour) {
         if (limits == null) {
             limits = PhysicalClusterCost.limits(scene, settings, samplesPerPixel);
@@ -169,7 +172,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         return limited == spent ? effort : EffortSearch.effort(e -> samples(block, colour, e), limited);
     }
 
-    /** Mean number of camera rays per pixel of a colour, the survey's included. */
+    /** The mean number of camera rays per pixel of a colour, the survey's included. */
     private double samples(Block block, int colour, double ofEffort) {
         PhysicalAllocation allocation = new PhysicalAllocation(ofEffort, samplesPerPixel);
         long sum = 0;
@@ -279,7 +282,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         noise.finish();
     }
 
-    /** Takes some of the first samples of a group's pixels. */
+    /** Takes a range of the first samples of a group's pixels. */
     private void takeFirst(Block block, long seed, int number, int from, int to) {
         group.gather(block, number);
         paths.toPixels(seed);
@@ -294,30 +297,30 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         }
     }
 
-    /** How many rays the last survey took. */
+    /** The number of rays of the last survey. */
     int surveyRays() {
         return survey.rays();
     }
 
-    /** What the last block's pixel needs. */
+    /** The variance of a sample of the last block's pixel, as shown. */
     double noise(int i, int j) {
         return noise.variance(i, j);
     }
 
-    /** The same for an edge. */
+    /** The variance, as shown, of an edge through the last block's pixel. */
     double edge(int i, int j) {
         return noise.edge(i, j);
     }
 
-    /** What a path through it costs. */
+    /** The mean cost of a path through the last block's pixel. */
     double cost(int i, int j) {
         return noise.cost(i, j);
     }
 
-    /** Takes the sample with a number of each member of the group that gets so many. */
+    /** Takes the sample with this number for each member of the group that needs it. */
     private void sample(int number) {
         if (survey.isEmpty()) {
-            // All that is seen is certain, and known already.
+            // All visible light is deterministic, and known already.
             paths.clear(number, count);
             return;
         }

@@ -9,11 +9,11 @@ import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
 
 /**
- * What is certain of the paths through the corners of a block's pixels: the light that no random number has a part in, and what
- * they meet ({@link PathIntegrator#certain}). They are followed no further; so they cost a fraction of a path.
+ * The deterministic part of paths through the corners of a block's pixels, with the surfaces that they hit
+ * ({@link PathIntegrator#certain}). Paths end at their first random decision, so that a corner costs a fraction of a path.
  *
- * <p>What a corner shows is a pure function of the scene and the corner; of things that move while the shutter is open it shows where they
- * are at the time of the frame.
+ * <p>The result of a corner is a pure function of the scene and the corner; objects that move while the shutter is open are seen at the
+ * time of the frame.
  */
 final class PhysicalSurvey extends Corners {
     private final CompiledScene scene;
@@ -32,11 +32,11 @@ final class PhysicalSurvey extends Corners {
         this.tracer = tracer;
     }
 
-    /** Looks through each corner of the pixels of a block. */
+    /** Traces a path through each corner of the pixels of a block. */
     void take(Block block) {
         empty = scene.instants.length == 0 && tracer.seesNothing();
         if (empty) {
-            // The background is the same everywhere.
+            // The background is the same everywhere, so one corner serves for all.
             look(block, 0, 0);
             for (int k = 1; k < nodes; k++) {
                 System.arraycopy(rgb, 0, rgb, 3 * k, 3);
@@ -56,7 +56,7 @@ final class PhysicalSurvey extends Corners {
     private void look(Block block, int i, int j) {
         int column = block.x() + i;
         int row = block.y() + j;
-        // What is certain does not depend on it, but paths ask for numbers.
+        // The deterministic part does not use random numbers, but paths ask for them.
         sampler.pixel(Hash.mix(settings.seed()), column, row);
         sampler.sample(0);
         scene.camera.ray((double) column / settings.width(), (double) row / settings.height(), ray);
@@ -66,12 +66,12 @@ final class PhysicalSurvey extends Corners {
         System.arraycopy(color, 0, rgb, 3 * k, 3);
     }
 
-    /** Whether the block is known to show nothing but the background. */
+    /** Whether the block is known to show only background. */
     boolean isEmpty() {
         return empty;
     }
 
-    /** How many rays were followed. */
+    /** The number of rays traced. */
     int rays() {
         return rays;
     }

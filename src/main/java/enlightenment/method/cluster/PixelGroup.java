@@ -5,29 +5,29 @@ import enlightenment.method.Block;
 import enlightenment.sampling.Hash;
 
 /**
- * A quarter of the pixels of a block: of each 2 × 2 pixels one. Two groups have the pixels that are fields of one colour, were the block a
- * chessboard; which of the two fields of its colour in 2 × 2 pixels a group has is drawn for each of these. So groups are interleaved,
- * their errors average out over few pixels, and there is no pattern that the eye could follow. Mutable, one per thread.
+ * A quarter of the pixels of a block, one of each 2 × 2. Were the block a chessboard, two groups have the fields of each colour; which of
+ * the two fields of its colour in 2 × 2 pixels a group has is random for each. So groups are interleaved, their errors average out over few
+ * pixels, and there is no visible pattern. Mutable, one per thread.
  */
 final class PixelGroup {
-    /** How many groups a block has: two of each colour. */
+    /** The number of groups of a block: two of each colour. */
     static final int COUNT = 4;
 
     private static final int COLOURS = 2;
 
-    /** Keeps what is drawn here apart from all other random numbers. */
+    /** Mixed into hashes, so that groups share no random numbers with others. */
     private static final long PURPOSE = 0x67726F757073L;
 
-    /** How many pixels a group has at most. */
+    /** The largest number of pixels in a group. */
     static final int MOST_MEMBERS = PhysicalClusterMethod.PIXELS / COUNT;
 
-    /** The colour, 0 or 1. */
+    /** The chessboard colour of the group, 0 or 1. */
     int field;
 
-    /** How many pixels the group has. */
+    /** The number of pixels in the group. */
     int members;
 
-    /** Where they are in the block. */
+    /** By member: its column and row in the block. */
     final int[] column = new int[MOST_MEMBERS];
 
     final int[] row = new int[MOST_MEMBERS];
@@ -35,7 +35,7 @@ final class PixelGroup {
     private Block block;
     private int number;
 
-    /** Makes it the group of a block with this number. */
+    /** Makes this the group of a block with this number. */
     void gather(Block of, int numbered) {
         block = of;
         number = numbered;
@@ -52,12 +52,12 @@ final class PixelGroup {
         }
     }
 
-    /** 0 or 1: whether the first group of the colour has the upper or the lower field of it in these 2 × 2 pixels of the picture. */
+    /** 0 or 1: whether the first group of the colour has its upper or its lower field in these 2 × 2 pixels of the picture. */
     private int turn(int x, int y) {
         return (int) (Hash.of(PURPOSE, x, y) >>> field) & 1;
     }
 
-    /** A 64-bit hash of which group of the whole picture it is. */
+    /** A 64-bit hash that identifies the group in the whole picture. */
     long hash(long seed) {
         return Hash.of(Hash.of(seed, number), block.x(), block.y());
     }

@@ -12,13 +12,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The blocks of a picture that may show more than the background, which is known without tracing; of very large pictures those among some
- * that are evenly spread. Where a thing is small, blocks that are tried are chosen from these: those of the whole picture would miss it.
+ * The blocks of a picture that may show more than background, known without tracing; of very large pictures, those in an evenly spread
+ * sample. Where an object is small, trials must be taken from these blocks: a spread over the whole picture would miss it.
  *
  * <p>A pure function of the scene and the picture's size.
  */
 public final class SeenBlocks {
-    /** So many are looked at: all blocks of four million pixels, or of a million in classic shading. */
+    /** The largest number of blocks examined: all blocks of four million pixels, or of a million in classic shading. */
     public static final int MOST_LOOKED_AT = 1 << 14;
 
     private final List<Block> seen = new ArrayList<>();
@@ -41,7 +41,7 @@ public final class SeenBlocks {
         List<Block> blocks = Block.spread(width, height, side, MOST_LOOKED_AT);
         for (Block block : blocks) {
             pixels += block.pixels();
-            // What moves while the shutter is open may be anywhere.
+            // Objects that move while the shutter is open may be anywhere.
             if (scene.instants.length > 0
                     || seesSomething(shader, settings, block.x(), block.y(), block.width(), block.height())) {
                 seen.add(block);
@@ -53,7 +53,7 @@ public final class SeenBlocks {
     }
 
     /**
-     * Those of a picture; they are found once for all threads.
+     * The blocks of a picture; computed once for all threads.
      *
      * @param side of the blocks, in pixels
      */
@@ -66,13 +66,13 @@ public final class SeenBlocks {
         return width == settings.width() && height == settings.height() && side == ofSide;
     }
 
-    /** What can tell whether a rectangle of pixels shows more than the background. */
+    /** Makes a shader that can decide whether a rectangle of pixels shows more than background. */
     public static Shader shader(CompiledScene scene) {
         RayCounters counters = new RayCounters(scene.kindNames.size());
         return scene.physical == null ? new ClassicShader(scene, 1, counters) : new PathIntegrator(scene, counters);
     }
 
-    /** Whether a rectangle of pixels may show more than the background. */
+    /** Whether a rectangle of pixels may show more than background. */
     public static boolean seesSomething(Shader shader, RenderSettings settings, int x, int y, int columns, int rows) {
         double width = settings.width();
         double height = settings.height();
@@ -85,14 +85,14 @@ public final class SeenBlocks {
         return share;
     }
 
-    /** How many of the blocks that were looked at are such. */
+    /** The number of such blocks among those examined. */
     public int size() {
         return seen.size();
     }
 
-    /** About so many of them, evenly spread over the picture, or all if there are no more; none only if there are none. */
+    /** About this number of such blocks, evenly spread over the picture, or all if there are no more; none only if there are none. */
     public List<Block> spread(int count) {
-        // Where all are seen, these are Block.spread.
+        // If all blocks are such, these are those of Block.spread.
         double threshold = count / ((double) all * seen.size() / lookedAt);
         List<Block> some = new ArrayList<>();
         for (Block block : seen) {

@@ -14,22 +14,24 @@ import java.util.Arrays;
  */
 final class SharingGain {
     /**
-     * What it costs to ask a rough surface what it makes of light between two directions, by what a scattering event of a path costs:
-     * measured in rooms with metals and with rough walls, 1/45 to 1/22 (docs/notes/cluster-sampler.md).
+     * The cost of a BSDF evaluation at a rough surface, relative to that of a scattering event of a path: measured in rooms with metals and
+     * with rough walls, 1/45 to 1/22 (docs/notes/cluster-sampler.md).
      */
     private static final double COST = 1 / 32.0;
 
     private static final int FIELDS = 2;
 
-    /** By field colour: the sum over paths of by how much less their variance is. */
+    /** By chessboard colour: the sum over paths of the reduction of the second moment by reuse. */
     private final double[] gain = new double[FIELDS];
 
-    /** How often rough vertices divided light, and the sums of the squares of the shares: 1 where a path kept all. */
+    /**
+     * By chessboard colour: the number of divisions of light at rough vertices, and the sums of squared shares: 1 where a path kept all.
+     */
     private final long[] divisions = new long[FIELDS];
 
     private final double[] squares = new double[FIELDS];
 
-    /** How often rough surfaces were asked, and how many events the paths had. */
+    /** By chessboard colour: the number of BSDF evaluations at rough surfaces, and of events of paths. */
     private final long[] evaluations = new long[FIELDS];
 
     private final long[] events = new long[FIELDS];
@@ -38,7 +40,7 @@ final class SharingGain {
 
     SharingGain() {}
 
-    /** Starts over: from here on paths tell, and share. */
+    /** Begins the trial in a block: paths are recorded, and share. */
     void begin() {
         Arrays.fill(gain, 0);
         Arrays.fill(divisions, 0);
@@ -48,26 +50,30 @@ final class SharingGain {
         isTrying = true;
     }
 
-    /** All that is needed was told. */
+    /** Ends the trial. */
     void finish() {
         isTrying = false;
     }
 
-    /** Whether paths through the pixels of a field colour are to share. */
+    /** Whether paths through the pixels of a chessboard colour should share. */
     boolean isWorthIt(int field) {
         return isTrying || gain[1 - field] >= 0 && pays(1 - field);
     }
 
     /**
-     * Whether variance times time may be less with sharing between rough surfaces. What light there is has no part in that: the first few
-     * paths may have missed what is bright and rare.
+     * Whether variance times time may be less with reuse between rough surfaces. Radiance does not enter: the first few paths may have
+     * missed light that is bright and rare.
      */
     private boolean pays(int field) {
         return squares[field] * (events[field] + COST * evaluations[field])
                 <= (double) divisions[field] * events[field];
     }
 
-    /** Tells of paths that are going to share, the first of an array: what each would bring alone. */
+    /**
+     * Records what each path would have as its value without reuse; call before sharing.
+     *
+     * @param paths the first of an array
+     */
     void before(int field, PathCut[] paths, double[][] colors, int size) {
         for (int k = 0; isTrying && k < size; k++) {
             paths[k].bringsAlone(brought);
@@ -79,10 +85,10 @@ final class SharingGain {
     }
 
     /**
-     * Tells of the same paths, after they have shared.
+     * Records the values of the same paths after sharing.
      *
-     * @param eventsOf the paths: how many events each has had
-     * @param shared what connected them
+     * @param eventsOf the number of events of each path
+     * @param shared has connected them
      */
     void after(int field, double[][] colors, int[] eventsOf, int size, PathConnections shared) {
         if (!isTrying) {

@@ -1,5 +1,5 @@
 /**
- * The cluster method for physical light, with paths that pixels share, and what the classic one has in common with it: blocks that show
- * something, their limits, and the search for an effort.
+ * The cluster method for physical light, with path reuse between pixels, and the parts that it shares with the classic one: visible blocks,
+ * their limits, and the search for an effort.
  */
 package enlightenment.method.cluster;

@@ -10,7 +10,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A quarter of the light of a block: two groups of independent paths, and of chains that begin with some of them. One per thread.
+ * Renders a quarter of the samples of a block: two groups of independent paths, and Markov chains that start from some of them. One per
+ * thread.
  *
  * <p>See docs/notes/metropolis.md for why this is unbiased, however long chains are.
  */
@@ -20,13 +21,13 @@ final class BlockChains {
     private static final long CHOICE = 2;
     private static final int QUARTERS = 4;
 
-    /** Of a quarter. */
+    /** The number of groups in a quarter. */
     private static final int GROUPS = 2;
 
-    /** What a step of a chain is thought to tell, in independent paths of the same brightness. */
+    /** The assumed worth of a chain's step, in independent paths of the same brightness. */
     private static final double WORTH_OF_STEP = 0.2;
 
-    /** More paths than these are not kept at a time. */
+    /** The largest number of independent paths kept at a time. */
     private static final int MOST_STARTS = 1 << 16;
 
     private final Paths paths;
@@ -42,16 +43,16 @@ final class BlockChains {
     private double[] ofSteps = new double[0];
     private double[] light = new double[0];
 
-    /** 1/(1 + this times its brightness) is the share of a path's light that independent paths are to bring. */
+    /** Independent paths are weighted by 1/(1 + this times brightness), chains by the rest. */
     private double fade;
 
-    /** The state that a chain is in. */
+    /** The colour of the chain's current state. */
     private final double[] color = new double[3];
 
     private double brightness;
     private int pixel;
 
-    /** For how many steps, in the mean, it has been in it. */
+    /** The expected number of steps that the chain has stayed in the current state. */
     private double stay;
 
     private int independent;
@@ -64,7 +65,9 @@ final class BlockChains {
     private long large;
     private long largeAccepted;
 
-    /** @param isRecorded whether {@link #statistics} are wanted */
+    /**
+     * @param isRecorded whether {@link #statistics} are collected
+     */
     BlockChains(Paths paths, double largeShare, int mutationsPerChain, RayCounters counters, boolean isRecorded) {
         this.isRecorded = isRecorded;
         this.paths = paths;
@@ -74,17 +77,17 @@ final class BlockChains {
         sampler = new ChainSampler(largeShare);
     }
 
-    /** Paths that the last quarter took. */
+    /** The number of paths in the last quarter. */
     long taken() {
         return taken;
     }
 
-    /** Those of them that were worth no finite number. */
+    /** The number of these paths whose value was not finite. */
     long lost() {
         return paths.lost();
     }
 
-    /** The light of the last quarter: component c of one of the block's pixels. */
+    /** The radiance of the last quarter: component c of one of the block's pixels. */
     double light(int index, int c) {
         return light[3 * index + c];
     }
@@ -120,7 +123,7 @@ final class BlockChains {
         }
     }
 
-    /** Follows independent paths, well spread over the block. */
+    /** Traces independent paths, stratified over the block. */
     private void begin(Starts group, long seed, int count) {
         group.begin(count);
         for (int i = 0; i < count; i++) {
@@ -136,7 +139,7 @@ final class BlockChains {
         sampler.at(Sobol.x(path, film), Sobol.y(path, film));
     }
 
-    /** What the groups of a quarter weigh by comes from the other: then weights depend on nothing that they are weights of. */
+    /** The weights of a quarter's groups are computed from the other group, so that they are independent of what they weigh. */
     private void group(int g, int number, long seed, long steps) {
         Starts own = starts[g];
         int chains = (int) Math.max(Math.round((double) steps / mutationsPerChain), 1);
@@ -201,7 +204,7 @@ final class BlockChains {
                 largeAccepted));
     }
 
-    /** What became of the chains of the last quarter. */
+    /** The statistics of the chains of the last quarter. */
     List<ChainStatistics> statistics() {
         return List.copyOf(statistics);
     }
@@ -210,7 +213,7 @@ final class BlockChains {
         return bright > 0 ? 1 / (1 + fade * bright) : 1;
     }
 
-    /** The share of its light that chains are to bring, by its brightness. */
+    /** The share of a path's light that chains estimate, divided by the path's brightness. */
     private double shareOfSteps(double bright) {
         return fade < Double.POSITIVE_INFINITY ? fade / (1 + fade * bright) : 1 / bright;
     }
@@ -250,7 +253,7 @@ final class BlockChains {
         taken += length;
     }
 
-    /** Adds what the state that the chain has been in brings. */
+    /** Adds the contribution of the state that the chain leaves. */
     private void leave() {
         splat(pixel, color, stay * shareOfSteps(brightness));
     }
@@ -271,7 +274,7 @@ final class BlockChains {
         }
     }
 
-    /** Where no path found any light, chains have none to bring; but their large steps are independent paths. */
+    /** Where no path found any light, chains have none to add; but their large steps are independent paths. */
     private void searchOn(long length) {
         for (long step = 0; step < length; step++) {
             sampler.propose();

@@ -1,21 +1,21 @@
 package enlightenment.method.metropolis;
 
 /**
- * What became of one Markov chain.
+ * Statistics of one Markov chain.
  *
- * @param blockX first column of the block of pixels that it lives in
+ * @param blockX first column of its block of pixels
  * @param blockY first row of the block
- * @param group the group of independent paths that it began with one of, 0..7
- * @param startX column of the pixel that it began in, in the whole picture
+ * @param group the group of independent paths that it started from, 0..7
+ * @param startX column of the pixel of its first state, in the whole picture
  * @param startY row of that pixel
- * @param endX column of the pixel that it ended in
+ * @param endX column of the pixel of its last state
  * @param endY row of that pixel
- * @param startBrightness how bright its first path was
- * @param meanBrightness how bright the group's independent paths were in the mean
- * @param steps how many steps were proposed
- * @param accepted how many of them were made
- * @param largeSteps how many of the proposals were new paths altogether
- * @param largeAccepted how many of these were accepted
+ * @param startBrightness brightness of its first path
+ * @param meanBrightness mean brightness of the group's independent paths
+ * @param steps the number of proposals
+ * @param accepted the number of accepted proposals
+ * @param largeSteps the number of proposals that were large steps: independent paths
+ * @param largeAccepted the number of accepted large steps
  */
 public record ChainStatistics(
         int blockX,

@@ -17,10 +17,11 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * Markov chains that live in blocks of the picture: the paper's ray clusters, whose rays propose new ones near them, made sound
- * (docs/notes/metropolis.md). Of physical shading they bring what has been scattered twice or more; direct light comes from evenly spaced rays.
+ * Metropolis light transport by Markov chains within blocks of the picture: the paper's ray clusters, whose rays propose new ones near
+ * them, made unbiased (docs/notes/metropolis.md). For physical shading chains estimate light that was scattered at least twice; direct
+ * light is estimated by evenly spaced rays.
  *
- * <p>A tile must not be cut from a block that others are cut from as well, if work is not to be done twice.
+ * <p>A tile should consist of whole blocks; a block that two tiles share is rendered twice.
  */
 public final class MetropolisMethod implements TileIntegrator {
     /** A tile's quarters are alike; each may be a pass. */
@@ -33,22 +34,22 @@ public final class MetropolisMethod implements TileIntegrator {
     private final BlockChains chains;
     private final Spending spending;
 
-    /** What makes direct light; null where there is none apart. */
+    /** Estimates direct light; null where chains estimate all light. */
     private final RayTraceMethod direct;
 
-    /** How many samples each pixel is said to have of its own in a quarter; all other paths are told of as those of a survey. */
+    /** The number of samples that each pixel reports as its own in a quarter; all other paths are reported as those of a survey. */
     private final int counted;
 
     private final double[] sums = new double[6];
 
-    /** Is shown what became of chains; null for nobody. */
+    /** Receives the statistics of chains; null if they are not wanted. */
     private final Consumer<List<ChainStatistics>> sink;
 
     /**
      * For one thread.
      *
      * @param samples per pixel in the mean, all paths together
-     * @param sink is shown the chains of each quarter of a block; null for nobody
+     * @param sink receives the chains of each quarter of a block; null if they are not wanted
      */
     public MetropolisMethod(
             CompiledScene scene,
@@ -69,7 +70,7 @@ public final class MetropolisMethod implements TileIntegrator {
         });
         direct = isPhysical ? RayTraceMethod.ofDirectLight(scene, settings, counters, spending.direct()) : null;
         chains = new BlockChains(paths, (double) own.largeSteps() / PERCENT, own.mutations(), counters, sink != null);
-        // No more than are taken where all is dark; a power of two, whose errors are judged best.
+        // At most the number taken where all is dark; a power of two, at which error estimates are best.
         counted = Math.max(Integer.highestOneBit((int) samples) / (2 * QUARTERS), 1);
     }
 
@@ -112,7 +113,7 @@ public final class MetropolisMethod implements TileIntegrator {
         });
     }
 
-    /** Puts the pixels of a block; returns how many direct samples they have beyond those that they are said to have. */
+    /** Writes the pixels of a block; returns the number of direct samples beyond those that the pixels report. */
     private long put(Block block, FilmTile seen, FilmTile tile) {
         long rays = 0;
         for (int row = Math.max(block.y(), tile.y);

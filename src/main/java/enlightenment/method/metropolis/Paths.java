@@ -11,11 +11,11 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 
 /**
- * Follows paths from anywhere in a block, and tells what they are worth. Where things move while the shutter is open, each path sees a moment
- * by a number of its own, which chains change as its others. One per thread.
+ * Traces paths from anywhere in a block, and returns their colour and brightness. With motion blur each path sees one moment, by a random
+ * number that chains mutate like the others. One per thread.
  */
 final class Paths {
-    /** Of luminance; and what each band is worth beside it, so that none is starved. */
+    /** Weights of luminance; brightness adds each band's own worth, so that none is starved. */
     private static final double[] WEIGHTS = {0.2126, 0.7152, 0.0722};
 
     private static final double OF_ANY_BAND = 1.0 / 9;
@@ -31,7 +31,7 @@ final class Paths {
     private Block block;
     private long lost;
 
-    /** What the last path was worth, and in which of the block's pixels it began, by its index. */
+    /** The colour of the last path, and the index, in the block, of the pixel that it began in. */
     final double[] color = new double[3];
 
     int pixel;
@@ -63,7 +63,7 @@ final class Paths {
         }
     }
 
-    /** Follows the path that these numbers make; returns its brightness, by which chains choose. */
+    /** Traces the path that these random numbers make; returns its brightness, the target function of the chains. */
     double follow(Sampler numbers) {
         double x = numbers.filmX() * block.width();
         double y = numbers.filmY() * block.height();
@@ -83,7 +83,7 @@ final class Paths {
         return 0;
     }
 
-    /** How many paths since the {@linkplain #begin beginning} were worth no finite number, and were taken for black. */
+    /** The number of paths since {@link #begin} whose value was not finite; they count as black. */
     long lost() {
         return lost;
     }

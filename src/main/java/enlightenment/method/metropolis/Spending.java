@@ -1,19 +1,19 @@
 package enlightenment.method.metropolis;
 
 /**
- * What becomes of the samples of a picture, per pixel in the mean.
+ * The distribution of a picture's samples, per pixel in the mean.
  *
  * @param direct camera rays for direct light alone; 0 where chains make all light
- * @param independent paths that do not depend on each other: they tell how bright a block is, and chains begin with some of them
+ * @param independent independent paths, which estimate the brightness of a block and start its chains
  * @param mutations steps of chains
  */
 record Spending(double direct, double independent, double mutations) {
-    /** Measured on light that is hard to find: docs/notes/metropolis.md. */
+    /** The share of direct samples, measured on light that is hard to find: docs/notes/metropolis.md. */
     private static final double DIRECT = 0.25;
 
     private static final double INDEPENDENT = 0.5;
 
-    /** One for each quarter of a pixel. */
+    /** One direct sample for each quarter of a pixel. */
     private static final int LEAST_DIRECT = 4;
 
     static Spending of(double samples, boolean isPhysical) {

@@ -2,18 +2,18 @@ package enlightenment.method.metropolis;
 
 import java.util.Arrays;
 
-/** Independent paths of a group: where each began, what it is worth, and their brightness summed up. */
+/** The independent paths of a group: their pixels and colours, and the cumulative sums of their brightness. */
 final class Starts {
     private int count;
     private double[] colors = new double[0];
     private int[] pixels = new int[0];
 
-    /** Sums of the brightness of the paths up to each. */
+    /** Cumulative sums of the brightness of paths. */
     private double[] sums = new double[0];
 
     private double[] brightness = new double[0];
 
-    /** Forgets all, for so many paths. */
+    /** Clears the group, and makes room for this number of paths. */
     void begin(int paths) {
         count = 0;
         if (pixels.length < paths) {
@@ -24,7 +24,7 @@ final class Starts {
         }
     }
 
-    /** Adds the path that was followed last. */
+    /** Adds the last path. */
     void add(double bright, Paths last) {
         pixels[count] = last.pixel;
         brightness[count] = bright;
@@ -37,7 +37,7 @@ final class Starts {
         return count;
     }
 
-    /** The mean brightness. */
+    /** The mean brightness of the paths. */
     double mean() {
         return count == 0 ? 0 : sums[count - 1] / count;
     }
@@ -58,12 +58,14 @@ final class Starts {
         System.arraycopy(colors, 3 * path, out, 0, 3);
     }
 
-    /** The path at which the sums pass a share of the whole: each is found by shares in proportion to its brightness. */
+    /**
+     * The path at which the cumulative brightness exceeds this share of the whole: uniform shares select paths in proportion to brightness.
+     */
     int at(double share) {
         double sought = share * sums[count - 1];
         int found = Arrays.binarySearch(sums, 0, count, sought);
         int path = found >= 0 ? found + 1 : -found - 1;
-        // Ties and rounding must not lead to a path that is worth nothing.
+        // Ties and rounding must not select a path of brightness 0.
         while (path < count && !(brightness[path] > 0)) {
             path++;
         }

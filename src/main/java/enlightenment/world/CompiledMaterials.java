@@ -29,10 +29,10 @@ import java.util.function.Function;
 
 /** The materials of a scene's objects as rendering reads them, with their images. */
 final class CompiledMaterials {
-    /** By identity: a material that is used many times is one object, and comparing records by value is slow to start. */
+    /** By identity of the description: a material used many times is one object, and comparing records by value slows down start-up. */
     final Map<Material, SurfaceMaterial> bySource = new IdentityHashMap<>();
 
-    /** Which of a surface's roughnesses the levels are of. */
+    /** Makes the detail of a material with several levels of one of its roughnesses. */
     private interface LevelsDetail {
         SurfaceDetail of(RoughnessLevels levels, List<SurfaceMaterial> parts, AmountLookup roughness);
     }
@@ -44,7 +44,9 @@ final class CompiledMaterials {
     private final Dyes dyes;
     private final MaterialBsdfs bsdfs;
 
-    /** @param physical the frame if the shading is physical, else null */
+    /**
+     * @param physical the frame if the shading is physical, else null
+     */
     CompiledMaterials(Scene scene, SceneFrame physical, SceneImages images, Runnable poll) {
         this.scene = scene;
         this.physical = physical;
@@ -72,14 +74,17 @@ final class CompiledMaterials {
         return made;
     }
 
-    /** What glass is made of where it is opaque; null if that is nowhere, and in classic shading, where such glass is matte. */
+    /**
+     * The material of partly transparent glass where it is opaque; null if it is opaque nowhere, and in classic shading, where such glass
+     * is matte.
+     */
     private SurfaceMaterial opaqueShare(Material m) {
         return physical != null && m instanceof Glass glass && glass.transparency() < 1
                 ? add(glass.opaque().orElseGet(() -> Material.Matte.of(glass.color())))
                 : null;
     }
 
-    /** That of one colour is part of the radiance. */
+    /** The texture of a material's emission; null without one. A single colour is part of the radiance instead. */
     private RadianceMap radianceMap(Material m) {
         return physical == null || m.radianceMap().isEmpty() || m.radianceMap().get() instanceof Texture.Solid
                 ? null
@@ -90,7 +95,7 @@ final class CompiledMaterials {
         if (!(texture instanceof Texture.File file)) {
             return null;
         }
-        // What is prepared at once need not be asked for: a single image is such.
+        // Checks for cancellation between images, so not for a single one.
         if (images.haveBeenRead()) {
             poll.run();
         }
@@ -107,7 +112,9 @@ final class CompiledMaterials {
                 : AmountLookup.of((Texture.Amount.Constant) amount);
     }
 
-    /** A material whose roughness differs from place to place, as one for each of some roughnesses; null if it does not. */
+    /**
+     * The detail of a material whose roughness is textured: one part for each of some roughness levels; null if the roughness is constant.
+     */
     private SurfaceDetail ofRoughness(Texture.Amount roughness, Function<Texture.Amount, Material> with) {
         return ofLevels(roughness, with, SurfaceDetail::ofRoughness);
     }
@@ -127,7 +134,7 @@ final class CompiledMaterials {
         return detail.of(levels, parts, amount);
     }
 
-    /** A share of metal that differs from place to place: each point is of metal or of none, by that chance. */
+    /** The detail of a textured metallic share: each point is metal or not, with that probability. */
     private SurfaceDetail ofPrincipled(Principled m) {
         if (m.metallic() instanceof Texture.Amount.Textured) {
             return SurfaceDetail.mix(
@@ -144,7 +151,7 @@ final class CompiledMaterials {
                 SurfaceDetail::ofClearcoatRoughness);
     }
 
-    /** What is to be known of a place before what a material is there; null for most. */
+    /** The detail that decides what a material is at a point; null for most materials. */
     private SurfaceDetail detail(Material m) {
         if (m instanceof Composite.Mix mix) {
             return SurfaceDetail.mix(add(mix.first()), add(mix.second()), lookup(mix.weight()));

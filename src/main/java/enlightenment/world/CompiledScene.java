@@ -37,18 +37,18 @@ public final class CompiledScene {
     public final SceneFrame frame;
     public final CompiledCamera camera;
 
-    /** How surfaces are shaded. */
+    /** The shading of the scene. */
     public final Shading shading;
 
     /** The shading, if it is classic; else null. */
     public final Shading.Classic classic;
 
-    /** What physical shading needs, if that is the shading; else null. */
+    /** The lights and features of physical shading; null if the shading is classic. */
     public final PhysicalScene physical;
 
     public final ClassicLight[] lights;
 
-    /** Those lights that can be seen, and boxes around them. */
+    /** The visible lights of classic shading, and boxes around them. */
     public final ClassicLight[] visibleLights;
 
     public final Bounds[] lightBounds;
@@ -62,7 +62,7 @@ public final class CompiledScene {
     private final CompiledPrimitives compiled;
     private final FaceMaterials materials;
 
-    /** Finds what rays meet among the primitives: a hierarchy, or a list where a plain loop is faster. */
+    /** Finds the first primitive that a ray hits: by a hierarchy, or by a list where a plain loop is faster. */
     public final Accelerator accelerator;
 
     /** Finds the primitives that may occlude a light. */
@@ -74,7 +74,7 @@ public final class CompiledScene {
     /** The kinds of shapes in the scene. */
     public final List<String> kindNames;
 
-    /** How many surfaces a line meets at most. */
+    /** The largest number of surfaces that a line can cross. */
     public final int crossings;
 
     /** Ids of solids made of glass. */
@@ -83,13 +83,13 @@ public final class CompiledScene {
     /** Ids of those glass solids that a camera ray may start in. */
     public final int[] cameraSolids;
 
-    /** Which faces coincide. */
+    /** The faces that coincide with others. */
     public final CoincidentSurfaces coincident;
 
-    /** Whether a light that can be seen lies on a face of a primitive. */
+    /** Whether a visible light lies on a face of a primitive. */
     final boolean lightsLieOnSurfaces;
 
-    /** Boxes around the solids of glass, a little wider than they are. */
+    /** Boxes around the solids of glass, widened by more than roundings. */
     public final GlassBoxes glassBoxes;
 
     /** By id: rank of a glass solid, the smallest fills overlaps; see {@link Glass#priority}. */
@@ -101,13 +101,13 @@ public final class CompiledScene {
     /** The number of objects in the scene's list, including duplicates of which only one became a primitive. */
     public final int objects;
 
-    /** Where the eye sees lights that samples of a pixel may miss; empty unless shading is physical. */
+    /** Images of lights on the film that the samples of a pixel may miss; empty unless shading is physical. */
     public final LightImage[] lightImages;
 
-    /** Images of lights that can be aimed at; null if there are none. */
+    /** The spherical mirrors whose images of lights can be sampled; null if there are none. */
     public final MirrorBalls mirrorBalls;
 
-    /** The scene at the moments that its picture is the mean of; empty if it is one of a moment. */
+    /** The scene at the moments that its picture is the mean of; empty for a picture of a single moment. */
     public final CompiledScene[] instants;
 
     private ConeSearch coneSearch;
@@ -117,10 +117,10 @@ public final class CompiledScene {
     private final List<String> features;
     private final List<String> absent;
 
-    /** What the pixels of its pictures are, and how they become what a screen takes. */
+    /** The display curve of the scene's pictures. */
     public final DisplayCurve display;
 
-    /** Takes what all passes have made. */
+    /** Takes the results of all passes. */
     CompiledScene(ScenePasses made, CompiledScene... instants) {
         this.instants = instants;
         frame = made.frame;
@@ -198,7 +198,7 @@ public final class CompiledScene {
         return absent;
     }
 
-    /** Decides visibilities in a hierarchy. Made when it is first needed: few renders do. */
+    /** The search that decides visibilities in the hierarchy. Made at the first call, as few renders need it. */
     synchronized ConeSearch coneSearch() {
         if (coneSearch == null) {
             coneSearch = ConeSearch.of(accelerator);
@@ -207,9 +207,9 @@ public final class CompiledScene {
     }
 
     /**
-     * Where paths of light begin. Made when it is first needed: few renders do.
+     * The emission sampling of light paths. Made at the first call, as few renders need it.
      *
-     * @param withBackground whether they may begin in the surroundings
+     * @param withBackground whether paths may begin in the surroundings
      */
     public synchronized LightStarts lightStarts(boolean withBackground) {
         if (withBackground) {
@@ -225,10 +225,10 @@ public final class CompiledScene {
     }
 
     /**
-     * What another package makes of the scene once for all threads, when it is first asked for.
+     * An object that another package derives from the scene, made at the first call and shared by all threads.
      *
-     * @param kind what it is: one of each is kept
-     * @param maker makes it, immutable, of this scene alone
+     * @param kind its class: one object of each is kept
+     * @param maker makes it, immutable, from this scene alone
      */
     public synchronized <T> T once(Class<T> kind, Supplier<T> maker) {
         Object known = made.get(kind);
@@ -244,17 +244,17 @@ public final class CompiledScene {
         return instants.length == 0 ? new CompiledScene[] {this} : instants.clone();
     }
 
-    /** What counts rays of a moment: what counts those of this scene, unless the moment lacks kinds of shapes, as where a light goes out. */
+    /** The counters for rays of a moment: those of this scene, unless the moment lacks kinds of shapes, as where a light goes out. */
     public RayCounters countersOf(CompiledScene moment, RayCounters counters) {
         return moment.kindNames.equals(kindNames) ? counters : new RayCounters(moment.kindNames.size());
     }
 
-    /** Whether caustics are the business of a pass of their own, at any moment. */
+    /** Whether there is a caustic pass at any of the picture's moments. */
     public boolean hasCausticPass() {
         return isEver(moment -> moment.physical != null && moment.physical.hasCausticPass());
     }
 
-    /** Whether that is so at any moment of what a picture shows. */
+    /** Whether a condition holds at any of the picture's moments. */
     public boolean isEver(Predicate<CompiledScene> isSo) {
         return Arrays.stream(moments()).anyMatch(isSo);
     }

@@ -22,24 +22,22 @@ public final class LightStarts {
     /** The index of the surroundings. */
     public final int background;
 
-    /** Centre and radius of a ball around all surfaces: light from the surroundings goes through it. */
+    /** Centre and radius of the scene's bounding sphere, in the frame: light paths from the surroundings pass through it. */
     public final Vec3 center;
 
     public final double radius;
 
-    /** By light: the probability that it is chosen. */
+    /** By light: the probability of being sampled. */
     private final double[] probability;
 
-    /** The sums of these. */
+    /** Cumulative sums of {@link #probability}. */
     private final double[] cumulative;
 
     private final boolean[] shinesBothWays;
 
     /**
-     * Those of a scene.
-     *
-     * @param physical its lights and surroundings
-     * @param primitives all of its surfaces
+     * @param physical the lights and surroundings of the scene
+     * @param primitives all surfaces of the scene
      * @param withBackground whether paths may begin in the surroundings
      */
     LightStarts(PhysicalScene physical, Primitive[] primitives, boolean withBackground) {
@@ -74,7 +72,7 @@ public final class LightStarts {
         }
     }
 
-    /** The mean of all directions. */
+    /** The mean radiance of the surroundings, over all directions and the visible bands. */
     private double background() {
         if (physical.surroundings != null) {
             return physical.surroundings.power() / (12 * Math.PI);
@@ -93,7 +91,7 @@ public final class LightStarts {
         return r / 3 + g / 3 + b / 3;
     }
 
-    /** What a light of radiance or intensity 1 gives in all: the integral over its points and directions. */
+    /** The power of a light of radiance or intensity 1: the integral over its points and directions. */
     private double reach(int l) {
         if (l == background) {
             return 4 * Math.PI * Math.PI * radius * radius;
@@ -104,7 +102,7 @@ public final class LightStarts {
         return (shinesBothWays[l] ? 2 : 1) * Math.PI * lights[l].form.area();
     }
 
-    /** The light that a number chooses, 0..1; -1 if nothing shines. */
+    /** Samples a light by a number in 0..1; -1 if the scene has no light. */
     public int choose(double number) {
         if (!(cumulative[background] > 0)) {
             return -1;
@@ -125,7 +123,7 @@ public final class LightStarts {
         return light;
     }
 
-    /** The probability with which {@link #choose} chooses a light. */
+    /** The probability with which {@link #choose} returns this light. */
     public double probability(int light) {
         return probability[light];
     }
@@ -135,7 +133,7 @@ public final class LightStarts {
         return shinesBothWays[light];
     }
 
-    /** Whether paths leave such a light from its inside alone. */
+    /** Whether light paths leave a light with extent on its inside only. */
     public boolean shinesInwards(int light) {
         return !lights[light].shinesOutside;
     }
@@ -155,7 +153,7 @@ public final class LightStarts {
      * The density, per solid angle, of the direction in which paths leave a point of a light with extent; of surroundings only if they are
      * constant.
      *
-     * @param cosine between that and the normal on the side that it leaves to; of surroundings it has no influence
+     * @param cosine between that direction and the normal on the side of emission; without influence for surroundings
      */
     public double directionDensity(int light, double cosine) {
         if (light == background) {
@@ -170,7 +168,7 @@ public final class LightStarts {
         return profile == null ? 1 / (4 * Math.PI) : profile.density(dx, dy, dz);
     }
 
-    /** The solids of glass that points of a light may lie in. */
+    /** The ids of solids of glass that points of the light may lie in. */
     public int[] mediaAround(int light) {
         return light == background ? NO_MEDIA : lights[light].mediaAround();
     }

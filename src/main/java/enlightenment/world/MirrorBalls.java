@@ -12,10 +12,11 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The mirrors of a scene that are spheres, each with a light that it may reflect: their images of lights can be aimed at. Immutable.
+ * The spherical mirrors of a scene, each with a light that it may reflect: directions can be sampled within their images of the lights.
+ * Immutable.
  *
  * <p>Only mirrors and lights that coincide with no other surface, so that the first hit of a ray is the surface itself. Of more than eight
- * pairs those with the largest estimated power are kept; the others' caustics are found by BSDF sampling only.
+ * pairs those with the largest estimated power are kept; caustics of the others are found by BSDF sampling only.
  */
 public final class MirrorBalls {
     private static final int MOST_PAIRS = 8;
@@ -42,9 +43,9 @@ public final class MirrorBalls {
     }
 
     /**
-     * The pairs of a scene; null if there are none, or paths end too soon.
+     * The pairs of a scene; null if there are none, or if paths may have fewer than two bounces.
      *
-     * @param poll called now and then; ends this by what it throws
+     * @param poll called regularly; what it throws ends this
      */
     static MirrorBalls of(
             CompiledPrimitives compiled, CoincidentSurfaces coincident, PhysicalScene physical, Runnable poll) {
@@ -73,7 +74,7 @@ public final class MirrorBalls {
                 : new MirrorBalls(pairs > MOST_PAIRS ? best.byPower() : best.byId(), compiled.primitives());
     }
 
-    /** The lights that may be reflected: those with extent whose points all glow alike. */
+    /** The lights that may be reflected: those with extent and with constant radiance. */
     private static int[] reflected(CoincidentSurfaces coincident, PhysicalScene physical) {
         return IntStream.range(0, physical.lights.length)
                 .filter(i -> !physical.lights[i].isPoint

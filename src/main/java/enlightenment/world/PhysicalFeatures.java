@@ -8,16 +8,16 @@ import java.util.Collection;
 import java.util.List;
 import java.util.function.Predicate;
 
-/** Which features of physical shading are modelled, and which are not because nothing in the scene requires them. */
+/** The features of physical shading that are modelled, and those that are not, because nothing in the scene requires them. */
 final class PhysicalFeatures {
     final List<String> present = new ArrayList<>();
     final List<String> absent = new ArrayList<>();
 
     /**
-     * Looks at a scene.
+     * Collects the features of a scene.
      *
-     * @param materials those of its objects and lights
-     * @param mirrors images of lights that can be aimed at, or null
+     * @param materials of its objects and lights
+     * @param mirrors spherical mirrors whose images of lights can be sampled, or null
      */
     PhysicalFeatures(PhysicalScene scene, FaceMaterials materials, MirrorBalls mirrors) {
         Collection<SurfaceMaterial> surfaces = materials.distinct();

@@ -33,84 +33,89 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** What physical shading adds to a compiled scene: lights, surroundings, and what of it the scene requires. Immutable. */
+/**
+ * The part of a compiled scene that only physical shading has: lights, surroundings, and the features that the scene requires. Immutable.
+ */
 public final class PhysicalScene {
-    /** Binary logarithm of the least {@link #areaUnit}: that of the largest scenes that are promised to be right (docs/notes/numerics.md). */
+    /**
+     * Binary logarithm of the least {@link #areaUnit}: that of the largest scenes for which correctness is promised
+     * (docs/notes/numerics.md).
+     */
     private static final int LEAST_AREA = -400;
 
     private static final int NO_LIGHT = -1;
 
-    /** The lights: faces of primitives that glow, in the order of ids and faces, then points. */
+    /** The lights: emitting faces of primitives in the order of ids and faces, then point lights. */
     public final PhysicalLight[] lights;
 
-    /** Chooses among them, by their indices. */
+    /** Samples one of the lights, by their indices. */
     public final LightSampler picker;
 
-    /** The radiance that comes from everywhere that nothing hides: linear, by band. */
+    /** The constant radiance of the surroundings: linear, by band. */
     public final double backgroundR;
 
     public final double backgroundG;
     public final double backgroundB;
 
-    /** Light from infinity that is not the same from everywhere, all of it: then {@link #backgroundR} and its like are 0; else null. */
+    /** Surroundings whose radiance varies with direction, all of it: then {@link #backgroundR} and its like are 0; else null. */
     public final Surroundings surroundings;
 
-    /** The most scattering events of a path. */
+    /** The largest number of scattering events of a path. */
     public final int maxBounces;
 
-    /** What paths from lights look for caustics with; null if there is no pass of them. */
+    /** The targets of light paths for caustics; null if there is no caustic pass. */
     public final CausticPass caustics;
 
-    /** The material of what fills the whole scene outside of its solids, which has no end; null if nothing does. */
+    /** The ambient medium: the material that fills the scene outside of its solids, without bound; null if empty space does. */
     public final SurfaceMaterial around;
 
-    /** Whether a medium scatters light, or something fills the whole scene. */
+    /** Whether a medium scatters light, or there is an ambient medium. */
     public final boolean hasScattering;
 
-    /** Whether there may be a point of a light inside of a solid that is a medium. */
+    /** Whether a point of a light may lie inside of a solid that is a medium. */
     public final boolean lightsLieInGlass;
 
-    /** Whether a medium takes light away on a straight way. */
+    /** Whether a medium attenuates light. */
     public final boolean hasAbsorption;
 
-    /** Whether borders of media may be rough. */
+    /** Whether interfaces of media may be rough. */
     public final boolean hasRoughGlass;
 
     /** Whether indices of refraction depend on the wavelength. */
     public final boolean hasDispersion;
 
-    /** Whether a share of some glass is opaque. */
+    /** Whether some glass is partly opaque. */
     public final boolean hasPartialGlass;
 
     /**
-     * Whether shadow rays may pass glass that does not turn them: panes, borders of media of equal index, and faces of solids that are no
-     * borders, since another solid fills the place.
+     * Whether shadow rays may pass glass that keeps their direction: thin slabs, interfaces of media of equal index, and faces of solids
+     * inside a solid of higher priority.
      */
     public final boolean hasStraightGlass;
 
-    /** Whether surfaces have holes. */
+    /** Whether some surface has an alpha mask. */
     public final boolean hasMasks;
 
-    /** Whether there is ultraviolet light, and something that shows it. */
+    /** Whether the scene has ultraviolet light, and a fluorescent surface that absorbs it. */
     public final boolean hasUltraviolet;
 
-    /** The most that surfaces make of ultraviolet in a visible band; 0 if there is none. */
+    /** The largest share of ultraviolet that a surface re-emits in a visible band; 0 if there is none. */
     public final double visibleOfUltraviolet;
 
-    /** About how much light there is of each band; null unless there are fluorescent surfaces. */
+    /** By band, roughly the amount of light in the scene, relative; null unless there are fluorescent surfaces. */
     public final double[] lightOfBands;
 
-    /** Whether things may be seen in mirrors, in panes, or through glass that turns rays. */
+    /** Whether objects may be seen in mirrors, in thin slabs, or through glass that refracts. */
     public final boolean showsMirrored;
 
     /**
-     * A power of two, as an area of the frame: what weights of ways to find a path measure areas in, whose squares must be within the range
-     * of doubles. It is the geometric mean of the areas of the scene, of about 1, and of the smallest thing that is not a point beside
-     * its distance from the eye.
+     * The unit of areas in MIS weights, a power of two in areas of the frame: squares of areas must stay within the range of doubles. It is
+     * the geometric mean of the area of the scene, about 1, and of the smallest object that rounding in the frame leaves larger
+     * than a point.
      */
     public final double areaUnit;
 
-    /** By id: where its faces are found in {@link #lightOfFace}, or -1 if none of them glows. */
+    /** By id: the index in {@link #lightOfFace} of its first face; -1 if none of its faces emits. */
     private final int[] firstFace;
 
     private final int[] lightOfFace;
@@ -190,7 +195,7 @@ public final class PhysicalScene {
         lightOfBands = fluoresces ? LightBands.typical(lights, background) : null;
     }
 
-    /** What is left of the surroundings behind a medium that has no end: what it takes nothing of. */
+    /** The surroundings' radiance behind an unbounded ambient medium: 0 in every band that the medium attenuates. */
     private static Rgb seen(Rgb background, SurfaceMaterial around) {
         if (around == null) {
             return background;
@@ -205,7 +210,7 @@ public final class PhysicalScene {
         return new SurfaceMaterial(material, null, PhysicalSurface.of(material, frame, null, new MaterialBsdfs()));
     }
 
-    /** By how much of a light is seen, straight or from fluorescent surfaces, it is chosen among others. */
+    /** The brightness by which a light is sampled: its luminance plus the visible effect of its ultraviolet. */
     private double brightness(PhysicalLight light) {
         return hasUltraviolet ? light.luminance() + visibleOfUltraviolet * light.meanUltraviolet : light.luminance();
     }
@@ -229,15 +234,15 @@ public final class PhysicalScene {
         }
         double ultraviolet = hasUltraviolet ? m.glowUltraviolet : 0;
         Primitive p = compiled.primitives()[id];
-        // Nothing comes into an opaque solid, or out of it.
+        // No path enters or leaves an opaque solid.
         boolean isInsideSeen = !p.isSolid() || compiled.materials().inside(id).isGlass || eye.overlaps(p.bounds());
         PhysicalLight light =
                 PhysicalLight.glowing(p, id, face, m.glow(), ultraviolet, m.sides, isInsideSeen, m.radianceMap);
-        // Where the texture is black nothing glows.
+        // A face whose texture is black does not emit.
         return light == null || m.radianceMap != null && !(brightness(light) > 0) ? null : light;
     }
 
-    /** Whether a solid of smooth glass turns rays. */
+    /** Whether a solid of smooth glass refracts. */
     private static boolean hasClearGlass(CompiledPrimitives compiled) {
         return Arrays.stream(compiled.glassSolids())
                 .mapToObj(id -> compiled.materials().inside(id))
@@ -245,8 +250,8 @@ public final class PhysicalScene {
     }
 
     /**
-     * Finds for each light the few primitives that may occlude it from a point of a surface. Where something fills the whole scene, light
-     * is scattered behind the walls of a room as well, from where they do.
+     * Finds for each light the primitives that may occlude it from a point of a surface. With an ambient medium, any point may scatter
+     * light, behind the walls of a room as well.
      */
     void findOccluders(Primitive[] primitives, OccluderSet set, PrimitiveList all) {
         for (PhysicalLight light : lights) {
@@ -275,18 +280,18 @@ public final class PhysicalScene {
         }
     }
 
-    /** The index of the light that a face of a primitive is, or -1. */
+    /** The index of the light of a primitive's face; -1 if it is none. */
     public int lightOf(int id, int face) {
         int first = firstFace[id];
         return first < 0 ? NO_LIGHT : lightOfFace[first + face];
     }
 
-    /** Whether all rays that meet nothing see the same light. */
+    /** Whether the surroundings' radiance is the same for all rays that leave the scene. */
     public boolean hasConstantEnvironment() {
         return around == null && surroundings == null;
     }
 
-    /** Whether caustics are the business of a pass of their own, so that paths from the eye leave them out. */
+    /** Whether there is a caustic pass, whose light paths from the eye leave out. */
     public boolean hasCausticPass() {
         return caustics != null;
     }

@@ -22,15 +22,15 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 
-/** Builds from a scene only what it requires. */
+/** Compiles a scene: builds only what it requires. */
 public final class SceneCompiler {
-    /** Up to this many primitives a plain loop is faster than a hierarchy (docs/notes/benchmarks.md). */
+    /** Up to this number of primitives a plain loop is faster than a hierarchy (docs/notes/benchmarks.md). */
     public static final int LOOP_LIMIT = 24;
 
     /** Measured for spheres with a hierarchy (docs/notes/benchmarks.md), rounded up. */
     private static final long BYTES_PER_OBJECT = 400;
 
-    /** The exponent of a unit in which no sum of numbers of a scene overflows. */
+    /** The exponent of a unit of length in which no sum of numbers of a scene overflows. */
     private static final int OVERFLOW_EXPONENT = 8;
 
     /** A view may be at most this many powers of two wider than the scene, whose extent in its frame is about 1. */
@@ -38,7 +38,7 @@ public final class SceneCompiler {
 
     private SceneCompiler() {}
 
-    /** The scene, ready for rendering at the size of the settings. */
+    /** Compiles a scene for rendering at the size of the settings. */
     public static CompiledScene compile(Scene scene, RenderSettings settings) {
         return compile(scene, settings, new SceneImages());
     }
@@ -53,19 +53,19 @@ public final class SceneCompiler {
     }
 
     /**
-     * As {@link #compile(Scene, RenderSettings)}, with image files that scenes before may have needed too.
+     * As {@link #compile(Scene, RenderSettings)}, with image files that earlier scenes may have needed too.
      *
-     * @param images is asked for them
+     * @param images reads the image files, and keeps them
      */
     public static CompiledScene compile(Scene scene, RenderSettings settings, SceneImages images) {
         return compile(scene, settings, images, () -> false);
     }
 
     /**
-     * The same, which can be ended where it takes long.
+     * As {@link #compile(Scene, RenderSettings, SceneImages)}, but can be cancelled.
      *
-     * @param cancelled asked between images and now and then, by this thread
-     * @throws CancellationException soon after that has become true, of scenes with several images or thousands of objects
+     * @param cancelled called by this thread between images and regularly in long loops
+     * @throws CancellationException soon after that has become true, for scenes with several images or thousands of objects
      */
     public static CompiledScene compile(
             Scene scene, RenderSettings settings, SceneImages images, BooleanSupplier cancelled) {
@@ -78,7 +78,7 @@ public final class SceneCompiler {
     }
 
     /**
-     * Throws where {@link #compile} would, textures of surfaces aside, and builds no more than that takes.
+     * Throws where {@link #compile} would, textures of surfaces aside, without building more than that requires.
      *
      * @param images reads the picture of surroundings where that is needed
      */
@@ -88,7 +88,7 @@ public final class SceneCompiler {
         CompiledSurroundings.check(scene, images);
     }
 
-    /** Checks a scene but for surroundings, and for lights and textures that stand in files. */
+    /** Checks a scene except for surroundings, and for lights and textures that are in files. */
     public static void check(Scene scene) {
         checkObjects(scene, null);
     }
@@ -99,7 +99,7 @@ public final class SceneCompiler {
         checkMoment(scene, images);
     }
 
-    /** Classic shading can be computed of whatever can be described. */
+    /** Classic shading can render every scene that can be described. */
     private static void checkMoment(Scene scene, SceneImages images) {
         if (scene.shading().model() == Shading.Model.PHYSICAL) {
             SceneFrame frame = frameOf(scene);
@@ -120,9 +120,9 @@ public final class SceneCompiler {
     /**
      * As {@link #compile(Scene, RenderSettings, SceneImages)}.
      *
-     * @param loopLimit with more primitives or objects than this there is a hierarchy
-     * @param placement what shapes become
-     * @param poll called now and then; ends this by what it throws
+     * @param loopLimit with more primitives or objects than this a hierarchy is built
+     * @param placement turns shapes into primitives
+     * @param poll called regularly; what it throws ends this
      */
     public static CompiledScene compile(
             Scene scene,
@@ -172,7 +172,7 @@ public final class SceneCompiler {
         return new SceneFrame(scene.camera().origin(), Math.max(exponent, reach - MAX_VIEW_EXPONENT));
     }
 
-    /** The largest coordinate in a frame. */
+    /** The largest absolute coordinate of the scene in a frame. */
     private static double extent(Scene scene, SceneFrame frame) {
         double largest = SceneExtent.of(scene.camera().anchors(), 0, frame);
         for (Light light : scene.lights()) {

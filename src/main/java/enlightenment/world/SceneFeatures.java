@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 
-/** Which features are modelled, and which are not because nothing requires them. */
+/** The features that are modelled, and those that are not, because nothing in the scene requires them. */
 final class SceneFeatures {
     private final List<String> present = new ArrayList<>();
     private final List<String> absent = new ArrayList<>();

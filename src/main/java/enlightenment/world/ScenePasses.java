@@ -33,14 +33,14 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The passes that make a scene ready for rendering, in their order: each sets its parts from the parts before it, and nothing is changed after
- * the last. For one scene at one moment.
+ * The passes that compile a scene at one moment, in their order: each sets its parts from the parts before it, and nothing changes after
+ * the last.
  */
 final class ScenePasses {
-    /** How many other primitives a loop tests in the time that it takes to turn a ray to a mesh; has no influence on any answer. */
+    /** The number of primitives that a loop tests in the time of one ray-mesh test; has no influence on any result. */
     private static final int MESH_TESTS = 6;
 
-    /** How far boxes are widened, in units of the largest coordinate: more than the roundings of two surfaces together. */
+    /** The margin by which boxes are widened, in units of the largest coordinate: more than the roundings of two surfaces together. */
     private static final double WIDENING = Scale.gamma(128);
 
     final Scene scene;
@@ -72,7 +72,9 @@ final class ScenePasses {
     List<String> features;
     List<String> absent;
 
-    /** @param poll called now and then; ends this by what it throws */
+    /**
+     * @param poll called regularly; what it throws ends this
+     */
     ScenePasses(Scene scene, SceneImages images, Runnable poll) {
         this.scene = scene;
         this.images = images;
@@ -81,10 +83,10 @@ final class ScenePasses {
     }
 
     /**
-     * Runs all of them.
+     * Runs all passes.
      *
-     * @param loopLimit with more primitives or objects than this there is a hierarchy
-     * @param placement what shapes become
+     * @param loopLimit with more primitives or objects than this a hierarchy is built
+     * @param placement turns shapes into primitives
      * @param instants the moments that a picture of the scene is the mean of
      */
     CompiledScene run(
@@ -140,7 +142,7 @@ final class ScenePasses {
         }
     }
 
-    /** Which faces coincide, and what lights lie on. */
+    /** Finds the faces that coincide, and the faces that lights lie on. */
     private void findContacts() {
         coincident = CoincidentSurfaces.of(compiled, accelerator, poll);
         TouchedBoxes near = new TouchedBoxes(
@@ -154,7 +156,7 @@ final class ScenePasses {
         }
     }
 
-    /** Boxes around solids of glass, and the solids that camera rays may start in. */
+    /** Finds boxes around solids of glass, and the solids that camera rays may start in. */
     private void findGlass() {
         int[] solids = compiled.glassSolids();
         glassBoxes = new GlassBoxes(solids, this::widened);
@@ -176,7 +178,7 @@ final class ScenePasses {
         }
     }
 
-    /** Where lights are seen: in mirror balls, and straight by the eye; not through a medium that fills everything, which absorbs. */
+    /** Finds images of lights: in mirror balls, and directly from the eye unless an ambient medium attenuates. */
     private void findImages() {
         if (isPhysical) {
             mirrorBalls = MirrorBalls.of(compiled, coincident, physical, poll);
@@ -187,7 +189,7 @@ final class ScenePasses {
         }
     }
 
-    /** Which features are modelled, and which are not because nothing requires them. */
+    /** Collects the features that are modelled, and those that are not. */
     private void describe(CompiledMaterials materials) {
         SceneFeatures some = new SceneFeatures(scene, !isLoop, materials.bySource.values());
         PhysicalFeatures more = isPhysical ? new PhysicalFeatures(physical, compiled.materials(), mirrorBalls) : null;

@@ -25,11 +25,11 @@ import enlightenment.world.parts.RayCounters;
 public final class Tracer {
     private static final int NOTHING = -1;
 
-    /** What is known of the visibility of a light from a point before a ray is traced. */
+    /** Visibility of a light from a point, as far as it is known before a ray is traced. */
     public enum Visibility {
-        /** Nothing can occlude it. */
+        /** Nothing occludes any point of the light. */
         ALL,
-        /** One primitive occludes all of it. */
+        /** One primitive occludes the whole light. */
         NONE,
         /** Shadow rays must be traced. */
         UNKNOWN
@@ -42,42 +42,42 @@ public final class Tracer {
     private final BvhQuery query;
     private final OccluderSet.Judge judge;
 
-    /** Whether visibilities need not be decided. */
+    /** Whether {@link #prepareShadows} may return {@link Visibility#UNKNOWN} to save time. */
     private boolean leavesOpen;
 
-    /** Decides visibilities in a hierarchy; null until that is needed. */
+    /** Decides visibilities in a hierarchy; null until the first use. */
     private ConeSearch decides;
 
-    /** Knows what is in the way of segments; null until that is needed. */
+    /** Finds the occluders of segments; null until the first use. */
     private OccluderSet.SegmentJudge segments;
 
-    /** Whether nothing is in their way. */
+    /** Whether nothing occludes any of the segments. */
     private boolean isFree;
 
-    /** What camera rays of the current tile may meet. */
+    /** The primitives that camera rays of the current tile may hit. */
     private final RaySearch tile;
 
-    /** The same if it is a list, else null. */
+    /** The same object as {@link #tile} if it is a list, else null. */
     private final PrimitiveList tileList;
 
-    /** The indices of lights that they may meet. */
+    /** The indices of lights that camera rays of the current tile may hit. */
     private final int[] tileLights;
 
     private int tileLightCount;
 
-    /** The same for all other rays: every light. */
+    /** The indices of lights that all other rays may hit: every light. */
     private final int[] allLights;
 
     private final CoincidentHits coincident;
     private final Hit end = new Hit();
 
-    /** What is farther than this, in lengths of a ray's direction, is not met by {@link #trace} and {@link #traceCamera}. */
+    /** The t beyond which {@link #trace} and {@link #traceCamera} find no hit, in lengths of the ray's direction. */
     public double limit = Double.MAX_VALUE;
 
-    /** The light that the last {@link #trace} met, or null. */
+    /** The classic light that the last {@link #trace} hit, or null. */
     public ClassicLight light;
 
-    /** The id of the primitive that the last {@link #trace} met, or -1. */
+    /** The id of the primitive that the last {@link #trace} hit, or -1. */
     public int id;
 
     /** A tracer for one thread. */
@@ -112,8 +112,8 @@ public final class Tracer {
     }
 
     /**
-     * Whether it is known without tracing that no camera ray of the current tile meets anything. Never with a hierarchy: the answer would
-     * depend on the tree, and on it depends what the cluster method surveys.
+     * Whether it is known without tracing that camera rays of the current tile hit nothing. Always false with a hierarchy: the answer would
+     * depend on the tree, and the survey of the cluster method depends on the answer.
      */
     public boolean seesNothing() {
         return tileList != null && tileList.size() == 0 && tileLightCount == 0;
@@ -124,7 +124,7 @@ public final class Tracer {
         return search(ray, hit, tile, tileLights, tileLightCount);
     }
 
-    /** Whether the closest surface that a ray meets is a light of physical shading, by its index, on a side that it shines on. */
+    /** Whether the first surface that a ray hits is this light of physical shading, on an emitting side. */
     public boolean meetsLight(Ray ray, Hit out, int index) {
         return trace(ray, out)
                 && scene.physical.lightOf(id, out.face) == index
@@ -132,7 +132,7 @@ public final class Tracer {
     }
 
     /**
-     * Finds the first primitive or light that the ray meets.
+     * Finds the first primitive or light that the ray hits.
      *
      * @return whether there is one; if so, either {@link #light} is set, or {@link #id} and the hit are
      */
@@ -140,7 +140,7 @@ public final class Tracer {
         return search(ray, hit, scene.accelerator, allLights, allLights.length);
     }
 
-    /** One method for all rays, so that the just-in-time compiler has only one to compile. */
+    /** A single method for all rays, so that the JIT compiler compiles only one. */
     private boolean search(Ray ray, Hit hit, RaySearch among, int[] lights, int lightCount) {
         closest.reset(limit);
         among.search(ray, closest);
@@ -174,7 +174,7 @@ public final class Tracer {
         return true;
     }
 
-    /** If a light lies on the surface that was hit, the ray meets the light. */
+    /** If a light lies on the surface that was hit, the ray hits the light. */
     private void findLightOn(Ray ray, Hit hit, int[] lights, int lightCount) {
         for (int k = 0; k < lightCount && light == null; k++) {
             ClassicLight l = scene.visibleLights[lights[k]];
@@ -186,8 +186,8 @@ public final class Tracer {
     }
 
     /**
-     * Lets {@link #prepareShadows} answer {@link Visibility#UNKNOWN} wherever a shadow ray costs less than the answer. Without this the answer
-     * is a function of the cone and the scene alone.
+     * Lets {@link #prepareShadows} return {@link Visibility#UNKNOWN} wherever a shadow ray costs less than the decision. By default its
+     * result is a function of the cone and the scene alone.
      */
     public void leaveVisibilityOpen() {
         leavesOpen = tileList == null;
@@ -196,11 +196,11 @@ public final class Tracer {
     /**
      * Prepares {@link #occluded} for shadow rays from the cone's apex to its light.
      *
-     * @param cone the cone
+     * @param cone of directions to the light
      * @param starts begins with the ids of primitives that the apex lies on and that cannot occlude the light
      * @param count the number of these
-     * @param lightSamples how many shadow rays there will be, unless the visibility is known
-     * @return what is known without a ray
+     * @param lightSamples the number of shadow rays to come, unless the visibility is known
+     * @return the visibility of the whole light
      */
     public Visibility prepareShadows(LightCone cone, int[] starts, int count, int lightSamples) {
         judge.of(cone, starts, count);
@@ -220,7 +220,7 @@ public final class Tracer {
     /**
      * Traces a shadow ray that ends in free space, as at the eye.
      *
-     * @param ray it knows the surfaces that it starts on
+     * @param ray carries the surfaces that it starts on
      * @param tMax the t at which it ends
      */
     public boolean occluded(Ray ray, double tMax) {
@@ -231,10 +231,10 @@ public final class Tracer {
     /**
      * Prepares {@link #occludedSegment} for rays from a point.
      *
-     * @param on the primitive that they begin on and never meet again; -1 if there is none
-     * @param ends where they lead
-     * @param rays how many there will be
-     * @return whether anything may be in the way of any of them
+     * @param on the id of the primitive that they begin on and cannot hit again; -1 if there is none
+     * @param ends the end points
+     * @param rays the number of rays to come
+     * @return whether anything may occlude any of them
      */
     public boolean prepareSegments(double x, double y, double z, int on, SegmentEnds ends, int rays) {
         if (segments == null) {
@@ -247,10 +247,10 @@ public final class Tracer {
     }
 
     /**
-     * Traces a shadow ray from the point to one of the ends of {@link #prepareSegments}, if anything may be in its way. Nothing else may be
-     * asked in between.
+     * Traces a shadow ray from the point to one of the ends of {@link #prepareSegments}, if anything may occlude it. No other query may
+     * come in between.
      *
-     * @param ray it knows the surfaces that it starts and ends on
+     * @param ray carries the surfaces that it starts and ends on
      */
     public boolean occludedSegment(Ray ray) {
         if (isFree) {
@@ -261,13 +261,13 @@ public final class Tracer {
     }
 
     /**
-     * Traces a ray between two places, on surfaces or not: whether nothing lies between them. Whether rounding puts the end's own surface
-     * before or behind it means nothing.
+     * Traces a ray between two points, on surfaces or not: whether nothing lies between them. The end's own surface never occludes it, on
+     * whichever side of the end rounding puts it.
      *
-     * @param ray it knows the surfaces that it starts on
+     * @param ray carries the surfaces that it starts on
      * @param length the t at which it ends
-     * @param endId the primitive that it ends on; -1 if it ends on none
-     * @param endFace the face of that
+     * @param endId the id of the primitive that it ends on; -1 if it ends on none
+     * @param endFace the face of that primitive
      */
     public boolean joins(Ray ray, double length, int endId, int endFace) {
         counters.shadowRays++;
@@ -287,7 +287,7 @@ public final class Tracer {
         return isEnd(ray, length - closest.t(), met, end, endId, endFace);
     }
 
-    /** Whether a ray comes to its end, on an opaque surface, out of a solid of glass that lies on that: there is a border before it. */
+    /** Whether a ray ends on an opaque surface and leaves a solid of glass that lies on it: then there is an interface before its end. */
     private boolean leavesGlassAtEnd(Ray ray, double length, int endId, int endFace) {
         if (scene.glassSolids.length == 0 || !scene.coincident.concerns(endId)) {
             return false;
@@ -314,9 +314,9 @@ public final class Tracer {
     }
 
     /**
-     * Whether a hit is the end of a ray. The border of a solid of glass that the ray leaves there is not: it comes before the end.
+     * Whether a hit is the end of a ray. The interface of a solid of glass that the ray leaves there is not: it comes before the end.
      *
-     * @param left how far behind the hit the ray ends, in lengths of its direction
+     * @param left the distance of the end behind the hit, in lengths of the ray's direction
      */
     public boolean isEnd(Ray ray, double left, int met, Hit at, int endId, int endFace) {
         if (met == endId ? at.face != endFace : !scene.coincident.coincide(endId, endFace, met, at.face)) {
@@ -335,7 +335,7 @@ public final class Tracer {
     /**
      * Traces a shadow ray: whether anything occludes a point of a light.
      *
-     * @param ray the shadow ray; it knows the surfaces that it starts on
+     * @param ray carries the surfaces that it starts on
      * @param tMax the t at which the ray ends on the light
      * @param target the light
      */

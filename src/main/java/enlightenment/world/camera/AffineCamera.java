@@ -24,7 +24,7 @@ final class AffineCamera extends CompiledCamera {
     final Vec3 directionY;
     final double tMin;
 
-    /** Null for none. */
+    /** The lens; null for a pinhole or a parallel view. */
     final ThinLens lens;
 
     private AffineCamera(Linear start, Linear along, double tMin, ThinLens lens, int columns, int rows) {
@@ -39,7 +39,7 @@ final class AffineCamera extends CompiledCamera {
         this.lens = lens;
     }
 
-    /** What is {@code at + x right + y down} at the position (x, y). */
+    /** The point or vector {@code at + x right + y down} at the film position (x, y). */
     private record Linear(Vec3 at, Vec3 right, Vec3 down) {
         static final Linear ZERO = new Linear(Vec3.ZERO, Vec3.ZERO, Vec3.ZERO);
 
@@ -78,10 +78,10 @@ final class AffineCamera extends CompiledCamera {
             double radius = frame.toFrame(w.pupilRadius());
             Vec3 a = right.normalized().times(radius);
             Vec3 b = normal.cross(right.normalized()).times(radius);
-            // The window is where t = 1.
+            // The window is at t = 1.
             lens = new ThinLens(Aperture.ROUND, a, b, a, b);
         }
-        // The eye is the frame's origin; t = 1 is the window, and what lies before it is not seen.
+        // The eye is the frame's origin; the window is at t = 1, and nothing before it is seen.
         return new AffineCamera(Linear.ZERO, new Linear(upperLeft, right, down), 1, lens, width, height);
     }
 
@@ -96,7 +96,7 @@ final class AffineCamera extends CompiledCamera {
         if (p.lens().isPresent() && p.lens().get().radius() > 0) {
             Camera.Lens l = p.lens().get();
             double radius = frame.toFrame(l.radius());
-            // A direction goes 1 forward.
+            // The direction has length 1 along the view.
             double slope = l.radius() / l.focusDistance();
             lens = new ThinLens(
                     new Aperture(l.blades(), l.rotation()),
@@ -161,7 +161,7 @@ final class AffineCamera extends CompiledCamera {
         return Bounds.around(box.center(), box.extent());
     }
 
-    /** Not behind a window: rays start where they pass that. */
+    /** Whether rays start on the lens: not where there is a window, as they start at that. */
     private boolean startsOnLens() {
         return lens != null && tMin == 0;
     }

@@ -19,15 +19,15 @@ final class AffineProjection extends EyeProjection {
     private final Vec3 middle;
     private final ThinLens lens;
 
-    /** The middle, or a point of the lens. */
+    /** The eye: the middle of the lens, or the sampled point of it. */
     private Vec3 start;
 
-    /** What the point of the lens adds to the place in the picture. */
+    /** The shift of the film position by the sampled point of the lens. */
     private double shiftX;
 
     private double shiftY;
 
-    /** The rows of the inverse of the camera's matrix times its determinant: for how far along the ray, x and y. */
+    /** The rows of the adjugate of the camera's matrix: for the distance along the ray, x and y. */
     private final Vec3 along;
 
     private final Vec3 across;
@@ -104,7 +104,7 @@ final class AffineProjection extends EyeProjection {
         return true;
     }
 
-    /** Whether a point so far along a ray is where that starts, as far as rounding tells: not of rays that all start at the eye. */
+    /** Whether a point at this distance along its ray is where the ray starts, within rounding; never if all rays start at the eye. */
     private boolean isWhereRaysStart(double s) {
         return isParallel ? (tMin - s) * parallel.length() <= error : tMin > 0 && tMin - s <= ERROR * tMin;
     }
@@ -143,13 +143,12 @@ final class AffineProjection extends EyeProjection {
         return importance(s, qx, qy, qz);
     }
 
-    /** For an eye at this distance, in the camera's directions and as a vector. */
+    /** The importance at this distance from the eye, for a direction in the camera's axes. */
     private double importance(double s, double qx, double qy, double qz) {
         if (s > SMALL) {
             return Math.sqrt(qx * qx + qy * qy + qz * qz) / (s * s * s * Math.abs(determinant));
         }
-        // The same in a larger unit of length: cubes of what is small beside the whole scene are beyond the range of
-        // doubles.
+        // In a larger unit of length: cubes of lengths that are tiny beside the scene are beyond the range of doubles.
         double x = qx / SMALL;
         double y = qy / SMALL;
         double z = qz / SMALL;

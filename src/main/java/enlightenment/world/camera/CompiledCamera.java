@@ -30,15 +30,15 @@ public abstract sealed class CompiledCamera permits AffineCamera, PanoramaCamera
                 : AffineCamera.compile(camera, frame, width, height);
     }
 
-    /** This camera with a pinhole in place of its lens, as classic shading has it. */
+    /** This camera with a pinhole in place of its lens, for classic shading. */
     public abstract CompiledCamera withoutLens();
 
-    /** Whether a film position has many rays, which pass a lens of some size. */
+    /** Whether the camera has a lens of positive size, so that a film position has many rays. */
     public abstract boolean hasLens();
 
     /**
-     * Whether each film position has one ray and lines are seen as lines: the rays of a tile lie within four planes through those at its
-     * corners, and the image of a polygon is a polygon.
+     * Whether each film position has one ray and lines project to lines: then the rays of a tile lie within four planes through those at
+     * its corners, and the image of a polygon is a polygon.
      */
     public abstract boolean isPinholeOrParallel();
 
@@ -51,20 +51,20 @@ public abstract sealed class CompiledCamera permits AffineCamera, PanoramaCamera
     public abstract void ray(double x, double y, Ray ray);
 
     /**
-     * Sets the ray of a film position through a point of the lens; {@link #ray(double, double, Ray)} if there is none.
+     * Sets the ray of a film position through a sampled point of the lens; without a lens as {@link #ray(double, double, Ray)}.
      *
-     * @param sampler of the path, which gives the point's numbers
+     * @param sampler of the path, which has the point's random numbers
      */
     public abstract void ray(double x, double y, Sampler sampler, Ray ray);
 
-    /** A box around the places where rays start. */
+    /** A box around the origins of all rays, in the frame. */
     public abstract Bounds startBounds();
 
-    /** The places where rays start. */
+    /** The origins of all rays. */
     public abstract RayStarts rayStarts();
 
     /**
-     * Of a camera without a lens whose rays depend on the position (x, y) linearly: the ray's origin and what x and y add to it, its
+     * Of a camera without a lens whose rays are linear in the film position (x, y): the ray's origin and its derivatives by x and y, its
      * direction likewise, and the t that it starts at. Null for others.
      */
     public double[] linearForm() {

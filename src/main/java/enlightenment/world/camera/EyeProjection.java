@@ -5,33 +5,35 @@ import enlightenment.numeric.Scale;
 import enlightenment.primitive.Ray;
 
 /**
- * Where in the picture the camera sees a point, and how much of the picture light that leaves it covers: the camera's rays the other way
- * round, for paths that come from a light. A mutable work object, one per thread.
+ * Projects points onto the film and computes the camera's importance: the inverse of its rays, for light paths connected to the eye. A
+ * mutable work object, one per thread.
  *
- * <p>Cameras whose rays start in several places, on a lens or at two eyes, are projected to from one of these at a time, chosen by
- * {@link #sampleStart}: then {@link #importance} is the share of the picture over the probability of the choice. For a lens of area A the
- * importance of PBRT's thin lens camera, which is 1/A times that of a pinhole, is divided by the density 1/A (M. Pharr, W. Jakob and
- * G. Humphreys, "Physically based rendering", section 16.1).
+ * <p>Of cameras whose rays start in several places, on a lens or at two eyes, one place is used at a time, sampled by {@link #sampleStart}:
+ * then {@link #importance} is divided by the probability of the choice. For a lens of area A the importance of PBRT's thin lens camera,
+ * which is 1/A times that of a pinhole, is divided by the density 1/A (M. Pharr, W. Jakob and G. Humphreys, "Physically based rendering",
+ * section 16.1).
  */
 public abstract sealed class EyeProjection permits AffineProjection, PanoramaProjection {
     static final double ERROR = Scale.gamma(64);
 
-    /** The place in the picture, 0..1 from the left. */
+    /** The film position, 0..1 from the left. */
     public double x;
 
-    /** From above, 0..1. */
+    /** The film position, 0..1 from above. */
     public double y;
 
-    /** The vector from the point to where the camera's ray begins: what lies between hides the point. */
+    /** The vector from the point to the origin of the camera's ray: a surface in between occludes the point. */
     public double toEyeX;
 
     public double toEyeY;
     public double toEyeZ;
 
-    /** How far that vector's end may be from there by rounding, or a surface that the camera's ray begins on: a generous bound. */
+    /**
+     * A generous bound of the distance, by rounding, between that vector's end and the ray's origin, or a surface that the ray begins on.
+     */
     public double error;
 
-    /** The unit vector in that direction. */
+    /** The unit vector from the point to the origin of the camera's ray. */
     public double dx;
 
     public double dy;
@@ -54,40 +56,40 @@ public abstract sealed class EyeProjection permits AffineProjection, PanoramaPro
                 : new AffineProjection((AffineCamera) camera);
     }
 
-    /** Whether rays of one point of the scene start in several places, so that {@link #sampleStart} must choose one. */
+    /** Whether the camera's rays start in several places for one point of the scene, so that {@link #sampleStart} must choose one. */
     public abstract boolean hasSeveralStarts();
 
     /**
-     * Chooses where on the lens, or at which of two eyes, connections end from now on.
+     * Samples the point of the lens, or one of two eyes, at which connections end from now on.
      *
-     * @param u a random number, 0..1
-     * @param v another one
+     * @param u uniform in 0..1
+     * @param v uniform in 0..1
      */
     public abstract void sampleStart(double u, double v);
 
-    /** Lets {@link #importanceOf} refer to the place on the lens, or the eye, that a camera ray starts at. */
+    /** Sets the point of the lens, or the eye, to that of a camera ray, for {@link #importanceOf}. */
     public abstract void startWith(Ray camera);
 
     /**
-     * Projects a point of the frame.
+     * Projects a point of the frame and computes its importance.
      *
-     * @return whether it lies where the camera's rays go, within the picture; otherwise what was set is of no use
+     * @return whether it is within the picture, before the start of the camera's rays; if not, the fields are of no use
      */
     public abstract boolean project(double px, double py, double pz);
 
     /**
-     * Where a point of the frame appears, in the picture or beside it, whether it can be seen or not.
+     * Projects a point of the frame to a film position, in the picture or beside it, visible or not.
      *
-     * @return whether it lies before the eye; parallel rays and panoramas have everything before them
+     * @return whether it lies before the eye; always true for parallel rays and panoramas
      */
     public abstract boolean place(double px, double py, double pz);
 
-    /** The eye, in the frame, where all rays come from one; of parallel rays where that of the picture's upper left corner starts. */
+    /** The eye, in the frame, where all rays start at one point; of parallel rays the origin of that at the picture's upper left corner. */
     public abstract Vec3 start();
 
     /** Whether all rays have the same direction. */
     public abstract boolean isParallel();
 
-    /** The {@link #importance} of a point that the camera is known to see. */
+    /** The {@link #importance} of a point that is known to be visible from the camera. */
     public abstract double importanceOf(double px, double py, double pz);
 }

@@ -14,18 +14,18 @@ final class PanoramaProjection extends EyeProjection {
     private final View view;
     private final boolean isStereo;
 
-    /** How far the eye stands to the right of the middle. */
+    /** The offset of the eye to the right of the middle between the eyes, in the frame. */
     private double offset;
 
     private Vec3 start = Vec3.ZERO;
 
-    /** Level components of the point seen from the middle, and its height. */
+    /** The point relative to the middle: its level components, and its height. */
     private double right;
 
     private double forward;
     private double height;
 
-    /** The components of the level direction of its ray, and how far it is along that. */
+    /** The components of the level direction of its ray, and the distance along that. */
     private double aheadRight;
 
     private double aheadForward;
@@ -72,7 +72,7 @@ final class PanoramaProjection extends EyeProjection {
         return x < 1 && y < (isStereo && offset < 0 ? 0.5 : 1);
     }
 
-    /** Fails for points above, below and between the eyes, too. */
+    /** Returns false also for points above, below and between the eyes. */
     @Override
     public boolean place(double px, double py, double pz) {
         Vec3 p = new Vec3(px, py, pz);

@@ -5,32 +5,32 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
 /**
- * Where the rays of a camera start: at a point, or on a parallelogram. What a plane at an angle passes is much less than what overlaps the
- * box around it. Immutable.
+ * The set of origins of a camera's rays: a point or a parallelogram. Far fewer boxes overlap it than overlap its bounding box if it is
+ * oblique. Immutable.
  */
 public final class RayStarts {
     /** A generous bound of the roundings of a start, of the parallelogram, and of their distances from a box. */
     private static final double ERROR = Scale.gamma(64);
 
-    /** A box around the parallelogram, twice as large as that. */
+    /** A box around the parallelogram, doubled. */
     private final Bounds box;
 
-    /** Perpendicular to the parallelogram up to rounding; zero if it has no area. Whatever it is, what lies apart along it is apart. */
+    /** Perpendicular to the parallelogram up to rounding; zero if it has no area. Separation along any vector proves disjointness. */
     private final Vec3 normal;
 
-    /** Where the middle of the parallelogram is along the normal, and how far twice the parallelogram reaches from there. */
+    /** The position of the parallelogram's middle along the normal, and the extent of the doubled parallelogram from there. */
     private final double middle;
 
     private final double reach;
 
-    /** Bounds the coordinates of starts, and what they are sums of. */
+    /** By coordinate, a bound of the origins, and of the terms that they are sums of. */
     private final Vec3 size;
 
     /**
-     * Starts at {@code at + x right + y down} for x and y in 0..1.
+     * Makes the set {@code at + x right + y down} for x and y in 0..1.
      *
-     * @param box twice as large as one around these
-     * @param size by coordinate: the sum of the absolute values of what starts are computed from
+     * @param box around the set, doubled
+     * @param size by coordinate: the sum of the absolute values of what origins are computed from
      */
     RayStarts(Bounds box, Vec3 at, Vec3 right, Vec3 down, Vec3 size) {
         this.box = box;
@@ -43,7 +43,7 @@ public final class RayStarts {
         reach = Math.abs(toRight) + Math.abs(downwards);
     }
 
-    /** Whether a ray may start in a box: if not, none does, roundings included. */
+    /** Whether a ray may start in a box; false is certain, roundings included. */
     public boolean mayLieIn(Bounds other) {
         if (!other.overlaps(box)) {
             return false;

@@ -18,7 +18,7 @@ public final class TileFrustum {
     private static final double PLANE_ERROR = Scale.gamma(64);
     private static final int PLANES = 4;
 
-    /** Origins and directions of the rays at the four corners and in the middle. */
+    /** Origins and directions of the rays at the four corners, then of the middle ray. */
     private final double[] origins = new double[3 * (PLANES + 1)];
 
     private final double[] directions = new double[3 * (PLANES + 1)];
@@ -44,7 +44,7 @@ public final class TileFrustum {
             directions[3 * i + 2] = ray.dz;
         }
         if (!camera.isPinholeOrParallel()) {
-            // No planes: nothing lies beyond normals of no length.
+            // No planes: nothing lies beyond normals of length 0.
             Arrays.fill(normals, 0);
             Arrays.fill(errors, 0);
             return;
@@ -64,7 +64,7 @@ public final class TileFrustum {
             int b = (c + 2) % 3;
             double n = directions[3 * i + a] * across(i, j, b) - directions[3 * i + b] * across(i, j, a);
             normals[3 * i + c] = n;
-            // The middle ray shows which side is inside.
+            // The middle ray is on the inner side.
             inside += n * across(i, PLANES, c);
             length += Math.abs(directions[3 * i + c]);
             size += Math.abs(origins[3 * i + c])
@@ -88,7 +88,7 @@ public final class TileFrustum {
         return (origins[3 * j + c] - origins[3 * i + c]) + (directions[3 * j + c] - directions[3 * i + c]);
     }
 
-    /** Collects the indices of the boxes that rays of the tile may meet; returns their number. */
+    /** Collects the indices of the boxes that rays of the tile may hit; returns their number. */
     public int gather(Bounds[] bounds, int[] out) {
         int n = 0;
         for (int id = 0; id < bounds.length; id++) {
@@ -108,7 +108,7 @@ public final class TileFrustum {
         return true;
     }
 
-    /** Whether even the innermost corner of the box lies outside the plane. */
+    /** Whether all corners of the box lie outside the plane. */
     private boolean isBeyond(Bounds box, int plane) {
         double distance = 0;
         double size = 0;
@@ -118,7 +118,7 @@ public final class TileFrustum {
             double max = box.max().component(c);
             double o = origins[3 * plane + c];
             distance += n * ((n > 0 ? max : min) - o);
-            // Of both corners: where a normal's component is next to 0 its sign says nothing.
+            // The bound covers both corners: the sign of a normal's component near 0 is random.
             size += Math.max(Math.abs(min - o), Math.abs(max - o)) + Math.max(Math.abs(min), Math.abs(max));
         }
         return distance < -errors[plane] * size;

@@ -7,14 +7,17 @@ import enlightenment.world.light.SpecularThings;
 import enlightenment.world.material.SurfaceMaterial;
 
 /**
- * Chains of a narrow lobe and another narrow lobe, a mirror or smooth glass. Neither paths from the eye nor those from a small light
- * are likely to connect over one: light samples need the first lobe to aim at the second one's highlight, and light paths that a mirror
- * sends to a narrow lobe seldom arrive where that lobe holds the eye.
+ * Finds chains of two narrow lobes, or of a narrow lobe and a mirror or smooth glass. Neither paths from the eye nor those from a small
+ * light are likely to connect over one: a light sample at the first lobe seldom lies in the second one's highlight, and light paths that a
+ * mirror sends to a narrow lobe are seldom reflected towards the eye.
  */
 public final class NarrowChains {
     private NarrowChains() {}
 
-    /** Whether a scene of physical shading may have such a chain to a light that {@link CausticPass#takesNarrow() is small} as seen there. */
+    /**
+     * Whether a scene of physical shading may have such a chain to a light that is {@linkplain CausticPass#takesNarrow() small} as seen
+     * from there.
+     */
     public static boolean leadToSmallLights(CompiledScene scene) {
         if (!scene.physical.hasCausticPass() || !scene.physical.caustics.takesNarrow()) {
             return false;
@@ -40,7 +43,10 @@ public final class NarrowChains {
         return narrow > 0 && narrow + sharp > 1;
     }
 
-    /** Whether two events in a row may be on one surface: reflections in a hollow, or refractions at both ends of a way through glass. */
+    /**
+     * Whether two successive events may be on one surface: reflections in a concave one, or refractions at both ends of a segment through
+     * glass.
+     */
     private static boolean mayFollowItself(Primitive primitive, SurfaceMaterial material) {
         return material.isGlass || !primitive.isFlat() && !primitive.isConvex();
     }

@@ -8,19 +8,21 @@ import enlightenment.world.light.PhysicalLight;
 import enlightenment.world.material.SurfaceMaterial;
 
 /**
- * Solids of media that scatter light behind a smooth border that refracts: no light is sampled from inside of them, and a path from the
+ * Solids of scattering media behind a smooth refracting interface: there is no next-event estimation inside of them, and a path from the
  * eye finds a light only if it happens to leave in its direction.
  */
 public final class RefractingMedia {
     /**
-     * A light is small if it is seen from the medium under a smaller share of a hemisphere than this: of a thousand paths that leave, one
-     * finds it. Chosen, not fitted: pictures with hundreds of samples per pixel find a larger one some times in most pixels.
+     * A light is small if it fills a smaller share of a hemisphere, as seen from the medium, than this: of a thousand paths that leave, one
+     * hits it. Chosen, not fitted: pictures with hundreds of samples per pixel hit a larger one a few times in most pixels.
      */
     private static final double SMALL = 1e-3;
 
     private RefractingMedia() {}
 
-    /** Whether there are such solids, whatever their borders: no light is sampled through several borders, smooth or not. */
+    /**
+     * Whether a scene has such solids, with any interfaces: there is no next-event estimation through several interfaces, smooth or not.
+     */
     public static boolean areThere(CompiledScene scene) {
         for (int solid : scene.glassSolids) {
             SurfaceMaterial inside = scene.inside(solid);
@@ -31,7 +33,7 @@ public final class RefractingMedia {
         return false;
     }
 
-    /** Whether there are such solids whose border is rough. */
+    /** Whether a scene has solids of scattering media whose interface is rough. */
     public static boolean haveRoughBorders(CompiledScene scene) {
         for (int id = 0; scene.physical.hasScattering && id < scene.primitives.length; id++) {
             if (hasBorder(scene, id, false)) {
@@ -41,7 +43,7 @@ public final class RefractingMedia {
         return false;
     }
 
-    /** Whether a light outside of such a solid is so small that hardly any path from inside finds it. */
+    /** Whether a light outside of such a solid is so small that hardly any path from inside hits it. */
     public static boolean areLitBySmallLights(CompiledScene scene) {
         for (int id = 0; scene.physical.hasScattering && id < scene.primitives.length; id++) {
             if (hasBorder(scene, id, true) && isLitBySmall(scene.physical, scene.primitives[id].bounds())) {
@@ -75,7 +77,7 @@ public final class RefractingMedia {
                 && physical.surroundings.suns.stream().anyMatch(sun -> sun.solidAngle < SMALL * 2 * Math.PI);
     }
 
-    /** The share of a hemisphere that a ball fills whose radius is this much of its distance: 1 - cos. */
+    /** The share of a hemisphere that a ball fills, 1 − cos, given the ratio of its radius to its distance. */
     private static double share(double sine) {
         return sine * sine / (1 + Math.sqrt((1 - sine) * (1 + sine)));
     }

@@ -21,14 +21,14 @@ import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 
 /**
- * Hints about scenes that are valid but hardly what their author meant: each says what it found and where. A scene that
- * makes sense gets none, so a hint is given only if nobody would want such a picture.
+ * Hints about scenes that are valid but hardly what their author meant: each says what was found and where. A hint is given only where no
+ * author could want such a picture, so that a scene that makes sense gets none.
  */
 public final class SceneHints {
     /** A smaller angle of view is a mistake, unless some object is seen whole through it. */
     private static final double NARROW_DEGREES = 1;
 
-    /** Each hint looks at the scene and adds what it finds. */
+    /** All hints; each examines the scene and adds its message. */
     private static final List<BiConsumer<SceneHints, List<String>>> ALL = List.of(
             SceneHints::nothingToSee,
             SceneHints::noLight,
@@ -38,7 +38,7 @@ public final class SceneHints {
             SceneHints::narrowView,
             (hints, found) -> found.addAll(DistanceHint.of(hints.scene, hints.compiled)));
 
-    /** Those of them that make sense where lights are surfaces and indirect light is solved. */
+    /** The hints that apply to physical shading, where lights are surfaces and indirect light is solved. */
     private static final List<BiConsumer<SceneHints, List<String>>> OF_PHYSICAL = List.of(
             SceneHints::nothingToSee, SceneHints::cameraOnSurface, SceneHints::narrowView, SceneHints::hiddenLight);
 
@@ -48,7 +48,7 @@ public final class SceneHints {
     private final Scene scene;
     private final CompiledScene compiled;
 
-    /** Where the rays through the corners and the middle of the picture start. */
+    /** The origins of the rays through the middle and the corners of the picture. */
     private final List<Vec3> starts = new ArrayList<>();
 
     private SceneHints(Scene scene, CompiledScene compiled) {
@@ -75,7 +75,7 @@ public final class SceneHints {
         }
     }
 
-    /** Of several surfaces in exactly the same place one is seen, and only that one gives light. */
+    /** Adds hints for lights in exactly the same place as another emitting surface, which alone is seen and emits. */
     private void hiddenLight(List<String> found) {
         boolean[] isThere = new boolean[compiled.objects];
         for (int id = 0; id < compiled.primitives.length; id++) {
@@ -111,7 +111,7 @@ public final class SceneHints {
         return c.r() == 0 && c.g() == 0 && c.b() == 0;
     }
 
-    /** Whether the object shows the light that falls on it: mirrors and clear glass do not. */
+    /** Whether an object shows light that falls on it: mirrors and clear glass do not. */
     private static boolean isShaded(SceneObject object) {
         return !materials(object).stream()
                 .allMatch(m -> m instanceof Material.Mirror || m instanceof Glass g && g.transparency() == 1);
@@ -121,7 +121,7 @@ public final class SceneHints {
         return object.faces().isEmpty() ? List.of(object.material()) : object.faces();
     }
 
-    /** Rays that start on a surface meet it there. */
+    /** Adds hints for surfaces that camera rays start on, and therefore hit at once. */
     private void cameraOnSurface(List<String> found) {
         for (int id = 0; id < compiled.primitives.length; id++) {
             Primitive p = compiled.primitives[id];
@@ -139,7 +139,7 @@ public final class SceneHints {
                         <= Scale.gamma(64) * Math.max(start.maxAbs(), p.bounds().maxAbs());
     }
 
-    /** A viewer in an opaque solid sees its inner wall; without a light inside, it is dark. */
+    /** Adds a hint for a viewer in an opaque solid, who sees its inner wall; without a light inside, it is dark. */
     private void cameraInSolid(List<String> found) {
         if (compiled.classic.ambient() == 1) {
             return;
@@ -160,7 +160,7 @@ public final class SceneHints {
         return false;
     }
 
-    /** A light in an opaque solid lights nothing that is seen, unless the viewer is inside, too. */
+    /** Adds hints for lights in an opaque solid: they light nothing visible unless the viewer is inside, too. */
     private void lightInSolid(List<String> found) {
         for (int i = 0; i < compiled.lights.length; i++) {
             ClassicLight light = compiled.lights[i];
@@ -197,7 +197,7 @@ public final class SceneHints {
         return ray;
     }
 
-    /** Whether the point is inside by more than rounding: a point on the surface is not. */
+    /** Whether the point is inside the solid by more than rounding; a point on its surface is not. */
     private static boolean isInside(Primitive solid, Vec3 p) {
         if (!solid.contains(p.x(), p.y(), p.z())) {
             return false;
@@ -238,7 +238,7 @@ public final class SceneHints {
         }
     }
 
-    /** Usually radians taken for degrees. Through a telescope, some object is seen whole. */
+    /** Adds a hint for a very narrow view, usually radians taken for degrees, unless some object is seen whole, as through a telescope. */
     private void narrowView(List<String> found) {
         Ray top = ray(0.5, 0);
         Ray bottom = ray(0.5, 1);

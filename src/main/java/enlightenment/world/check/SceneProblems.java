@@ -21,9 +21,12 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 
-/** What keeps a scene from being rendered that its text does not show: all of it at once, where a render ends at the first. */
+/**
+ * Finds the problems that keep a scene from being rendered and that its text alone does not show: all of them, where a render ends at the
+ * first.
+ */
 public final class SceneProblems {
-    /** Reads an image that no render would. */
+    /** Reads an image that no render would read. */
     @FunctionalInterface
     public interface ImageReader {
         /** @throws IOException if it cannot be read; the message names the file */
@@ -45,9 +48,9 @@ public final class SceneProblems {
     /**
      * Compiles the scene, and reads all images that it names, each once.
      *
-     * @param other for images that are named, but nothing has
-     * @throws SceneException with all that is wrong: images, what the method cannot render, lights that are too much for
-     *     their size, and the first thing of the rest
+     * @param other reads images that are named but that no object uses
+     * @throws SceneException with all problems: images, what the method cannot render, lights with too much power for their size, and the
+     *     first of any others
      */
     public static void check(Scene scene, RenderSettings settings, ImageReader other) {
         check(scene, settings, new SceneImages(), other);
@@ -98,7 +101,7 @@ public final class SceneProblems {
                 if (problem.pointer().endsWith("/texture")) {
                     tell(name, problem.message());
                 } else if (!problems.contains(problem)) {
-                    // It is not the file's fault, which may have several names.
+                    // The problem is not the file's, which may have several names.
                     problems.add(problem);
                 }
             } catch (IOException e) {
@@ -111,7 +114,7 @@ public final class SceneProblems {
         problems.add(new Problem("", 0, 0, "/textures/" + SceneException.escaped(texture) + "/file", problem));
     }
 
-    /** The textures of surfaces and of projectors: compiling reads them. */
+    /** The textures of surfaces and of projectors, which compiling reads. */
     private Set<Texture> needed() {
         Set<Material> materials = Collections.newSetFromMap(new IdentityHashMap<>());
         scene.objects().forEach(object -> {

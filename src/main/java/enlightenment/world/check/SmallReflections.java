@@ -10,16 +10,17 @@ import enlightenment.world.light.SpecularThings;
 import enlightenment.world.material.SurfaceMaterial;
 
 /**
- * Lamps whose reflections in curved mirrors or glass may be smaller than a pixel, so that the samples of a pixel may all miss them. A sphere maps
- * directions of reflection evenly to the area of its disk in the picture, so that a lamp of solid angle Ω has the share Ω / 4π of that.
+ * Lamps whose reflections in curved mirrors or glass may be smaller than a pixel, so that the samples of a pixel may all miss them. A
+ * sphere maps directions of reflection uniformly to the area of its disk in the picture, so that the reflection of a lamp of solid angle Ω
+ * fills the share Ω / 4π of that.
  */
 public final class SmallReflections {
-    /** The most pairs of thing and lamp that are looked at. */
+    /** The largest number of pairs of object and lamp that are examined. */
     private static final int MOST_PAIRS = 1 << 20;
 
     private SmallReflections() {}
 
-    /** Whether a scene of physical shading may show such a lamp. */
+    /** Whether a scene of physical shading may show such a reflection. */
     public static boolean mayBeThere(CompiledScene scene) {
         EyeProjection eye = EyeProjection.of(scene.camera);
         int pairs = 0;
@@ -51,7 +52,7 @@ public final class SmallReflections {
         return false;
     }
 
-    /** The area of the box around the thing in the picture; of one that reaches behind the eye, that of the picture. */
+    /** The area of the object's box in the picture, in pixels; of one that reaches behind the eye, that of the picture. */
     private static double pixels(CompiledScene scene, EyeProjection eye, Bounds box) {
         double left = 1;
         double right = 0;
@@ -71,7 +72,7 @@ public final class SmallReflections {
         return isSeen ? (right - left) * scene.camera.columns * (bottom - top) * scene.camera.rows : 0;
     }
 
-    /** The share of all directions in which the lamp lies as seen from the thing. */
+    /** The share of the sphere of directions that the lamp fills as seen from the object. */
     private static double share(PhysicalLight light, Bounds from) {
         Vec3 way = from.center().minus(new Vec3(light.ballX, light.ballY, light.ballZ));
         double square = way.dot(way);

@@ -1,2 +1,2 @@
-/** What can be told about a scene before it is rendered: problems that end a render, and hints. */
+/** Checks of a scene before it is rendered: problems that end a render, and hints. */
 package enlightenment.world.check;

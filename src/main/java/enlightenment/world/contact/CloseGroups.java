@@ -6,8 +6,8 @@ import java.util.function.Consumer;
 import java.util.function.IntToDoubleFunction;
 
 /**
- * Parts many things into groups, so that any two that are close in each of some numbers are in one group. A sweep along a single number
- * takes a time that goes by the square of their count where many have that one in common, as all spheres of a wall have.
+ * Partitions many objects into groups, so that any two that are close in each of several numbers are in one group. A sweep along one number
+ * would take quadratic time where many objects have that one in common, as all spheres of a wall have.
  */
 final class CloseGroups {
     private final IntToDoubleFunction margin;
@@ -16,11 +16,10 @@ final class CloseGroups {
     private final Runnable poll;
 
     /**
-     * Groups by some numbers of each thing.
-     *
-     * @param margin two numbers are close if they differ by no more than the sum of the two things' margins
-     * @param poll called for each thing and number after the first, which few need; ends the parting by what it throws
-     * @param each receives each group of two things or more, in ascending order
+     * @param margin two numbers are close if they differ by at most the sum of the two objects' margins
+     * @param poll called for each object and number after the first, which few need; what it throws ends this
+     * @param each receives each group of at least two objects, in ascending order
+     * @param numbers the numbers of each object
      */
     CloseGroups(IntToDoubleFunction margin, Runnable poll, Consumer<int[]> each, IntToDoubleFunction... numbers) {
         this.margin = margin;
@@ -29,12 +28,12 @@ final class CloseGroups {
         this.numbers = numbers;
     }
 
-    /** Parts these things, which are in ascending order. */
+    /** Partitions these objects, given in ascending order. */
     void part(int[] things) {
         part(things, 0);
     }
 
-    /** A chain of intervals of which each meets the next one is one group, as to a number. */
+    /** By each number, a chain of overlapping intervals is one group. */
     private void part(int[] things, int level) {
         if (things.length < 2) {
             return;

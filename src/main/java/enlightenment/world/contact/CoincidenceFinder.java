@@ -22,13 +22,15 @@ final class CoincidenceFinder {
     private final Runnable poll;
     private final SupportSurface[][] supports;
 
-    /** The pairs that were looked at since the last poll: there may be many more of them than primitives. */
+    /** The number of pairs examined since the last poll: there may be many more pairs than primitives. */
     private int looked;
 
-    /** By id; null as a whole as long as there are none. */
+    /** By id; null as a whole until the first pair is found. */
     private CoincidentFaces[] found;
 
-    /** @param poll called now and then; ends this by what it throws */
+    /**
+     * @param poll called regularly; what it throws ends this
+     */
     CoincidenceFinder(CompiledPrimitives compiled, Accelerator accelerator, Runnable poll) {
         this.compiled = compiled;
         this.accelerator = accelerator;
@@ -37,7 +39,7 @@ final class CoincidenceFinder {
         supports = new SupportSurface[primitives.length][];
     }
 
-    /** By id: the faces that coincide with those of a primitive, or null; null as a whole if there are none. */
+    /** Finds the pairs. By id: the faces that coincide with those of a primitive, or null; null as a whole if there are none. */
     CoincidentFaces[] find() {
         int[] whole = new int[primitives.length];
         int[] others = new int[primitives.length];
@@ -68,7 +70,7 @@ final class CoincidenceFinder {
         return primitives[id].bounds();
     }
 
-    /** Asks at this primitive, one of those that the caller counts from 0. */
+    /** Polls at this primitive, counted from 0 by the caller, if a check is due. */
     private void poll(int primitive) {
         if (CancellationCheck.isDue(primitive)) {
             poll.run();
@@ -87,7 +89,7 @@ final class CoincidenceFinder {
         }
     }
 
-    /** Whole surfaces coincide only if their centres do, and their sizes. */
+    /** Compares whole surfaces, which coincide only if their centres and their sizes do. */
     private void findWhole(int[] ids) {
         for (int i = 0; i < ids.length; i++) {
             poll(i);
@@ -110,7 +112,7 @@ final class CoincidenceFinder {
         return 3 * CoincidentSurfaces.tolerance(box, box);
     }
 
-    /** Along x. */
+    /** Compares those whose boxes overlap along x. */
     private void sweep(int[] ids) {
         double[] x = new double[ids.length];
         double[] reach = new double[ids.length];
@@ -159,8 +161,8 @@ final class CoincidenceFinder {
     }
 
     /**
-     * Whether the box is within the primitive's own tolerance. If not, its search may have missed what lies there, since that may
-     * reach farther: then both are compared when the other one searches.
+     * Whether the box is within the primitive's own tolerance. If not, this primitive's search may miss it, since the other's tolerance is
+     * larger: both are then compared in the other's search.
      */
     private boolean isReached(int id, Bounds box) {
         Bounds own = bounds(id);
@@ -208,7 +210,7 @@ final class CoincidenceFinder {
         found[id].add(face, other, otherFace);
     }
 
-    /** By id: the rank of each face, the lowest is seen first; null where nothing coincides. */
+    /** By id: the rank of each face, the lowest being visible; null where nothing coincides. */
     int[][] ranks() {
         List<Face> faces = new ArrayList<>();
         for (int id = 0; id < found.length; id++) {
@@ -243,7 +245,7 @@ final class CoincidenceFinder {
     }
 
     private static final class Face {
-        /** Bounds the roundings accumulated in an extent, in tolerances. */
+        /** A bound of the roundings accumulated in an extent, in tolerances. */
         static final int ROUNDINGS = 16;
 
         static final Comparator<Face> SEEN_FIRST = Comparator.<Face, Boolean>comparing(f -> f.isGlass)

@@ -8,20 +8,20 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * The faces of other primitives that coincide with those of one, numbered in the order in which they were found. A pair of faces is 16
- * bytes, 8 at either primitive: where many lie in one plane there are as many pairs as the square of their number. What else belongs to a
- * pair (its tolerance, the box where it counts) is computed from the two primitives' boxes when asked, but for few pairs.
+ * The faces of other primitives that coincide with those of one, numbered in the order in which they were found. A pair of faces takes 16
+ * bytes, 8 at either primitive: the number of pairs is quadratic in that of the faces in one plane. The tolerance of a pair, and the box
+ * where it counts, are computed from the two primitives' boxes on demand, except where there are few pairs.
  */
 public final class CoincidentFaces {
-    /** A face's number has so many bits, half of an int; no primitive has more than some six. */
+    /** The number of bits of a face's number, half of an int; no primitive has more than about six faces. */
     private static final int FACE_BITS = 16;
 
     private static final int FACE = (1 << FACE_BITS) - 1;
 
-    /** How far a face that is known to coincide is searched for, in tolerances: enough never to miss it. */
+    /** The distance, in tolerances, within which a face known to coincide is searched for: enough never to miss it. */
     static final double REACH = EndFaces.REACH;
 
-    /** Which faces are borders of solids of glass. */
+    /** Whether a face is the interface of a solid of glass. */
     interface BorderOfGlass {
         boolean test(int id, int face);
     }
@@ -38,22 +38,22 @@ public final class CoincidentFaces {
 
     private int[] others = new int[2];
 
-    /** For each pair this primitive's face, and below it the other one's. */
+    /** By pair: this primitive's face in the upper half, the other's in the lower. */
     private int[] faces = new int[2];
 
     private int size;
 
-    /** The pairs in which the other face is the border of a solid of glass. */
+    /** The pairs in which the other face is the interface of a solid of glass. */
     private int[] glass = {};
 
-    /** For each of few pairs a box outside of which no point of this surface has the other one within the search; null for many. */
+    /** Where pairs are few, for each a box outside of which no point of this surface has the other one within the search; null for many. */
     private double[] places;
 
-    /** The same of many pairs; null for few. */
+    /** Where pairs are many, a tree over these boxes; null for few. */
     private PlaceTree tree;
 
     /**
-     * None yet.
+     * Begins without pairs.
      *
      * @param box of the primitive
      */
@@ -77,10 +77,10 @@ public final class CoincidentFaces {
     }
 
     /**
-     * Ends the adding.
+     * Completes the pairs.
      *
      * @param all by id
-     * @param isGlass whether a face of a primitive, by their numbers, is the border of a solid of glass
+     * @param isGlass whether a face of a primitive, by their numbers, is the interface of a solid of glass
      */
     void end(CoincidentFaces[] all, BorderOfGlass isGlass) {
         if (size < others.length) {
@@ -123,7 +123,7 @@ public final class CoincidentFaces {
         return size;
     }
 
-    /** Whether a face of this primitive is one of a pair. */
+    /** Whether this face of the primitive belongs to a pair. */
     boolean has(int face) {
         for (int k = 0; k < size; k++) {
             if (face(k) == face) {
@@ -133,32 +133,32 @@ public final class CoincidentFaces {
         return false;
     }
 
-    /** This primitive's face of pair k. */
+    /** The face of this primitive in pair k. */
     public int face(int k) {
         return faces[k] >> FACE_BITS;
     }
 
-    /** The other primitive of pair k. */
+    /** The id of the other primitive in pair k. */
     public int other(int k) {
         return others[k];
     }
 
-    /** The other primitive's face of pair k. */
+    /** The face of the other primitive in pair k. */
     public int otherFace(int k) {
         return faces[k] & FACE;
     }
 
-    /** The pairs in which the other face is the border of a solid of glass; not to be changed. */
+    /** The pairs in which the other face is the interface of a solid of glass; not to be changed. */
     public int[] glass() {
         return glass;
     }
 
-    /** How far apart the surfaces of a pair with this other primitive may be: a length in the frame. */
+    /** The largest distance between coincident surfaces of this primitive and another, in the frame. */
     double tolerance(CoincidentFaces other) {
         return CoincidentSurfaces.tolerance(reach, other.reach);
     }
 
-    /** Twice the reach of the search: for the roundings of hit points and of boxes. */
+    /** Twice the reach of the search, in the frame: covers the roundings of hit points and of boxes. */
     private double margin(CoincidentFaces other) {
         return 2 * REACH * tolerance(other);
     }
@@ -174,10 +174,10 @@ public final class CoincidentFaces {
     }
 
     /**
-     * Finds the pairs of a face that count at a point of it: not those where it certainly is away from the other surface.
+     * Finds the pairs of a face that count at a point of it, without those whose other surface is certainly not there.
      *
      * @param all by id
-     * @param out is cleared and receives their numbers, in ascending order
+     * @param out is cleared and receives the pairs' numbers, in ascending order
      */
     void near(int face, double x, double y, double z, CoincidentFaces[] all, IntList out) {
         out.clear();
@@ -217,8 +217,8 @@ public final class CoincidentFaces {
     }
 
     /**
-     * For each pair seven numbers: this primitive's face, and the least and the greatest coordinates of the box outside of which it does not
-     * count; null where there are many.
+     * For each pair seven numbers: this primitive's face, and the least and the greatest coordinates of the box outside of which the pair
+     * does not count; null where pairs are many.
      */
     double[] boxes() {
         if (places == null) {

@@ -11,21 +11,21 @@ import enlightenment.world.parts.IntList;
 import java.util.Arrays;
 
 /**
- * The surfaces that coincide where a ray hits one of them. Surfaces that are the same in a scene's description (the wall of a
- * glass and that of the water in it, a table's top and the cloth on it) differ by a few units in the last place when they are
- * hit; which of them comes first means nothing, so they are treated as one event. A mutable work object, one per thread.
+ * The surfaces that coincide where a ray hits one of them. Surfaces that are the same in a scene's description (the wall of a glass and
+ * that of the water in it, a table's top and the cloth on it) differ by a few units in the last place when they are hit; their order is an
+ * artefact of rounding, so they are treated as one event. A mutable work object, one per thread.
  */
 public final class CoincidentHits {
     private static final int NONE = -1;
 
-    /** Surfaces whose normals have a smaller cosine than this only meet in an edge. */
+    /** Surfaces whose normals have a smaller cosine than this meet in an edge only. */
     private static final double SAME_DIRECTION = 0.5;
 
     private final Primitive[] primitives;
     private final FaceMaterials materials;
     private final CoincidentSurfaces coincident;
 
-    /** By id: rank of a solid of glass where overlaps have one medium only; null in classic shading. */
+    /** By id: rank of a solid of glass where an overlap belongs to one medium; null in classic shading. */
     private final int[] mediumRank;
 
     private final Ray probe = new Ray();
@@ -33,29 +33,27 @@ public final class CoincidentHits {
     private final Hit leftHit = new Hit();
     private final double[] scratch = new double[3];
 
-    /** The coincidences that count at a hit. */
+    /** The pairs of coincident faces that count at the hit. */
     private final IntList near = new IntList();
 
     private int[] ids = new int[4];
     private Hit[] hits = {new Hit(), new Hit(), new Hit(), new Hit()};
     private int size;
 
-    /** Surfaces in the same place that the ray starts on, so that it is on its way from them to the first surface: by their ids. */
+    /** The ids of coincident surfaces that the ray has left at its start, on its way to the first surface. */
     private int[] left = new int[2];
 
     private int[] leftSides = new int[2];
     private int leftCount;
 
-    /** Whether the ray starts on borders of solids of glass in the same place, on its way out of them to the first surface. */
+    /** Whether the ray has left interfaces of solids of glass at its start, on its way to the first surface. */
     private boolean leftGlass;
 
-    /** The last opaque one of those, or -1. */
+    /** The last opaque surface that the ray has left at its start, or -1. */
     private int leftOpaque = NONE;
 
     /**
-     * No surfaces yet.
-     *
-     * @param isPhysical whether the border of two media is the same from both sides
+     * @param isPhysical whether the interface of two media is the same from both sides
      */
     public CoincidentHits(CompiledPrimitives compiled, CoincidentSurfaces coincident, boolean isPhysical) {
         primitives = compiled.primitives();
@@ -72,7 +70,7 @@ public final class CoincidentHits {
         leftOpaque = NONE;
     }
 
-    /** Finds the surfaces that coincide with a hit; that of the hit itself comes first. */
+    /** Finds the surfaces that coincide with a hit; the surface of the hit itself comes first. */
     public void find(Ray ray, int id, Hit hit) {
         findNear(id, hit);
         find(ray, id, hit, near);
@@ -112,7 +110,7 @@ public final class CoincidentHits {
         addLeft(other, ray.sideOf(p), isGlass);
     }
 
-    /** Whether a ray is where it starts, up to rounding: it has not risen above the surface there. */
+    /** Whether a hit is where the ray starts, up to rounding: within this distance of the surface's tangent plane. */
     private static boolean isAtStart(Ray ray, double reach, Hit hit) {
         double height = (hit.px - ray.ox) * hit.nx + (hit.py - ray.oy) * hit.ny + (hit.pz - ray.oz) * hit.nz;
         return Math.abs(height) <= reach;
@@ -135,10 +133,10 @@ public final class CoincidentHits {
     }
 
     /**
-     * The opaque surface in the same place that the ray starts on, or -1: light that the first surface reflects comes to it again, as if
-     * a hair of air were between them.
+     * The coincident opaque surface that the ray has left at its start, or -1: light reflected by the first surface hits it again, as if
+     * there were a thin gap between them.
      *
-     * @param out receives where that is, if there is one
+     * @param out receives the hit on it, if there is one
      */
     public int left(Hit out) {
         if (leftOpaque != NONE) {
@@ -147,20 +145,20 @@ public final class CoincidentHits {
         return leftOpaque;
     }
 
-    /** Whether the ray starts on an opaque surface in the same place: what stays on its side comes to that again at once. */
+    /** Whether the ray has left a coincident opaque surface at its start: a ray that stays on its side hits it again at once. */
     public boolean hasLeftOpaque() {
         return leftOpaque != NONE;
     }
 
-    /** Whether the ray left solids of glass in the same place: what stays on its side enters them again at once. */
+    /** Whether the ray has left coincident solids of glass at its start: a ray that stays on its side enters them again at once. */
     public boolean hasLeftGlass() {
         return leftGlass;
     }
 
     /**
-     * Replaces a hit on an opaque surface by that on the coincident surface that is seen.
+     * Replaces a hit on an opaque surface by that on the coincident surface that is visible.
      *
-     * @return the id of the primitive that is seen
+     * @return the id of the visible primitive
      */
     public int choose(Ray ray, int id, Hit hit) {
         findNear(id, hit);
@@ -170,7 +168,7 @@ public final class CoincidentHits {
         find(ray, id, hit, near);
         int best = seen();
         Hit chosen = hits[best];
-        // The ray's own crossing, to the last bit, as if the other surfaces were not there.
+        // The crossing is the ray's own, to the last bit, as if the other surfaces did not exist.
         if (best > 0) {
             boolean same = primitives[ids[best]].intersect(ray, own) && own.face == chosen.face;
             hit.set(same ? own : chosen);
@@ -178,11 +176,7 @@ public final class CoincidentHits {
         return ids[best];
     }
 
-    /**
-     * Which of the opaque surfaces is seen.
-     *
-     * @return its index, or -1 if none is opaque
-     */
+    /** The index of the visible opaque surface; -1 if none is opaque. */
     public int seen() {
         int best = -1;
         for (int k = 0; k < size; k++) {
@@ -199,7 +193,7 @@ public final class CoincidentHits {
         return coincident.precedes(ids[k], h.face, h.side, ids[m], o.face, o.side);
     }
 
-    /** Whether the ray starts on the primitive and cannot meet it again. */
+    /** Whether the ray starts on the primitive and cannot hit it again. */
     private static boolean leaves(Ray ray, Primitive p) {
         int side = ray.sideOf(p);
         return side == Ray.OUTSIDE && p.isConvex() || side != 0 && p.isFlat();
@@ -248,10 +242,10 @@ public final class CoincidentHits {
     }
 
     /**
-     * The index of the surface that is the border of two media: that of the medium that has one here; where both do, in physical shading
-     * that of the one that fills overlaps, from whichever side the ray comes, so that light has the same way back and contact is the limit
-     * of overlaps; in classic shading that of the one that is entered. Painted faces are none: the ray may have been inside of their solid
-     * all along, where another medium filled it.
+     * The index of the surface that is the interface of two media. It is that of the only medium with a surface here. If both have one: in
+     * physical shading that of the medium that fills overlaps, from either side, so that light paths are reversible and contact is the
+     * limit of overlaps; in classic shading that of the medium that is entered. Painted faces do not count: the ray may have been inside of
+     * their solid all along, in a part that another medium filled.
      */
     public int border(int entered, int left) {
         int of = surfaceOf(entered);
@@ -263,7 +257,7 @@ public final class CoincidentHits {
         return isOfLeft ? other : of;
     }
 
-    /** The first surface of glass of a primitive, or -1. */
+    /** The index of the first glass surface of a primitive; -1 if there is none. */
     private int surfaceOf(int id) {
         for (int k = 0; k < size; k++) {
             if (ids[k] == id && isGlass(k)) {
@@ -283,7 +277,7 @@ public final class CoincidentHits {
         return materials.of(ids[k], hits[k].face);
     }
 
-    /** How surface k scatters light where the ray meets it. */
+    /** The scattering function of surface k at its hit. */
     public Bsdf bsdf(int k) {
         SurfaceMaterial there = material(k);
         while (there.detail != null) {
@@ -292,27 +286,27 @@ public final class CoincidentHits {
         return there.bsdf;
     }
 
-    /** Where the ray meets surface k; its side is the one that the ray arrives on. */
+    /** The hit on surface k; its side is the one that the ray arrives on. */
     public Hit hit(int k) {
         return hits[k];
     }
 
-    /** Whether surface k is one of glass. */
+    /** Whether surface k is of glass. */
     public boolean isGlass(int k) {
         return material(k).isGlass;
     }
 
-    /** Whether it is the border of a solid of glass. */
+    /** Whether surface k is the interface of a solid of glass. */
     public boolean isGlassSolid(int k) {
         return primitives[ids[k]].isSolid() && isGlass(k);
     }
 
-    /** Whether it is a pane: glass that encloses no volume. */
+    /** Whether surface k is a thin slab: glass that encloses no volume. */
     public boolean isPane(int k) {
         return !primitives[ids[k]].isSolid() && isGlass(k);
     }
 
-    /** The first pane among the surfaces, or -1: of several that coincide one reflects. */
+    /** The index of the first thin slab, or -1: of several that coincide one reflects. */
     public int pane() {
         for (int k = 0; k < size; k++) {
             if (isPane(k)) {
@@ -323,9 +317,9 @@ public final class CoincidentHits {
     }
 
     /**
-     * Starts a ray that passes the surfaces on those of glass, behind them, and on the surfaces that it had left before.
+     * Starts a ray behind the glass surfaces that it passes, and on the surfaces that it had left before.
      *
-     * @param covered whether it passes no further than to an opaque surface, so that it enters no solid
+     * @param covered whether an opaque surface comes next, so that the ray enters no solid
      */
     public void startBehind(Ray ray, boolean covered) {
         for (int k = 0; k < size; k++) {

@@ -11,13 +11,13 @@ import enlightenment.world.parts.CompiledPrimitives;
 import enlightenment.world.parts.IntList;
 
 /**
- * Which faces of a scene coincide, and which of two coincident faces is seen.
+ * The faces of a scene that coincide, and which of two coincident faces is visible.
  *
- * <p>Whether two faces coincide is decided once, when the scene is compiled, by their support surfaces: never by the t of two
- * crossings, whose last bits are noise. Faces coincide if their surfaces are no farther apart than rounding can move copies of
- * the same surface; if they are farther apart, there is a gap.
+ * <p>Coincidence is decided once, when the scene is compiled, by the faces' support surfaces, never by the t of two crossings, whose last
+ * bits are noise. Faces coincide if their surfaces are no farther apart than rounding can move copies of the same surface; if they are
+ * farther apart, there is a gap.
  *
- * <p>What is seen (docs/notes/geometry.md): of opaque faces in the same place one that glows to the side where one looks from; else the one of
+ * <p>The visible face (docs/notes/geometry.md) is, of opaque faces in the same place, one that emits towards the viewer; else the one of
  * smaller {@linkplain SupportSurface#extent extent}, so that a carpet shows on the floor and a poster on the wall; at equal extents, the
  * first in alphabetical order of material. An opaque face hides one of glass.
  */
@@ -30,10 +30,13 @@ public final class CoincidentSurfaces {
 
     private final CompiledPrimitives compiled;
 
-    /** By id: the faces that coincide with its own, null where there are none; null as a whole if nothing coincides. */
+    /** By id: the faces that coincide with those of a primitive, null where there are none; null as a whole if nothing coincides. */
     private final CoincidentFaces[] faces;
 
-    /** By id: the rank of each face, the lowest is seen of those that glow to the viewer, or do not; null where nothing coincides. */
+    /**
+     * By id: the rank of each face; the lowest is visible among those that emit to the viewer, or among those that do not; null where
+     * nothing coincides.
+     */
     private final int[][] order;
 
     private CoincidentSurfaces(CompiledPrimitives compiled, CoincidentFaces[] faces, int[][] order) {
@@ -42,19 +45,23 @@ public final class CoincidentSurfaces {
         this.order = order;
     }
 
-    /** @param poll called now and then; ends this by what it throws */
+    /**
+     * Finds the coincident faces of a scene.
+     *
+     * @param poll called regularly; what it throws ends this
+     */
     public static CoincidentSurfaces of(CompiledPrimitives compiled, Accelerator accelerator, Runnable poll) {
         CoincidenceFinder finder = new CoincidenceFinder(compiled, accelerator, poll);
         CoincidentFaces[] faces = finder.find();
         return new CoincidentSurfaces(compiled, faces, faces == null ? null : finder.ranks());
     }
 
-    /** The tolerance for surfaces of primitives that lie within these boxes. */
+    /** The largest distance of coincident surfaces of primitives within these boxes, in the frame. */
     public static double tolerance(Bounds a, Bounds b) {
         return tolerance(a.maxAbs(), b.maxAbs());
     }
 
-    /** The same for boxes of these largest absolute coordinates. */
+    /** The largest distance of coincident surfaces of primitives, in the frame, given the largest absolute coordinates of their boxes. */
     public static double tolerance(double reachA, double reachB) {
         return SAME_PLACE * Math.max(reachA, reachB);
     }
@@ -74,7 +81,7 @@ public final class CoincidentSurfaces {
         if (!concerns(id) || !concerns(other)) {
             return false;
         }
-        // Each of the two knows of the other: one may be a floor on which everything stands.
+        // Both have the pair: the shorter list is searched, as one may be a floor under everything.
         return faces[id].size() <= faces[other].size()
                 ? faces[id].has(face, other, otherFace)
                 : faces[other].has(otherFace, id, face);
@@ -85,7 +92,7 @@ public final class CoincidentSurfaces {
         return faces == null ? null : faces[id];
     }
 
-    /** How far apart the surfaces of two primitives that coincide may be: a length in the frame. */
+    /** The largest distance of coincident surfaces of two primitives, in the frame. */
     public double tolerance(int id, int other) {
         return faces[id].tolerance(faces[other]);
     }
@@ -104,16 +111,16 @@ public final class CoincidentSurfaces {
     }
 
     /**
-     * Where faces of a primitive coincide with others: seven numbers each, the face and the least and the greatest coordinates of a box.
-     * Empty where nothing does; null where there are too many to be asked one by one.
+     * The places where faces of a primitive coincide with others: seven numbers each, the face and the least and the greatest coordinates
+     * of a box. Empty where nothing coincides; null where there are too many to test one by one.
      */
     public double[] boxes(int id) {
         return concerns(id) ? faces[id].boxes() : new double[0];
     }
 
     /**
-     * Whether the first of two coincident opaque faces is seen rather than the second, by who sees these sides of them: one from outside, or
-     * of an open shape, before the inside of a solid; then one that glows to its side.
+     * Whether the first of two coincident opaque faces hides the second, given the sides that are seen: the outside of a solid or an open
+     * shape comes before the inside of a solid; then a face that emits to its side.
      */
     public boolean precedes(int id, int face, int side, int other, int otherFace, int otherSide) {
         boolean inside = isInside(id, side);

@@ -6,12 +6,12 @@ import enlightenment.world.parts.PlaceTree;
 import java.util.Arrays;
 import java.util.function.IntFunction;
 
-/** Boxes around the solids of glass of a scene: every ray that leaves an opaque surface asks which of them it starts in. Immutable. */
+/** Boxes around the solids of glass of a scene, to find those that a ray leaving an opaque surface may start in. Immutable. */
 public final class GlassBoxes {
     private final int[] solids;
     private final Bounds[] boxes;
 
-    /** Null where all are as quickly asked one by one. */
+    /** A tree over the boxes; null where testing them one by one is as fast. */
     private final PlaceTree tree;
 
     public GlassBoxes(int[] solids, IntFunction<Bounds> box) {
@@ -51,13 +51,13 @@ public final class GlassBoxes {
         return new Search();
     }
 
-    /** The solids whose boxes a point is in. A mutable work object. */
+    /** A search for the solids whose boxes contain a point. A mutable work object. */
     public final class Search {
         private final IntList found = new IntList();
 
         private Search() {}
 
-        /** Finds those of a point, and returns how many there are; a closed box has its corners. */
+        /** Finds the solids whose boxes contain a point, and returns their number; boxes are closed. */
         public int around(double x, double y, double z) {
             found.clear();
             if (tree == null) {

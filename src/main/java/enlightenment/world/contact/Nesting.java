@@ -5,20 +5,21 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.SupportSurface;
 
-/** Whether one solid certainly lies within another, with nothing of it at the other's surface. */
+/** Decides whether one solid certainly lies within another, nowhere at the other's surface. */
 final class Nesting {
-    /** Of the prism around a cylinder or cone, whose corners are looked at. */
+    /** The number of sides of the prism around a cylinder or cone whose corners are tested. */
     private static final int SIDES = 16;
 
-    /** How much farther from the axis than its faces the corners of a regular prism are. */
+    /** The distance of a regular prism's corners from its axis, relative to that of its faces. */
     private static final double CORNER = 1 / StrictMath.cos(Math.PI / SIDES);
 
     private Nesting() {}
 
     /**
-     * Whether that is sure: the other one is convex, and the corners of a polyhedron around the first are in it; of balls it is always known.
+     * Whether that is certain: the outer solid is convex and contains the corners of a polyhedron around the inner one; for balls the
+     * answer is exact.
      *
-     * @param margin how far the surfaces are at least from each other then: more than roundings
+     * @param margin the least distance of the surfaces, more than roundings
      */
     static boolean isWithin(Primitive inner, Primitive outer, double margin) {
         if (!outer.isConvex()) {

@@ -10,11 +10,11 @@ import enlightenment.world.parts.CompiledPrimitives;
 import java.util.Arrays;
 
 /**
- * Whether rays may come to glass that does not turn them: panes, borders of media of equal index, and faces of solids where another solid
- * fills the place, which are no borders. False only if there is none of that for sure.
+ * Whether a scene may have glass that keeps the direction of rays: thin slabs, interfaces of media of equal index, and faces of solids
+ * inside a solid of higher priority. False only if there is certainly none.
  */
 public final class StraightGlass {
-    /** How much boxes are widened, in units of the largest coordinate: more than the roundings of two surfaces together. */
+    /** The margin by which boxes are widened, in units of the largest coordinate: more than the roundings of two surfaces together. */
     private static final double WIDENING = Scale.gamma(128);
 
     private final CompiledPrimitives compiled;
@@ -28,7 +28,9 @@ public final class StraightGlass {
         }
     }
 
-    /** @param poll called now and then; ends this by what it throws */
+    /**
+     * @param poll called regularly; what it throws ends this
+     */
     public static boolean mayBeThere(CompiledPrimitives compiled, Accelerator accelerator, Runnable poll) {
         return hasPanes(compiled)
                 || hasEqualIndices(compiled)
@@ -64,12 +66,12 @@ public final class StraightGlass {
         return false;
     }
 
-    /** Whether a face of a solid of glass may lie within another one that fills the place there. */
+    /** Whether a face of a solid of glass may lie within another solid that fills the place there. */
     private boolean mayHaveHiddenFaces(Accelerator accelerator, Runnable poll) {
         BvhQuery query =
                 new BvhQuery(compiled.kind(), new long[compiled.kindNames().size()]);
         int[] solids = compiled.glassSolids();
-        // Solids that are nested are compared in pairs.
+        // Pairs of nested solids are compared.
         CancellationCheck work = new CancellationCheck(poll);
         for (int solid : solids) {
             work.step();
@@ -87,7 +89,7 @@ public final class StraightGlass {
         return false;
     }
 
-    /** Whether the one of two solids that overlaps are filled by may have a part of the other's surface in it. */
+    /** Whether the solid that fills overlaps of the two may contain a part of the other's surface. */
     private boolean mayHide(Bounds box, int id, int other) {
         if (!box.overlaps(compiled.primitives()[other].bounds())) {
             return false;

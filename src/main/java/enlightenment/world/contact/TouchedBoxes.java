@@ -7,24 +7,22 @@ import enlightenment.primitive.Primitive;
 import java.util.Arrays;
 
 /**
- * Finds primitives that a light may lie on, by their boxes. A mesh that glows is as many lights as it has triangles: looking at each
- * primitive for each of them would take a time that goes by the square of their number. A mutable work object, one per thread.
+ * Finds primitives that a light may lie on, by their boxes. An emitting mesh is as many lights as it has triangles: testing each primitive
+ * for each of them would take quadratic time. A mutable work object, one per thread.
  */
 public final class TouchedBoxes {
     private final Primitive[] primitives;
     private final Accelerator accelerator;
     private final BvhQuery query;
 
-    /** The largest absolute coordinate of any primitive's box, or more. */
+    /** An upper bound of the absolute coordinates of all primitives' boxes. */
     private final double reach;
 
     private int[] ids = new int[64];
 
     /**
-     * For a scene.
-     *
      * @param kind by id: the kind of primitive
-     * @param kinds how many kinds there are
+     * @param kinds the number of kinds
      * @param accelerator of these primitives
      */
     public TouchedBoxes(Primitive[] primitives, int[] kind, int kinds, Accelerator accelerator) {
@@ -40,10 +38,10 @@ public final class TouchedBoxes {
     }
 
     /**
-     * Finds the primitives whose boxes overlap a light's box widened by {@link CoincidentSurfaces#tolerance} of the two; some others may
-     * be among them.
+     * Finds the primitives whose boxes overlap a light's box widened by {@link CoincidentSurfaces#tolerance} of the two; the result may
+     * contain others.
      *
-     * @return how many there are: the first of {@link #ids}
+     * @return their number: the first of {@link #ids}
      */
     public int find(Bounds light) {
         query.clear();
@@ -61,7 +59,7 @@ public final class TouchedBoxes {
         return n;
     }
 
-    /** What was found, in ascending order, then anything; not to be changed. */
+    /** The ids found, in ascending order; further elements are undefined. Not to be changed. */
     public int[] ids() {
         return ids;
     }

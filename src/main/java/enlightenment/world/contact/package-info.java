@@ -1,2 +1,2 @@
-/** Where surfaces touch or coincide: which face of a solid lies on which other, so that a ray crosses each border once and in order. */
+/** Surfaces that touch or coincide: which face of a solid lies on which other, so that a ray crosses each interface once and in order. */
 package enlightenment.world.contact;

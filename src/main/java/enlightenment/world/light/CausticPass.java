@@ -9,65 +9,64 @@ import enlightenment.world.parts.SceneBall;
 import java.util.Arrays;
 
 /**
- * What paths from lights start with that look for caustics: light that mirrors or smooth glass send to other surfaces. Those paths make
- * all of it that reaches the eye straight from such a surface, and paths from the eye leave it out. Of small lights the same holds for what
- * rough surfaces with narrow lobes send to surfaces with wide ones. Immutable.
+ * The pairs of lights and specular casters that light paths for caustics start from: light that mirrors or smooth glass send to other
+ * surfaces. Light paths sample all of it that such a surface scatters directly to the eye, and paths from the eye leave it out. For small
+ * lights the same holds for light that narrow lobes of rough surfaces send to wide ones. Immutable.
  *
- * <p>A path begins with a pair of a light and a specular thing, which is chosen by an estimate of the power that goes from the one to the
- * other.
+ * <p>A path begins with a pair of light and caster, sampled by an estimate of the power that goes from one to the other.
  */
 public final class CausticPass {
-    /** More balls than this are not worth telling apart: each path asks for all of them. */
+    /** The largest number of bounding balls of casters: each path tests all of them. */
     private static final int MOST_THINGS = 32;
 
     private static final int MOST_PAIRS = 1 << 20;
 
     private static final int[] NO_MEDIA = {};
 
-    /** Of flat lights that a thing is seen from at an angle, the least cosine that is reckoned with. */
+    /** The least cosine assumed at a flat light from which a caster is seen at a grazing angle. */
     private static final double LEAST_COSINE = 0.05;
 
-    /** The least scattering events of a caustic: one at a mirror, one where it is seen. */
+    /** The least number of scattering events of a caustic: one at a mirror, one where it is seen. */
     private static final int LEAST_BOUNCES = 2;
 
     /** The lights. */
     public final PhysicalLight[] lights;
 
-    /** The balls around the things. */
+    /** The bounding balls of the casters, in the frame. */
     public final double[] ballX;
 
     public final double[] ballY;
     public final double[] ballZ;
     public final double[] ballRadius;
 
-    /** How many things there are. */
+    /** The number of casters. */
     public final int things;
 
-    /** By light, then thing: the probability of the pair. */
+    /** By light, then caster: the probability of the pair. */
     public final double[] probability;
 
-    /** The sums of these. */
+    /** Cumulative sums of {@link #probability}. */
     private final double[] cumulative;
 
     private final double ofUltraviolet;
 
-    /** The disks of suns, the lights after the last. */
+    /** The disks of suns; their indices as lights follow the others. */
     public final Sun[] suns;
 
-    /** Centre and radius of a ball around all surfaces, which light of suns goes through. */
+    /** Centre and radius of the scene's bounding ball, which paths from suns pass through. */
     public final Vec3 center;
 
     public final double radius;
 
     private double brightest;
 
-    /** By light, then by sun: whether it is taken where a narrow lobe is the first to scatter its light. */
+    /** By light, then by sun: whether it is small, so that narrow lobes count as casters of its caustics. */
     private final boolean[] isSmall;
 
     private final boolean hasSmallLights;
 
     private final boolean[] isBeam;
-    /** By light: whether light may come to things from its outside and from its inside. */
+    /** By light: whether light may go to casters from its outside and from its inside. */
     private final boolean[] shinesOutside;
 
     private final boolean[] shinesInside;
@@ -133,10 +132,10 @@ public final class CausticPass {
     }
 
     /**
-     * The pass of a scene; null if caustics need none: without mirrors and smooth glass, without lights that shine at them, and where
-     * paths end before.
+     * The pass of a scene; null if it needs none: without mirrors and smooth glass, without lights that reach them, and where paths end
+     * before.
      *
-     * @param ofUltraviolet how much of ultraviolet light is seen
+     * @param ofUltraviolet visible effect of a unit of ultraviolet
      */
     public static CausticPass of(
             PhysicalLight[] lights, Sun[] suns, double ofUltraviolet, CompiledPrimitives compiled, int maxBounces) {
@@ -161,7 +160,7 @@ public final class CausticPass {
             isApart &= distance(light, s) > ballRadius[s] + light.ballRadius;
         }
         isBeam[l] = isApart && light.isBall;
-        // What is outside of a solid is never met from its inside.
+        // Light that a solid emits on its inside reaches no caster outside of it.
         shinesOutside[l] = light.shinesOutside;
         shinesInside[l] = light.shinesInside && !(isApart && light.surface.isSolid());
         for (int s = 0; s < things; s++) {
@@ -186,7 +185,7 @@ public final class CausticPass {
         return new Vec3(ballX[s] - light.ballX, ballY[s] - light.ballY, ballZ[s] - light.ballZ).length();
     }
 
-    /** About how much of a light of radiance 1 goes to a thing: the area seen from there times the solid angle seen from here. */
+    /** Roughly the power that a light of radiance 1 sends to a caster: the projected area of the light times the caster's solid angle. */
     private double reach(int l, int s) {
         PhysicalLight light = lights[l];
         if (!shinesOutside[l] && !shinesInside[l]) {
@@ -207,7 +206,8 @@ public final class CausticPass {
     }
 
     /**
-     * About how much of a point light with a profile goes to a thing: at most all of it, and 0 where its cone misses the ball of the thing.
+     * Roughly the power that a point light with a profile sends to a caster: at most all of it, and 0 where its cone misses the caster's
+     * ball.
      *
      * @param d the distance of the ball's centre
      * @param angle the solid angle of the ball
@@ -228,7 +228,7 @@ public final class CausticPass {
         return Math.min(angle, profile.solidAngle());
     }
 
-    /** An upper bound of the cosine at a flat light, or what is taken for it; 0 where the thing is behind it. */
+    /** An upper bound of the cosine at a flat light, at least {@link #LEAST_COSINE}; 0 where the caster is behind it. */
     private double cosine(int l, int s, double d) {
         PhysicalLight light = lights[l];
         Vec3 n = light.form.flatNormal();
@@ -242,17 +242,17 @@ public final class CausticPass {
         return isFlat ? Math.min(Math.max((front + ballRadius[s]) / d, LEAST_COSINE), 1) : 1;
     }
 
-    /** Whether light is taken that a narrow lobe is the first to scatter; of suns, the lights after the last, too. */
+    /** Whether a light is small, so that narrow lobes count as casters of its caustics; suns follow the last light. */
     public boolean takesNarrow(int light) {
         return light < isSmall.length && isSmall[light];
     }
 
-    /** Whether any is. */
+    /** Whether any light is small. */
     public boolean takesNarrow() {
         return SmallLights.areThere(isSmall);
     }
 
-    /** The pair that a number chooses, 0..1: {@code light · things + thing}. */
+    /** Samples a pair by a number in 0..1: {@code light · things + thing}. */
     public int choose(double number) {
         int at = Arrays.binarySearch(cumulative, number);
         int pair = at < 0 ? -at - 1 : at + 1;
@@ -270,27 +270,27 @@ public final class CausticPass {
         return pair;
     }
 
-    /** Whether a light is a ball apart from all things: then its rays are chosen by direction first. */
+    /** Whether a light is a ball apart from all casters: then its rays are sampled by direction first. */
     public boolean isBeam(int light) {
         return isBeam[light];
     }
 
-    /** Whether a light with extent shines from both sides of its surface to where things may be. */
+    /** Whether a light with extent sends light to casters from both sides of its surface. */
     public boolean shinesBothWays(int light) {
         return shinesOutside[light] && shinesInside[light];
     }
 
-    /** Whether it shines from its inside alone. */
+    /** Whether a light with extent sends light to casters from its inside only. */
     public boolean shinesInwards(int light) {
         return !shinesOutside[light];
     }
 
-    /** The solids of glass that points of a light may lie in. */
+    /** The ids of solids of glass that points of the light may lie in. */
     public int[] mediaAround(int light) {
         return light >= lights.length ? NO_MEDIA : lights[light].mediaAround();
     }
 
-    /** Mean radiance, of a point radiant intensity, in the strongest band. */
+    /** Mean radiance in the strongest band; of a point light radiant intensity. */
     private static double strongest(PhysicalLight light) {
         return Math.max(light.meanR, Math.max(light.meanG, light.meanB));
     }

@@ -16,10 +16,10 @@ import enlightenment.primitive.Sizes;
 
 /** A light of classic shading in the frame. Physical shading has {@link PhysicalLight}s: lights there are surfaces, and surfaces that glow are lights. */
 public final class ClassicLight extends LightBody {
-    /** The light's form: points on it, as they are seen from somewhere. */
+    /** The light's form, which samples points on it. */
     public final Emitter emitter;
 
-    /** Whether the light has no extent: {@link Emitter#isDelta}. */
+    /** Whether the light has no extent, so that it has a single sample: {@link Emitter#isDelta}. */
     public final boolean isDelta;
 
     /** The display-referred colour, 0..1. */
@@ -49,7 +49,7 @@ public final class ClassicLight extends LightBody {
         b = c.b();
     }
 
-    /** What a light is in the frame. */
+    /** The geometry of a light in the frame. */
     private record Form(Vec3 at, double radius, Vec3 right, Vec3 up, Emitter emitter, Primitive surface) {
         static Form of(Light light, SceneFrame frame) {
             if (light instanceof Light.Sphere s) {
@@ -60,7 +60,7 @@ public final class ClassicLight extends LightBody {
             }
             if (light instanceof Light.Rectangle q) {
                 Vec3 at = frame.toFrame(q.lowerLeft());
-                // Differences of exact corners, not of rounded ones: a small light far away keeps its area.
+                // Differences of exact corners are rounded once, so that a small light far away keeps its area.
                 Vec3 right = new SceneFrame(q.lowerLeft(), frame.exponent()).toFrame(q.lowerRight());
                 Vec3 up = new SceneFrame(q.lowerLeft(), frame.exponent()).toFrame(q.upperLeft());
                 Primitive surface = Primitives.place(

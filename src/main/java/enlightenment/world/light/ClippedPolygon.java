@@ -3,11 +3,11 @@ package enlightenment.world.light;
 import java.util.Arrays;
 
 /**
- * A convex polygon of which parts are cut off: I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974. A mutable work object, one
- * per thread.
+ * A convex polygon that can be clipped to a box: I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974. A mutable work object,
+ * one per thread.
  */
 public final class ClippedPolygon {
-    /** Each side of a box adds a corner at most. */
+    /** Each side of the box adds at most one corner. */
     private static final int SIDES = 4;
 
     private double[] x = new double[0];
@@ -16,7 +16,7 @@ public final class ClippedPolygon {
     private double[] oldY = new double[0];
     private int size;
 
-    /** Begins with what of a polygon is in a box: x and y of its corners, in order. */
+    /** Sets it to the part of a polygon within a box; x and y of the polygon's corners, in order. */
     public void set(double[] xs, double[] ys, double left, double top, double right, double bottom) {
         if (x.length < xs.length + SIDES) {
             x = new double[xs.length + SIDES];
@@ -33,7 +33,7 @@ public final class ClippedPolygon {
         cutY(bottom, -1);
     }
 
-    /** Cuts off what lies to one side: smaller numbers for the side 1, greater ones for −1. */
+    /** Clips at a limit of x: keeps greater numbers for the side 1, smaller ones for −1. */
     private void cutX(double limit, int side) {
         double[] u = oldX;
         double[] v = oldY;
@@ -54,7 +54,7 @@ public final class ClippedPolygon {
         size = cut(oldY, oldX, size, u, v, limit, side);
     }
 
-    /** Cuts at a limit of the first coordinate, from one pair of arrays to another; returns how many corners are left. */
+    /** Clips at a limit of the first coordinate, from one pair of arrays to another; returns the number of corners. */
     private static int cut(double[] fromU, double[] fromV, int n, double[] u, double[] v, double limit, int side) {
         int left = 0;
         for (int k = 0; k < n; k++) {
@@ -73,12 +73,12 @@ public final class ClippedPolygon {
         return left;
     }
 
-    /** The area of what is left; 0 if nothing is. */
+    /** The area of the polygon; 0 if it is empty. */
     public double area() {
         return area(x, y, size);
     }
 
-    /** The area of a convex polygon: x and y of its corners, in order, the first of arrays. */
+    /** The area of a convex polygon: x and y of its corners, in order, at the beginning of arrays. */
     public static double area(double[] x, double[] y, int size) {
         double twice = 0;
         for (int k = 2; k < size; k++) {

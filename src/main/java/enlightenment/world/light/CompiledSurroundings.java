@@ -15,15 +15,15 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.Function;
 
-/** What a background becomes. */
+/** Compiles backgrounds to surroundings. */
 public final class CompiledSurroundings {
     private CompiledSurroundings() {}
 
     /**
-     * Null if the same light comes from everywhere.
+     * Compiles a background; null if its radiance is constant.
      *
      * @param files returns the content of an image file, or null if it must be read from the disk
-     * @throws SceneException if the file of a picture cannot be used, or its light or that of a sky is too much
+     * @throws SceneException if the file of a picture cannot be used, or its radiance or that of a sky is too large
      */
     static Surroundings of(Shading.Background background, Function<Path, byte[]> files) {
         try {
@@ -34,8 +34,8 @@ public final class CompiledSurroundings {
     }
 
     /**
-     * Fails where the light of a picture or a sky is too much, as {@link #of} does. Light as it is, or dimmed, never is: then nothing is read
-     * or made.
+     * Throws where the radiance of a picture or a sky is too large, as {@link #of} does. It never is if it is unscaled or dimmed: then no
+     * file is read.
      */
     public static void check(Scene scene, SceneImages images) {
         Shading.Background background = scene.shading() instanceof Shading.Physical p ? p.background() : null;
@@ -51,8 +51,8 @@ public final class CompiledSurroundings {
     /**
      * Adds the disks of distant lights, in an order that does not depend on that in the scene.
      *
-     * @param around what the background becomes; null if it is constant
-     * @return null without distant lights that shine, if {@code around} is
+     * @param around the compiled background; null if it is constant
+     * @return {@code around}, which may be null, without distant lights that emit
      */
     public static Surroundings withDistantLights(
             Surroundings around, Shading.Background background, List<Light> lights) {

@@ -34,8 +34,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The lights of a scene of physical shading: those with extent become objects with a black surface that glows, the others
- * points; not the distant ones, which belong to the surroundings ({@link CompiledSurroundings}).
+ * The lights of a scene of physical shading: those with extent become objects with a black emitting surface, the others points; without the
+ * distant ones, which belong to the surroundings ({@link CompiledSurroundings}).
  */
 public final class GlowingObjects {
     private static final String ULTRAVIOLET = "ultraviolet";
@@ -43,20 +43,20 @@ public final class GlowingObjects {
     private final Scene scene;
     private final SceneImages files;
 
-    /** The objects of the scene, then those that lights are. */
+    /** The objects of the scene, then those of lights with extent. */
     public final List<SceneObject> objects;
 
-    /** The surfaces of those, by their materials. */
+    /** By material, the surfaces of the lights' objects. */
     public final Map<Material, SurfaceMaterial> surfaces = new IdentityHashMap<>();
 
     /** The lights without extent, in an order that does not depend on that in the scene. */
     public final List<PhysicalLight> points = new ArrayList<>();
 
     /**
-     * Those of a scene.
+     * Makes the lights of a scene.
      *
-     * @param files has the files of lights; null to leave out lights with files
-     * @throws SceneException with all lights that are too much for their size or that of the scene, or whose file cannot be used
+     * @param files reads the files of lights; null to leave out lights with files
+     * @throws SceneException with all lights whose radiance is too large for their size or that of the scene, or whose file cannot be used
      */
     public GlowingObjects(Scene scene, SceneFrame frame, SceneImages files) {
         this.scene = scene;
@@ -91,7 +91,11 @@ public final class GlowingObjects {
         }
     }
 
-    /** @param all receives an object if the light has extent */
+    /**
+     * Adds a light.
+     *
+     * @param all receives an object if the light has extent
+     */
     private void add(Light light, int i, SceneFrame frame, List<SceneObject> all) {
         if (light instanceof Light.Sphere s) {
             double perPower = 1 / (4 * Math.PI * Math.PI) / s.radius() / s.radius();
@@ -119,7 +123,7 @@ public final class GlowingObjects {
         IntensityTable table = files == null ? null : files.of(light, i);
         if (table != null && table.largest() > 0) {
             TableProfile profile = new TableProfile(table, light.direction().normalized(), light.rotation());
-            // Relative to the largest candela is what the profile is.
+            // The profile is relative to the largest candela.
             add(point(light, profile, 1 / profile.solidAngle(), table.largest(), i, frame));
         }
     }
@@ -147,7 +151,9 @@ public final class GlowingObjects {
         return point.profile == null ? new double[0] : point.profile.parameters();
     }
 
-    /** @param perPower the radiance of one unit of power */
+    /**
+     * @param perPower the radiance of one unit of power
+     */
     private SceneObject object(Light light, int index, double perPower, boolean isTwoSided, Shape shape) {
         Rgb radiance = light.emitted();
         double ultraviolet = light.ultraviolet();
@@ -165,8 +171,8 @@ public final class GlowingObjects {
     }
 
     /**
-     * A rectangle whose corners are the same doubles in the frame cannot be sampled. Of its power nothing would be left; of radiance there is
-     * nothing to speak of.
+     * Refuses a rectangle whose corners are the same doubles in the frame, which cannot be sampled. Given by power its light would be lost;
+     * given by radiance there is none worth mentioning.
      *
      * @throws InvalidValueException if it is that small and has power
      */
@@ -175,8 +181,8 @@ public final class GlowingObjects {
         Vec3 up = frame.toFrame(q.upperLeft()).minus(corner);
         Vec3 right = frame.toFrame(q.lowerRight()).minus(corner);
         Emission.Quantity quantity = q.emission().quantity();
-        // Beside something very far away a product of edges may underflow that are very different points: that is
-        // SceneExtent's to tell.
+        // Beside a very distant object a product of edges may underflow although they are distinct: SceneExtent refuses
+        // such scenes.
         Vec3 normal = up.scaledBy(-up.exponent()).cross(right.scaledBy(-right.exponent()));
         if (quantity == Emission.Quantity.POWER && normal.maxAbs() == 0) {
             throw new InvalidValueException(
@@ -194,7 +200,7 @@ public final class GlowingObjects {
     }
 
     /**
-     * Intensity is power per solid angle: seen in another unit of length, as many times the square of it arrive.
+     * Makes a point light. Intensity is power per solid angle: in another unit of length, irradiance changes by the square of the unit.
      *
      * @param ofPower the largest intensity of one unit of power
      * @param ofIntensity the largest intensity of one unit of intensity
@@ -217,9 +223,9 @@ public final class GlowingObjects {
     }
 
     /**
-     * Radiance, or intensity in the frame.
+     * Returns a radiance, or an intensity in the frame, if it is within bounds.
      *
-     * @param key what of the light says how much it is
+     * @param key of the light's quantity in the scene file
      * @throws InvalidValueException if it is beyond {@link Radiance#LARGEST}, at the place of the light
      */
     private static double bounded(double value, Light light, int index, String key) {
@@ -233,7 +239,7 @@ public final class GlowingObjects {
         return value;
     }
 
-    /** What is 0 stays so, even where a unit of power would be infinite radiance. */
+    /** The product, which is 0 for no power even where a unit of power would be infinite radiance. */
     private static double product(double power, double perPower) {
         return power == 0 ? 0 : power * perPower;
     }

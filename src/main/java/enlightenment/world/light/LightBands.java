@@ -6,23 +6,23 @@ import enlightenment.world.material.FaceMaterials;
 import enlightenment.world.material.SurfaceMaterial;
 import java.util.List;
 
-/** Which bands of light there are in a scene with fluorescent surfaces, and about how much of each. */
+/** Roughly the amount of light by band in a scene with fluorescent surfaces. */
 public final class LightBands {
-    /** Of light that comes from everywhere. */
+    /** The solid angle of surroundings. */
     private static final double WHOLE_SPHERE = 4 * Math.PI;
 
-    /** What counts of a visible band, whatever shines, so that a path that is worth anything is never thought to be worth nothing. */
+    /** The least amount of each visible band, so that no path's throughput counts as 0 while it carries visible light. */
     private static final double LEAST = 1.0 / 16;
 
     private LightBands() {}
 
-    /** Whether ultraviolet light makes surfaces shine, and there is some. */
+    /** Whether the scene has ultraviolet light, and a fluorescent surface that absorbs it. */
     public static boolean haveUltraviolet(FaceMaterials materials, List<PhysicalLight> points) {
         return materials.any(m -> m.reradiation != null && m.reradiation.gives(Reradiation.ULTRAVIOLET))
                 && (materials.any(m -> m.glowUltraviolet > 0) || points.stream().anyMatch(p -> p.ultraviolet > 0));
     }
 
-    /** The most that a surface makes of ultraviolet in a visible band. */
+    /** The largest share of ultraviolet that a surface re-emits in a visible band. */
     public static double visibleOfUltraviolet(FaceMaterials materials) {
         double most = 0;
         for (SurfaceMaterial m : materials.distinct()) {
@@ -34,7 +34,7 @@ public final class LightBands {
     }
 
     /**
-     * About how much light there is of each band, but for a factor: in a scene whose size is about 1.
+     * By band, roughly the amount of light, relative, in a scene whose size is about 1.
      *
      * @param background radiance of the surroundings, by band
      */

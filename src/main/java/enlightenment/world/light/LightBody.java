@@ -9,12 +9,12 @@ import enlightenment.primitive.SupportSurface;
 import enlightenment.world.contact.CoincidentSurfaces;
 import enlightenment.world.contact.TouchedBoxes;
 
-/** Where a light is, as far as shadow rays and what may occlude it go by. Immutable once the scene is compiled. */
+/** The geometry of a light for shadow rays and for the search of its occluders. Immutable once the scene is compiled. */
 public class LightBody {
     /** The side of a plane that its normal points to. */
     static final int ABOVE = 1;
 
-    /** The other side. */
+    /** The side of a plane opposite to its normal. */
     static final int BELOW = 2;
 
     /** Centre of a ball, position of a point, lower left corner of a rectangle. */
@@ -31,40 +31,40 @@ public class LightBody {
 
     public final Vec3 up;
 
-    /** Centre and radius of a ball around the light. */
+    /** Centre and radius of the light's bounding ball. */
     public final double ballX;
 
     public final double ballY;
     public final double ballZ;
     public final double ballRadius;
 
-    /** The surface that rays meet; null for a light that cannot be seen. */
+    /** The surface that rays hit; null for a light that cannot be hit. */
     public final Primitive surface;
 
     /** Bounds the sum of the absolute coordinates of any of its points. */
     private final double bound;
 
-    /** By id: the {@link #sidesOf} flat primitives' planes that the light lies on; null if they are computed when needed. */
+    /** By id: {@link #sidesOf} the planes of flat primitives; null if they are computed on demand. */
     byte[] sides;
 
-    /** The primitives that may occlude it from a point of the scene's surfaces; null if that is not known better than for all lights. */
+    /** The primitives that may occlude the light from a point of the scene's surfaces; null if they are those of all lights. */
     public Accelerator occluders;
 
-    /** Decides more precisely than the ball what may occlude it; null if nothing does. */
+    /** Decides occlusion more precisely than the bounding ball; null if nothing does. */
     public LightPyramid pyramid;
 
     private final EndFaces lyingOn = new EndFaces();
 
     /**
-     * The parallelogram at a corner, widened by a radius.
+     * Makes the body: a point, a ball around a point, or a parallelogram.
      *
-     * @param at the corner
-     * @param radius 0 or, for a ball at the corner, its radius
+     * @param at the corner or centre
+     * @param radius of a ball; else 0
      * @param right the edge of a rectangle, or zero
      * @param up the other edge
-     * @param ballCenter centre of a ball around all of it
-     * @param ballRadius the radius of that ball
-     * @param surface what rays meet; null if nothing
+     * @param ballCenter centre of the bounding ball
+     * @param ballRadius radius of the bounding ball
+     * @param surface that rays hit; null if there is none
      */
     LightBody(Vec3 at, double radius, Vec3 right, Vec3 up, Vec3 ballCenter, double ballRadius, Primitive surface) {
         x = at.x();
@@ -81,20 +81,20 @@ public class LightBody {
         bound = 3 * bounds().maxAbs();
     }
 
-    /** The faces that the light lies on: they do not occlude it. */
+    /** The faces that the light lies on, which do not occlude it. */
     public EndFaces lyingOn() {
         return lyingOn;
     }
 
-    /** What a light needs to know of the primitives that it lies on; unless told, none is entered, or seen in its place. */
+    /** Properties of the primitives that the light lies on; by default none is entered by light, and none covers the light. */
     interface Touched {
-        /** Whether light enters a primitive by a face. */
+        /** Whether light enters a primitive by this face. */
         default boolean isEntered(int id, int face) {
             return false;
         }
 
         /**
-         * The sides of a face, as {@link EndFaces#bit}s, on which it is seen rather than the light.
+         * The sides of a face, as {@link EndFaces#bit}s, on which it covers the light.
          *
          * @param isTurned whether the face's outside is on the light's inside
          */
@@ -115,12 +115,12 @@ public class LightBody {
     }
 
     /**
-     * The same for one face of a primitive.
+     * As {@link #lieOn(TouchedBoxes)}, for a light that is one face of its surface.
      *
      * @param near finds the primitives
      * @param ownFace the light's face
-     * @param left the id of a primitive that is left out; -1 for none
-     * @param touched tells about the primitives
+     * @param left the id of a primitive to leave out; -1 for none
+     * @param touched has the properties of the primitives
      */
     public final void lieOn(TouchedBoxes near, int ownFace, int left, Touched touched) {
         Bounds own = bounds();
@@ -152,8 +152,8 @@ public class LightBody {
     }
 
     /**
-     * The sides of a plane that the light lies on: {@link #ABOVE} if no point of it is below, {@link #BELOW} if none is above, both
-     * if all are in it.
+     * The sides of a plane that the light lies on: {@link #ABOVE} if no point of it is below, {@link #BELOW} if none is above, both if all
+     * are in it.
      *
      * @param offset n·q for the plane's points q, where n = (nx, ny, nz) is its unit normal
      * @param error bounds the rounding of a distance from the plane, relative to the coordinates involved

@@ -2,7 +2,7 @@ package enlightenment.world.light;
 
 import enlightenment.frame.BallCone;
 
-/** The cone of directions in which a light is seen from a point: that of the ball around it. */
+/** The cone of directions from a point to a light's bounding ball. */
 public final class LightCone extends BallCone {
     private LightBody light;
 
@@ -15,9 +15,9 @@ public final class LightCone extends BallCone {
         set(light.ballX, light.ballY, light.ballZ, light.ballRadius, px, py, pz);
     }
 
-    /** Tells which light the cone, which somebody else set, is around. */
+    /** Sets the light of a cone that was set to its bounding ball by the methods of the superclass. */
     public void around(LightBody body) {
-        // Mostly it is the same one, and the collector of garbage has work with each reference that is stored.
+        // Skips storing an unchanged reference, which saves the GC write barrier.
         if (light != body) {
             light = body;
         }

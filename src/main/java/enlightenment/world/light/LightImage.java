@@ -1,11 +1,14 @@
 package enlightenment.world.light;
 
-/** Where the eye sees a light, with nothing in between: a convex polygon around it, in pixels from the picture's upper left corner. Immutable. */
+/**
+ * The image of a light on the film, as directly visible: a convex polygon around it, in pixels from the picture's upper left corner.
+ * Immutable.
+ */
 public final class LightImage {
     /** The light's index. */
     public final int light;
 
-    /** The light's radiance in the band that it is brightest in; greater than 0. */
+    /** The light's radiance in its brightest band; greater than 0. */
     public final double brightness;
 
     /** The corners, in order; not to be changed. */
@@ -20,8 +23,8 @@ public final class LightImage {
     /**
      * @param light the light's index
      * @param from the light
-     * @param x the corners, at least one, in order, with the inside to the left of each side where x points to the right and y upwards
-     * @param y as many
+     * @param x of the corners, at least one, in order, with the inside to the left of each side where x points to the right and y upwards
+     * @param y of as many corners
      */
     public LightImage(int light, PhysicalLight from, double[] x, double[] y) {
         this.light = light;
@@ -44,7 +47,7 @@ public final class LightImage {
         bottom = y1;
     }
 
-    /** A light's radiance in the band that it is brightest in. */
+    /** A light's radiance in its brightest band. */
     static double brightness(PhysicalLight l) {
         return Math.max(l.r, Math.max(l.g, l.b));
     }
@@ -54,7 +57,7 @@ public final class LightImage {
         return ClippedPolygon.area(x, y, x.length);
     }
 
-    /** Whether the polygon's own box reaches into a box. */
+    /** Whether the polygon's bounding box overlaps a box. */
     public boolean reaches(double x0, double y0, double x1, double y1) {
         return left < x1 && right > x0 && top < y1 && bottom > y0;
     }

@@ -9,20 +9,23 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Finds the lights that samples of a pixel may miss, as they are seen with nothing in between. Whether something hides them is not asked.
+ * Finds the images of lights that samples of a pixel may miss, as if nothing occluded them.
  *
- * <p>Images smaller than a pixel are all found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are
- * bright beside what is likely to be behind them: not dimmer than a sixteenth of the brightest light, nor than twice the background. Where the
- * image is sampled apart, a pixel sample that hits the light is worth 0: that has less variance only if the light is at least twice as bright as
- * what is behind it. The choice does not depend on the scale of all lights. Textured lights have none: their radiance is not one.
+ * <p>All images smaller than a pixel are found. Of larger ones, which only samples of pixels at their edges miss, those of lights that are
+ * bright compared to what is likely behind them: at least a sixteenth of the brightest light, and twice the background. Where an image is
+ * sampled separately, direct hits of the light count as 0, which lowers variance only if the light is at least twice as bright as what is
+ * behind it. The choice does not depend on the scale of all lights. Textured lights have none, since their radiance is not constant.
  */
 public final class LightImages {
-    /** The most images of a pixel or more that are kept, the first ones: most edges in a mesh that glows are no edges of the light. */
+    /**
+     * The largest number of images of a pixel or more, of which the first are kept: most edges in an emitting mesh are no edges of the
+     * light.
+     */
     private static final int MOST_LARGE = 64;
 
     /**
-     * A light of so much of the brightest one's radiance is seldom dimmer than twice what that makes of surfaces: it would have to fill
-     * this share of half their sky.
+     * A light of this share of the brightest one's radiance is seldom dimmer than twice the surfaces that the brightest lights: that would
+     * have to fill this share of half their sky.
      */
     private static final double BRIGHT = 1.0 / 16;
 
@@ -50,9 +53,9 @@ public final class LightImages {
     /**
      * The images in a picture; none with a lens, which blurs them, nor in panoramas, which bend their outlines.
      *
-     * @param surroundings null if there is none but a constant background
-     * @param background the radiance of that, in the band in which it is brightest
-     * @param poll called now and then; ends this by what it throws
+     * @param surroundings null if there is only a constant background
+     * @param background the constant radiance, in its brightest band
+     * @param poll called regularly; what it throws ends this
      */
     public static LightImage[] of(
             CompiledCamera camera,

@@ -8,15 +8,15 @@ import enlightenment.world.parts.CompiledPrimitives;
 import java.util.Arrays;
 import java.util.BitSet;
 
-/** Finds the solids of glass that points of lights may lie in: those whose boxes overlap the light's, which the hierarchy knows. */
+/** Finds the solids of glass that points of lights may lie in: those whose boxes overlap the light's. */
 public final class LightMedia {
     private LightMedia() {}
 
     /**
-     * Tells lights which solids they may lie in.
+     * Stores in each light the solids that its points may lie in.
      *
      * @param accelerator of all primitives
-     * @param poll called now and then; ends this by what it throws
+     * @param poll called regularly; what it throws ends this
      */
     public static void find(
             PhysicalLight[] lights, CompiledPrimitives compiled, Accelerator accelerator, Runnable poll) {

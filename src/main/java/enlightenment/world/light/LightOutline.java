@@ -11,19 +11,19 @@ import enlightenment.world.camera.EyeProjection;
 import java.util.Arrays;
 
 /**
- * The outlines of lights in the picture: convex polygons that touch what bounds the light from outside.
- * Circles get so many corners that none is a thousandth of a pixel beside the circle. A mutable work object, one per thread.
+ * The outlines of lights on the film: convex polygons around the light's surface or its bounding ball. Circles get enough corners that none
+ * is farther than a thousandth of a pixel from the circle. A mutable work object, one per thread.
  */
 final class LightOutline {
-    /** So many corners circles have at least and at most, and powers of two between. */
+    /** The least and the largest number of corners of a circle, powers of two. */
     private static final int LEAST_CORNERS = 16;
 
     private static final int MOST_CORNERS = 512;
 
-    /** Twice what a corner may lie beside a circle, in pixels. */
+    /** Twice the largest distance of a corner from a circle, in pixels. */
     private static final double SAGITTA = 0x1p-9;
 
-    /** Beyond so many pixels a number's last bits are no small share of a pixel any more. */
+    /** Beyond this number of pixels from the corner of the picture, the rounding of a position is no small part of a pixel. */
     private static final double FAR = 0x1p30;
 
     private final CompiledCamera camera;
@@ -35,10 +35,10 @@ final class LightOutline {
     private int size;
     private boolean isBefore;
 
-    /** Whether it is that of the light, up to the roundness of arcs; else that of the ball around it. */
+    /** Whether the outline is that of the light itself, up to the roundness of arcs, not of its bounding ball. */
     boolean isExact;
 
-    /** The polygon. */
+    /** The corners of the outline, in pixels. */
     double[] x;
 
     double[] y;
@@ -55,7 +55,7 @@ final class LightOutline {
     /**
      * Finds the polygon around a light.
      *
-     * @return whether there is one: all of the light lies before the eye, and its shining side may be seen
+     * @return whether there is one: all of the light lies before the eye, and its emitting side may be visible
      */
     boolean find(PhysicalLight l) {
         SupportSurface s = l.surface.support(l.face);
@@ -76,14 +76,14 @@ final class LightOutline {
         return (corners == LEAST_CORNERS || trace(l, s, corners)) && wrap();
     }
 
-    /** Whether the eye is on a side of a plane that shines: not behind a face of an opaque solid, whose other faces hide it. */
+    /** Whether the eye is on an emitting side of a plane: not behind a face of an opaque solid, whose other faces hide it. */
     private boolean isLit(SupportSurface.Plane p, PhysicalLight l) {
         Vec3 normal = p.unitNormal();
         double above = eye.isParallel() ? -normal.dot(forward) : normal.dot(eyePoint.minus(p.corners()[0]));
         return above > 0 ? l.shinesOutside : l.shinesInside;
     }
 
-    /** Sets the points that the outline is around; returns whether all of them are before the eye. */
+    /** Sets the points that the outline surrounds; returns whether all of them are before the eye. */
     private boolean trace(PhysicalLight l, SupportSurface s, int corners) {
         if (points.length < 2 * corners) {
             points = new double[2 * corners][2];
@@ -117,14 +117,17 @@ final class LightOutline {
         }
     }
 
-    /** A circle around the last basis' axis. */
+    /** Adds corners around a circle whose axis is that of the basis. */
     private void round(Vec3 center, double radius, int corners) {
         Vec3 a = new Vec3(radius * basis.ax, radius * basis.ay, radius * basis.az);
         Vec3 b = new Vec3(radius * basis.bx, radius * basis.by, radius * basis.bz);
         circle(center, a, b, corners);
     }
 
-    /** A ball looks like a disk through its centre, which is as much larger as the eye's cone is at an angle to its axis. */
+    /**
+     * Adds corners around the disk through a ball's centre that the ball looks like from the eye: larger than the ball, as the eye's cone
+     * is oblique to its axis.
+     */
     private void ball(Vec3 center, double radius, int corners) {
         Vec3 axis = forward;
         double size = radius;
@@ -158,7 +161,9 @@ final class LightOutline {
         size++;
     }
 
-    /** Sets the convex polygon around the points: A. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979. */
+    /**
+     * Sets the outline to the convex hull of the points: A. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
+     */
     private boolean wrap() {
         double[][] sorted = Arrays.copyOf(points, size);
         Arrays.sort(sorted, LightOutline::compare);
@@ -180,7 +185,7 @@ final class LightOutline {
         return n > 3;
     }
 
-    /** From left to right, then by y. */
+    /** Orders points by x, then by y. */
     private static int compare(double[] a, double[] b) {
         int byX = Double.compare(a[0], b[0]);
         return byX != 0 ? byX : Double.compare(a[1], b[1]);
@@ -199,7 +204,7 @@ final class LightOutline {
         return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0;
     }
 
-    /** The corners of a polygon of the most corners in a circle around the origin: once needed, needed often. */
+    /** The corners of the finest polygon in the unit circle, made at the first use. */
     private static final class Circle {
         static final double[] COSINES = new double[MOST_CORNERS];
         static final double[] SINES = new double[MOST_CORNERS];

@@ -9,12 +9,12 @@ import enlightenment.primitive.Primitive;
 import java.util.Arrays;
 
 /**
- * The pyramids of segments from points to a light that is a rectangle, and the primitives, each in a box, that stand beside them. Of what
- * the ball around the light would leave in doubt, most is decided so. Immutable.
+ * The pyramids of segments from points to a rectangular light, and the boxes of primitives beside them. Decides most of the occluders that
+ * the bounding ball of the light leaves in doubt. Immutable.
  *
- * <p>A pyramid and a box are apart if one side of the pyramid, or a plane parallel to the light, or one of the box's own faces
- * lies between them. That is not all of the planes that might (S. Gottschalk, M. Lin and D. Manocha, "OBBTree", 1996), but where none does
- * the box is only tested in vain.
+ * <p>A pyramid and a box are disjoint if one side of the pyramid, or a plane parallel to the light, or one of the box's own faces separates
+ * them. These are not all separating planes (S. Gottschalk, M. Lin and D. Manocha, "OBBTree", 1996); if none of them separates, the
+ * primitive is tested needlessly.
  */
 public final class LightPyramid {
     /** Bounds the roundings of a product of two coordinates, relative to the square of the largest. */
@@ -112,11 +112,11 @@ public final class LightPyramid {
         boxes[at + 2] = v.dot(normal);
     }
 
-    /** A point that sees the light. A mutable work object, one per thread. */
+    /** The apex of a pyramid. A mutable work object, one per thread. */
     static final class Apex {
         private LightPyramid light;
 
-        /** The light's corner from the point. */
+        /** The light's corner relative to the apex. */
         private double x;
 
         private double y;
@@ -127,9 +127,9 @@ public final class LightPyramid {
 
         private double slack2;
 
-        /** Sets the point. */
+        /** Sets the apex. */
         void set(LightPyramid from, double px, double py, double pz) {
-            // Mostly it is the same, and the collector of garbage has work with each reference that is stored.
+            // Skips storing an unchanged reference, which saves the GC write barrier.
             if (light != from) {
                 light = from;
             }
@@ -145,7 +145,7 @@ public final class LightPyramid {
             slack2 = slack * size;
         }
 
-        /** Whether the primitive with an id certainly meets no segment from the point to the light. False where in doubt. */
+        /** Whether no segment from the apex to the light certainly meets the primitive with this id. False where in doubt. */
         boolean misses(int id) {
             double[] b = light.boxes;
             int at = BOX * id;
@@ -153,7 +153,7 @@ public final class LightPyramid {
             double cy = b[at + 1] + y;
             double cz = b[at + 2] + z;
             double depth = Math.abs(b[at + 5]) + Math.abs(b[at + 8]) + Math.abs(b[at + 11]) + slack;
-            // Towards the light the coordinate grows, or falls.
+            // The coordinate towards the light, which may grow or fall.
             double ahead = z > 0 ? cz : -cz;
             if (ahead < -depth || ahead - depth > Math.abs(z)) {
                 return true;
@@ -168,9 +168,9 @@ public final class LightPyramid {
         }
 
         /**
-         * How far the box reaches across the side of the pyramid through an edge at a coordinate.
+         * The extent of the box across the side of the pyramid through an edge at a coordinate.
          *
-         * @param i where that coordinate of the box's first edge is found, and k, where its depth is
+         * @param i index of that coordinate of the box's first edge; k is the index of its depth
          */
         private double across(double[] b, int i, int k, double edge) {
             return Math.abs(z * b[i] - edge * b[k])

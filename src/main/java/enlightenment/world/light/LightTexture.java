@@ -11,14 +11,17 @@ import enlightenment.primitive.SupportSurface;
 import enlightenment.primitive.TrianglePrimitive;
 import enlightenment.world.material.RadianceMap;
 
-/** What the radiance of a light with a surface is multiplied by at its points. Immutable, shared by threads. */
+/** The texture of a light with a surface: the factor of its radiance at each point. Immutable, shared by threads. */
 public final class LightTexture {
-    /** The least and the most points on each side of the grid that the mean is taken of. */
+    /** The least and the largest number of points on each side of the grid that the mean is taken over. */
     private static final int LEAST_SIDE = 4;
 
     private static final int MOST_SIDE = 64;
 
-    /** A mean of points that miss what glows is at least this share of the largest factor: all that glows is sampled. */
+    /**
+     * The mean of a band is at least this share of its largest factor, as grid points may miss small emitting parts, which must be sampled
+     * as well.
+     */
     private static final double LEAST_SHARE = 1.0 / 64;
 
     private final RadianceMap map;
@@ -34,7 +37,7 @@ public final class LightTexture {
     }
 
     /**
-     * Writes the factor at a point of the light, by band; of ultraviolet it is that of blue.
+     * Writes the factor at a point of the light, by band; that of ultraviolet is blue's.
      *
      * @param hit is overwritten
      */
@@ -61,8 +64,8 @@ public final class LightTexture {
     }
 
     /**
-     * The mean factor over the light's area, by band, estimated by a grid of points: what choices among lights go by. Greater than 0 where
-     * the factor is so at any point.
+     * The mean factor over the light's area, by band, estimated by a grid of points, for sampling of lights. Greater than 0 where the
+     * factor is so at any point.
      */
     Rgb mean(AreaLight form) {
         double[] bound = new double[3];
@@ -86,7 +89,7 @@ public final class LightTexture {
                 Math.max(sum[2] / n, LEAST_SHARE * bound[2]));
     }
 
-    /** Writes upper bounds of the factors; returns about how many texels lie along the light. */
+    /** Writes upper bounds of the factors; returns roughly the number of texels along the light. */
     private double bound(double[] rgb) {
         if (!(surface instanceof TrianglePrimitive)) {
             map.bound(rgb);

@@ -7,11 +7,11 @@ import enlightenment.primitive.SpherePrimitive;
 import enlightenment.world.parts.CancellationCheck;
 
 /**
- * The lights that mirrors may reflect, in a binary tree of boxes around their centres: those that send a mirror the most power are found
- * without asking all of them. Immutable but for the count of its work.
+ * The lights that mirrors may reflect, in a binary tree of boxes around their centres, to find those that send a mirror the most power
+ * without testing all. Immutable but for the count of its work.
  *
- * <p>A box's bound on the power that any of its lights sends to a mirror is computed by the same operations as that power, each of which
- * is monotone also when it rounds: no light in the box has more, to the last bit.
+ * <p>The bound of a node on the power that any of its lights sends to a mirror is computed by the same operations as that power, each of
+ * them monotone also in rounding: no light of the node has more, to the last bit.
  */
 public final class MirroredLights {
     private static final int LEAF = 4;
@@ -19,13 +19,16 @@ public final class MirroredLights {
     private final PhysicalLight[] lights;
     private final CancellationCheck work;
 
-    /** Indices of lights: a node's are a range, its children's the halves of that. */
+    /** Indices of lights: a node has a range of them, its children the halves of that. */
     private final int[] order;
 
-    /** By light: what it emits, times its area. */
+    /** By light: mean radiance times area. */
     private final double[] strength;
 
-    /** By node, from 1 for the root and 2k, 2k + 1 for the children of k: a box around its lights' centres, its strongest, its first. */
+    /**
+     * By node, 1 for the root and 2k, 2k + 1 for the children of k: a box around its lights' centres, its largest strength, its first
+     * light.
+     */
     private final Bounds[] box;
 
     private final double[] strongest;
@@ -34,10 +37,10 @@ public final class MirroredLights {
     /**
      * Puts lights into a tree.
      *
-     * @param lights a scene's lights
-     * @param some indices of those that may be reflected, one or more
+     * @param lights of a scene
+     * @param some indices of those that may be reflected, at least one
      * @param visibleOfUltraviolet see {@code PhysicalScene}
-     * @param work is told each step
+     * @param work counts each step
      */
     public MirroredLights(PhysicalLight[] lights, int[] some, double visibleOfUltraviolet, CancellationCheck work) {
         this.lights = lights;
@@ -59,7 +62,7 @@ public final class MirroredLights {
         build(1, 0, order.length);
     }
 
-    /** How many lights there are. */
+    /** The number of lights. */
     public int count() {
         return order.length;
     }
@@ -104,7 +107,7 @@ public final class MirroredLights {
         return axis == 0 ? l.ballX : axis == 1 ? l.ballY : l.ballZ;
     }
 
-    /** Offers a mirror with each light that is no face of it; those that surely are not taken are left out. */
+    /** Offers the pairs of a mirror and each light that is no face of it, without those that are certainly not kept. */
     public void offer(SpherePrimitive mirror, int id, StrongestPairs best) {
         offer(1, 0, order.length, mirror, id, best);
     }
@@ -124,7 +127,7 @@ public final class MirroredLights {
             return;
         }
         int middle = middle(from, to);
-        // What is best comes first, so that the rest need not be looked at.
+        // The stronger child first, so that more of the other is skipped.
         if (most(2 * node, mirror) >= most(2 * node + 1, mirror)) {
             offer(2 * node, from, middle, mirror, id, best);
             offer(2 * node + 1, middle, to, mirror, id, best);
@@ -134,14 +137,14 @@ public final class MirroredLights {
         }
     }
 
-    /** About how much of a light's power comes to a mirror, but for a factor. */
+    /** Roughly the power that a light sends to a mirror, up to a factor. */
     private double power(SpherePrimitive mirror, int light) {
         PhysicalLight l = lights[light];
         double share = share(mirror, mirror.x() - l.ballX, mirror.y() - l.ballY, mirror.z() - l.ballZ);
         return strength[light] * share;
     }
 
-    /** An upper bound on that of the lights of a node. */
+    /** An upper bound of {@link #power} for the lights of a node. */
     private double most(int node, SpherePrimitive mirror) {
         Vec3 min = box[node].min();
         Vec3 max = box[node].max();
@@ -151,12 +154,12 @@ public final class MirroredLights {
         return strongest[node] * share(mirror, x, y, z);
     }
 
-    /** The distance, or less, of any place from a place in a range. */
+    /** A lower bound of the distance of a coordinate from all in a range. */
     private static double apart(double at, double min, double max) {
         return at > max ? at - max : at < min ? at - min : 0;
     }
 
-    /** The share of the light at a distance: squared radius over squared distance, at most 1. */
+    /** The share of the light at a distance that hits the mirror, up to a factor: squared radius over squared distance, at most 1. */
     private static double share(SpherePrimitive mirror, double x, double y, double z) {
         double rr = mirror.radius() * mirror.radius();
         double dd = x * x + y * y + z * z;

@@ -27,13 +27,13 @@ public final class OccluderSet {
 
     private final int count;
 
-    /** By id: centre and radius of a ball around the primitive. */
+    /** By id: centre and radius of the primitive's bounding ball. */
     private final double[] balls;
 
-    /** By id: whether the primitive is that ball itself. */
+    /** By id: whether the primitive is its bounding ball. */
     private final boolean[] isBall;
 
-    /** By id: where the plane of a flat primitive is found; {@link #NO_PLANE} for others. */
+    /** By id: the index of a flat primitive's plane; {@link #NO_PLANE} for others. */
     private final int[] planeAt;
 
     /** Unit normals and offsets of planes. */
@@ -61,8 +61,8 @@ public final class OccluderSet {
     }
 
     /**
-     * Whether a primitive may occlude the light from any point of the scene's surfaces: not if it is flat, and all primitives and the
-     * light lie on one side of its plane, as the walls of a room do.
+     * Whether a primitive may occlude the light from any point of the scene's surfaces. A flat one does not if all primitives and the light
+     * lie on one side of its plane, like the walls of a room.
      */
     public boolean mayOcclude(int id, LightBody light, Primitive[] primitives) {
         int k = planeAt[id];
@@ -148,8 +148,8 @@ public final class OccluderSet {
     }
 
     /**
-     * What is known of the primitives that may occlude a light, for one cone after another. One per thread. Every shaded point asks it
-     * of many primitives, so it has the arrays and the apex in fields of its own.
+     * Decides which primitives may occlude a light, for one cone after another. One per thread. Called for many primitives at every shaded
+     * point, so it keeps the arrays and the apex in fields of its own.
      */
     public final class Judge implements ConeJudge {
         private final double[] ballOf = balls;
@@ -159,20 +159,20 @@ public final class OccluderSet {
 
         private LightCone cone;
 
-        /** The light's; null if it has none. */
+        /** The pyramids of the light; null if it has none. */
         private LightPyramid pyramid;
 
-        /** The cone's apex as the pyramid's, if it is set. */
+        /** The cone's apex as that of a pyramid, if it is set. */
         private final LightPyramid.Apex tip = new LightPyramid.Apex();
 
         private boolean hasTip;
         private int[] starts;
         private int startCount;
 
-        /** The first of them, mostly the only one; or no id. */
+        /** The first id of {@code starts}, mostly the only one; or no id. */
         private int firstStart;
 
-        /** The cone's apex, and the sum of the sizes of its coordinates. */
+        /** The cone's apex, and the sum of its absolute coordinates. */
         private double x;
 
         private double y;
@@ -187,8 +187,7 @@ public final class OccluderSet {
          * @param count the number of these
          */
         public Judge of(LightCone around, int[] clear, int count) {
-            // Mostly they are the same objects, and the collector of garbage has work with each reference that is
-            // stored.
+            // Skips storing unchanged references, which saves the GC write barrier.
             if (cone != around) {
                 cone = around;
             }
@@ -242,8 +241,8 @@ public final class OccluderSet {
         }
 
         /**
-         * Whether no segment from the apex to the light crosses the plane of a flat primitive, which is at a place: both lie on the same
-         * side of it, or one of them lies in it. A segment that only starts or ends in the plane does not cross it.
+         * Whether no segment from the apex to the light crosses the plane of a flat primitive, given the plane's index: both lie on the
+         * same side of it, or one of them lies in it. A segment that only starts or ends in the plane does not cross it.
          */
         private boolean staysBeside(int id, int plane) {
             double[] p = planeAtPlace;
@@ -271,15 +270,15 @@ public final class OccluderSet {
         }
     }
 
-    /** The same for segments from one point to some others. One per thread. */
+    /** Decides which primitives may occlude segments from one point to several others. One per thread. */
     public final class SegmentJudge implements ConeJudge {
         private SegmentEnds ends;
         private int start;
 
         /**
-         * Turns to the segments that lead to some ends.
+         * Sets the end points of the segments.
          *
-         * @param on the primitive that they begin on and never meet again, or -1
+         * @param on the id of the primitive that they begin on and cannot hit again, or -1
          */
         public void begin(SegmentEnds to, int on) {
             ends = to;
@@ -300,7 +299,7 @@ public final class OccluderSet {
             return misses ? CLEAR : MAY_BLOCK;
         }
 
-        /** As {@link Judge#staysBeside}, with the box around the ends. */
+        /** As {@link Judge#staysBeside}, for the box around the end points. */
         private boolean staysBeside(int plane) {
             double offset = planes[plane + 3];
             double height = -offset;

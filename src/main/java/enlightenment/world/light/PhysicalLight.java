@@ -19,7 +19,7 @@ import enlightenment.world.material.RadianceMap;
 import enlightenment.world.parts.CompiledPrimitives;
 
 /**
- * A light of physical shading: a face of a primitive that glows, or a point. What glows is a surface like any other: rays meet it, and it
+ * A light of physical shading: an emitting face of a primitive, or a point. An emitter is a surface like any other: rays hit it, and it
  * occludes what is behind it.
  */
 public final class PhysicalLight extends LightBody {
@@ -27,28 +27,33 @@ public final class PhysicalLight extends LightBody {
 
     private static final int[] NO_MEDIA = {};
 
-    /** The light's form: points on it, as they are seen from somewhere; null for a point. */
+    /** The light's form, which samples points on it; null for a point light. */
     public final AreaLight form;
 
-    /** The id of the primitive that glows; -1 for a point. */
+    /** The id of the emitting primitive; -1 for a point light. */
     public final int id;
 
-    /** Which of its faces. */
+    /** The emitting face of the primitive. */
     public final int face;
 
-    /** Whether it is a point light: then {@link #r}, {@link #g}, {@link #b} are radiant intensity in units of the frame; a delta light. */
+    /**
+     * Whether it is a point light, sampled as a delta light: then {@link #r}, {@link #g}, {@link #b} are radiant intensity in units of the
+     * frame.
+     */
     public final boolean isPoint;
 
-    /** How the intensity of a point light depends on direction; null if it is the same in all directions, and for lights with a surface. */
+    /**
+     * The dependence of a point light's intensity on direction; null if it is the same in all directions, and for lights with a surface.
+     */
     public final IntensityProfile profile;
 
     /** Whether it is a ball: then direct light of matte surfaces always has a closed form. */
     public final boolean isBall;
 
-    /** Whether it is flat: then no point in its plane has light from it. */
+    /** Whether it is flat: then it gives no light to points in its plane. */
     public final boolean isFlat;
 
-    /** What radiance is multiplied by at each point of the surface; null if it is the same at all points, and for points. */
+    /** The factor of radiance at each point of the surface; null if it is constant, and for point lights. */
     public final LightTexture texture;
 
     /**
@@ -60,26 +65,29 @@ public final class PhysicalLight extends LightBody {
     public final double g;
     public final double b;
 
-    /** The same of ultraviolet; 0 if nothing in the scene shows it. */
+    /** Emitted radiance or intensity of ultraviolet; 0 if nothing in the scene shows it. */
     public final double ultraviolet;
 
-    /** The mean of that over the surface: what choices among lights go by. Greater than 0 in each band in which any point emits. */
+    /**
+     * The mean of {@link #r}, {@link #g}, {@link #b} and {@link #ultraviolet} over the surface, for sampling of lights. Greater than 0 in
+     * each band in which any point emits.
+     */
     public final double meanR;
 
     public final double meanG;
     public final double meanB;
     public final double meanUltraviolet;
 
-    /** Whether its outside emits. */
+    /** Whether the outside of the surface emits. */
     public final boolean shinesOutside;
 
-    /** Whether light that its inside emits may be seen. */
+    /** Whether the inside of the surface emits light that may be seen. */
     public final boolean shinesInside;
 
-    /** Whether no segment to a point of it that {@link AreaLight#sample} chooses crosses its primitive before. */
+    /** Whether no segment to a point that {@link AreaLight#sample} chooses crosses the light's own primitive before its end. */
     public final boolean hidesNothingOfItself;
 
-    /** Set once, when the scene is compiled. */
+    /** Set once, when the scene is compiled; see {@link #mediaAround}. */
     int[] media = NO_MEDIA;
 
     private PhysicalLight(
@@ -117,7 +125,7 @@ public final class PhysicalLight extends LightBody {
         hidesNothingOfItself = surface != null && (surface.isFlat() || surface.isConvex() && surface.isSolid());
     }
 
-    /** Where a light is, as {@link LightBody} wants it. */
+    /** The geometry of a light as the constructor of {@link LightBody} takes it. */
     private record Place(Vec3 at, double radius, Vec3 right, Vec3 up, Vec3 ball, double ballRadius) {
         static Place ball(Vec3 center, double radius) {
             return new Place(center, radius, Vec3.ZERO, Vec3.ZERO, center, radius);
@@ -134,9 +142,9 @@ public final class PhysicalLight extends LightBody {
     }
 
     /**
-     * A point light of an intensity per squared unit of length of the frame.
+     * Makes a point light, with intensity in squared units of length of the frame.
      *
-     * @param profile by which the intensity of each direction is multiplied; null if it is the same in all
+     * @param profile factor of the intensity by direction; null if it is constant
      */
     static PhysicalLight point(Vec3 position, IntensityProfile profile, Rgb intensity, double ultraviolet) {
         return new PhysicalLight(
@@ -153,17 +161,17 @@ public final class PhysicalLight extends LightBody {
                 null);
     }
 
-    /** This point light without its ultraviolet, which nothing shows. */
+    /** This point light without ultraviolet, for scenes where nothing shows it. */
     public PhysicalLight withoutUltraviolet() {
         return ultraviolet == 0 ? this : point(new Vec3(x, y, z), profile, new Rgb(r, g, b), 0);
     }
 
     /**
-     * A face of a primitive that glows; null if it has no area in the frame, or glows only where nothing sees it.
+     * Makes the light of an emitting face; null if it has no area in the frame, or emits only where it is not seen.
      *
-     * @param sides the sides that glow
-     * @param isInsideSeen whether paths from the eye may come to its inside
-     * @param map what radiance is multiplied by; null if it is the same at all points
+     * @param sides the sides that emit
+     * @param isInsideSeen whether paths from the eye may hit its inside
+     * @param map the factor of radiance; null if it is constant
      */
     public static PhysicalLight glowing(
             Primitive p,
@@ -204,8 +212,8 @@ public final class PhysicalLight extends LightBody {
     }
 
     /**
-     * Whether a face lies in the plane of the light, which is flat, or of a part of it: then no point of the face has light from it.
-     * Rounding puts points of the face above or below that plane, where the light would fill half of their sky.
+     * Whether a face lies in the plane of this flat light, or of a part of it, so that no point of the face has light from it. Rounding
+     * puts points of the face above or below that plane, where the light would fill half of their sky.
      */
     public boolean isInPlaneWith(int otherId, int otherFace) {
         return isFlat
@@ -214,26 +222,26 @@ public final class PhysicalLight extends LightBody {
     }
 
     /**
-     * Whether a primitive is the ball that the light is. From inside every direction meets it, and none is sampled; but rounding puts half
-     * of the vertices that lie on it outside, from where light of its other side would seem to come through the near one.
+     * Whether a primitive is the ball that this light is. From inside every direction hits it, and none is sampled; but rounding puts half
+     * of the vertices on it outside, from where light of its far side would seem to come through the near one.
      */
     public boolean isBallOf(int otherId) {
         return isBall && id == otherId;
     }
 
-    /** Luminance of the mean radiance, or of intensity. */
+    /** Luminance of the mean radiance; of a point light that of its intensity. */
     public double luminance() {
         return 0.2126 * meanR + 0.7152 * meanG + 0.0722 * meanB;
     }
 
-    /** The solids of glass that points of the light may lie in, by ascending ids; not to be changed. */
+    /** The ids of solids of glass that points of the light may lie in, ascending; not to be changed. */
     public int[] mediaAround() {
         return media;
     }
 
-    /** Finds the faces that the light lies on, and that therefore do not occlude it. */
+    /** Finds the faces that the light lies on, which do not occlude it. */
     public void lieOn(CompiledPrimitives compiled, TouchedBoxes near, CoincidentSurfaces coincident, boolean few) {
-        // Among few primitives, candidates for occlusion are listed for each light, and its own need not be among them.
+        // With few primitives, candidates for occlusion are listed for each light, without the light's own.
         int left = few && hidesNothingOfItself ? id : NO_PRIMITIVE;
         lieOn(near, face, left, new Touched() {
             @Override

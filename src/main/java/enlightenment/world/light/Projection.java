@@ -5,10 +5,10 @@ import enlightenment.material.Texture;
 import enlightenment.texture.ImageTexture;
 
 /**
- * The picture of a projector.
+ * The picture of a projector as an intensity profile.
  *
- * @param image its texels as light
- * @param isNearest whether a place has the light of its texel, rather than what is bilinear between the centres of four
+ * @param image its texels as linear light
+ * @param isNearest whether texels are constant, not interpolated bilinearly between the centres of four
  */
 record Projection(ImageTexture image, boolean isNearest) implements PictureProfile.Picture {
     static Projection of(Texture.File texture, ImageTexture image) {

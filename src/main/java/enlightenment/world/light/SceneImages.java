@@ -17,8 +17,8 @@ import java.util.Map;
 import java.util.function.Function;
 
 /**
- * The image files of scenes, each read once, for as long as this is kept, and the tables of their materials: what the frames of a film have
- * in common. A file that changes meanwhile is not read again.
+ * The image files of scenes, each read once for the lifetime of this object, and the tables of their materials: shared by the frames of a
+ * film. A file that changes meanwhile is not read again.
  */
 public final class SceneImages {
     private final Function<Path, byte[]> files;
@@ -26,12 +26,12 @@ public final class SceneImages {
 
     private final Map<Path, IntensityTable> tables = new HashMap<>();
 
-    /** The last surroundings, and what they were made of. */
+    /** The last surroundings, and the background that they were made from. */
     private Surroundings surroundings;
 
     private Shading.Background background;
 
-    /** Those of the last scene. */
+    /** The scattering functions of the last scene's materials. */
     private MaterialBsdfs bsdfs = new MaterialBsdfs();
 
     private record Key(Path file, Texture.Encoding encoding, boolean isPhysical) {}
@@ -47,10 +47,10 @@ public final class SceneImages {
     }
 
     /**
-     * The picture in a file.
+     * The image in a file.
      *
-     * @param isPhysical whether its texels become light
-     * @param scene where the texture has its name
+     * @param isPhysical whether its texels become linear light
+     * @param scene in which the texture has its name
      * @throws SceneException if the file cannot be used
      */
     public ImageTexture of(Texture.File texture, boolean isPhysical, Scene scene) {
@@ -62,7 +62,7 @@ public final class SceneImages {
     }
 
     /**
-     * As {@link #of}.
+     * The image in a file, as {@link #of(Texture.File, boolean, Scene)}.
      *
      * @throws IOException if the file cannot be used; the message names it
      */
@@ -78,7 +78,7 @@ public final class SceneImages {
     }
 
     /**
-     * The intensities in a file, which are kept as images are.
+     * The intensity table in a file, kept as images are.
      *
      * @param index of the light among the scene's
      * @throws SceneException at the place of the light, if the file cannot be used
@@ -99,13 +99,13 @@ public final class SceneImages {
         return table;
     }
 
-    /** Whether there is any already. */
+    /** Whether any image has been read. */
     public synchronized boolean haveBeenRead() {
         return !images.isEmpty();
     }
 
     /**
-     * What a background becomes; null if the same light comes from everywhere. The last one is kept.
+     * The compiled surroundings of a background; null if their radiance is constant. The last ones are kept.
      *
      * @throws SceneException if the file of a picture cannot be used
      */
@@ -117,7 +117,7 @@ public final class SceneImages {
         return surroundings;
     }
 
-    /** How the materials of the next scene scatter light: what the last one has in common with it is not made again. */
+    /** The scattering functions for the materials of the next scene, which reuse those of the last one. */
     public synchronized MaterialBsdfs bsdfs() {
         bsdfs = bsdfs.next();
         return bsdfs;

@@ -4,8 +4,8 @@ import enlightenment.frame.BallCone;
 import enlightenment.numeric.Scale;
 
 /**
- * Some points that segments from a common point lead to, for {@code Tracer}: what cannot be met on the way to any of them
- * is found for all of them together. A mutable work object, one per thread.
+ * The end points of segments from a common point, for {@code Tracer}: occluder candidates are found for all of them together. A mutable
+ * work object, one per thread.
  */
 public final class SegmentEnds {
     /** The id of no primitive. */
@@ -20,10 +20,10 @@ public final class SegmentEnds {
     /** The sum of the largest absolute coordinates. */
     double size;
 
-    /** The cone in which they are seen. */
+    /** The cone of directions to the points. */
     public final BallCone cone = new BallCone();
 
-    /** The primitive that all of the points lie on, or -1. */
+    /** The id of the primitive that all points lie on, or -1. */
     private int on;
 
     private double x;
@@ -35,9 +35,9 @@ public final class SegmentEnds {
     public SegmentEnds() {}
 
     /**
-     * Forgets the points.
+     * Removes all points.
      *
-     * @param surface the primitive that all points to come lie on, the way that segments do not meet it earlier: a flat one, or a convex
+     * @param surface the id of a primitive that all points to come lie on and that no segment hits before its end: a flat one, or a convex
      *     one from outside; -1 if there is none
      */
     public void clear(int surface) {
@@ -48,7 +48,7 @@ public final class SegmentEnds {
         }
     }
 
-    /** From here on points may lie on any primitive. */
+    /** Lets further points lie on any primitive. */
     public void mix() {
         on = NONE;
     }
@@ -65,7 +65,7 @@ public final class SegmentEnds {
         box[c + 3] = Math.max(box[c + 3], value);
     }
 
-    /** Finds the ball around the points, of which there must be one or more. */
+    /** Finds the ball around the points, of which there must be at least one. */
     public void finish() {
         x = (box[0] + box[3]) / 2;
         y = (box[1] + box[4]) / 2;
@@ -80,12 +80,12 @@ public final class SegmentEnds {
         radius = Math.sqrt(dx * dx + dy * dy + dz * dz) * (1 + ERROR) + ERROR * size;
     }
 
-    /** Whether no segment can meet the primitive on its way, since its points lie on it. */
+    /** Whether all points lie on this primitive, so that no segment hits it before its end. */
     boolean lieOn(int id) {
         return id == on;
     }
 
-    /** Turns the cone to where segments begin. */
+    /** Sets the apex of the cone to the segments' common point. */
     public void seenFrom(double px, double py, double pz) {
         cone.set(x, y, z, radius, px, py, pz);
     }

@@ -4,19 +4,22 @@ import enlightenment.surroundings.Sun;
 import java.util.Arrays;
 
 /**
- * Which lights are so small, as surfaces with narrow lobes see them, that paths from the eye seldom find what these make of them: those
- * caustics are the business of paths from these lights. Others are found from the eye, with less noise.
+ * Decides which lights are so small, as seen from surfaces with narrow lobes, that paths from the eye seldom find their caustics: light
+ * paths sample these. Caustics of other lights are found from the eye, with less variance.
  */
 final class SmallLights {
-    /** Steradians, a 63rd of a hemisphere. Fitted (docs/notes/caustics.md): beyond it paths from the light bring little or nothing. */
+    /**
+     * The largest solid angle of a small light, in steradians: a 63rd of a hemisphere. Fitted (docs/notes/caustics.md): beyond it light
+     * paths help little or not at all.
+     */
     private static final double SMALL = 0.1;
 
     private SmallLights() {}
 
     /**
-     * Which they are, by light, then by sun: all suns are small, or none, since next-event estimation leaves out all or none.
+     * By light, then by sun: whether it is small. All suns are small, or none, since next-event estimation leaves out all or none.
      *
-     * @param narrow what has narrow lobes
+     * @param narrow the surfaces with narrow lobes
      */
     static boolean[] of(PhysicalLight[] lights, Sun[] suns, SpecularThings narrow) {
         boolean[] small = new boolean[lights.length + suns.length];

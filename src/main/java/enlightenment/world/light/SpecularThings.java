@@ -13,11 +13,11 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * The mirrors and the glass of a scene, and rough surfaces with narrow lobes, as a few balls around them: what a path from a light that may
- * make a caustic is aimed at.
+ * The specular casters of a scene: mirrors, glass, and rough surfaces with narrow lobes, as a few balls around them at which light paths
+ * for caustics are aimed.
  */
 public final class SpecularThings {
-    /** The balls, by their centres and radii. */
+    /** The centres and radii of the balls, in the frame. */
     final double[] x;
 
     final double[] y;
@@ -43,11 +43,11 @@ public final class SpecularThings {
     }
 
     /**
-     * The things of a scene.
+     * The casters of a scene.
      *
-     * @param most with more of them than this, those near each other share a ball
-     * @param withSharp whether mirrors and glass are wanted
-     * @param withNarrow whether surfaces with narrow lobes are
+     * @param most the largest number of balls: of more casters, adjacent ones share a ball
+     * @param withSharp whether mirrors and glass are included
+     * @param withNarrow whether surfaces with narrow lobes are included
      */
     static SpecularThings of(CompiledPrimitives compiled, int most, boolean withSharp, boolean withNarrow) {
         int n = compiled.primitives().length;
@@ -80,13 +80,13 @@ public final class SpecularThings {
         return material.bsdf.isNarrow() && !material.isBlack;
     }
 
-    /** Whether it is glass, or has a delta lobe; not a border that turns no ray. */
+    /** Whether a material is glass that refracts, or has a delta lobe. */
     public static boolean isSharp(SurfaceMaterial material) {
         boolean turns = material.medium == null || material.indexOfRefraction != 1;
         return material.isGlass && turns || !material.isGlass && material.bsdf.hasDelta() && !material.isBlack;
     }
 
-    /** Halves the primitives, by their places along the longer side of their box, until there are groups enough. */
+    /** Splits primitives into halves along the longer side of their box, until there are enough groups. */
     private static void split(Primitive[] all, boolean[] sharp, int[] ids, int most, List<Group> groups) {
         if (ids.length == 1 || most == 1) {
             groups.add(Group.of(all, sharp, ids));

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** Of pairs of a mirror and a light the few with the largest power; of equals those with the least id, then the least light. */
+/** Keeps the few pairs of mirror and light with the largest power; of equal ones those with the least mirror id, then the least light. */
 public final class StrongestPairs {
-    /** A mirror by its id, a light by its index, and what power goes from the one to the other. */
+    /** A mirror's id, a light's index, and the power that goes from the light to the mirror. */
     public record Pair(int id, int light, double power) {
         boolean isBefore(double otherPower, int otherId, int otherLight) {
             return power != otherPower ? power > otherPower : id != otherId ? id < otherId : light < otherLight;
@@ -16,17 +16,19 @@ public final class StrongestPairs {
     private final int most;
     private final List<Pair> pairs = new ArrayList<>();
 
-    /** @param most how many are kept */
+    /**
+     * @param most the number of pairs to keep
+     */
     public StrongestPairs(int most) {
         this.most = most;
     }
 
-    /** Whether a pair would be kept now. One that comes after it, by power, id and light, is kept at no time if this one is not. */
+    /** Whether a pair would be kept now. If not, none that is ordered after it will ever be kept. */
     boolean takes(double power, int id, int light) {
         return pairs.size() < most || !pairs.get(most - 1).isBefore(power, id, light);
     }
 
-    /** Keeps a pair, which has not been offered before, if it is one of the best. */
+    /** Keeps a pair that was not offered before, if it is one of the strongest. */
     void offer(double power, int id, int light) {
         if (takes(power, id, light)) {
             int place = pairs.size();
@@ -40,12 +42,12 @@ public final class StrongestPairs {
         }
     }
 
-    /** Those kept, by power. */
+    /** The pairs kept, in order of power. */
     public List<Pair> byPower() {
         return List.copyOf(pairs);
     }
 
-    /** Those kept, by id and light. */
+    /** The pairs kept, in order of id and light. */
     public List<Pair> byId() {
         return pairs.stream()
                 .sorted(Comparator.comparingInt(Pair::id).thenComparingInt(Pair::light))

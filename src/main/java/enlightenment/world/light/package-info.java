@@ -1,5 +1,5 @@
 /**
- * Lights as rendering reads them: emitting surfaces, points, the surroundings, what can occlude each, and how likely each is to be
- * chosen.
+ * Lights as rendering reads them: emitting surfaces, point lights and surroundings, the possible occluders of each, and the distributions
+ * that sample them.
  */
 package enlightenment.world.light;

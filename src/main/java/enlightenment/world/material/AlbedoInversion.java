@@ -3,10 +3,10 @@ package enlightenment.world.material;
 import enlightenment.bsdf.GaussLegendre;
 
 /**
- * From the share of light that a thick medium gives back to that which each of its scatterings leaves: S. Chandrasekhar's exact solution of
- * the half-space that scatters to all sides alike ("Radiative Transfer", 1960), inverted.
+ * Computes the single-scattering albedo of a thick medium from its reflectance: inverts S. Chandrasekhar's exact solution of the half-space
+ * with isotropic scattering ("Radiative Transfer", 1960).
  *
- * <p>With w the albedo of single scattering, the half-space under light from everywhere gives back 1 − 2 sqrt(1 − w) ∫ H(μ) μ dμ. That
+ * <p>With w the albedo of single scattering, the half-space under uniform illumination reflects 1 − 2 sqrt(1 − w) ∫ H(μ) μ dμ. That
  * moment of H stands in the first two terms of 1 / H(μ) for large μ, which its integral equation and the closed form of V. Busbridge ("The
  * Mathematics of Radiative Transfer", 1960) both have; comparing them leaves one integral over an angle,
  *
@@ -15,15 +15,15 @@ import enlightenment.bsdf.GaussLegendre;
  * whose integrand is smooth in the logarithm of θ.
  */
 final class AlbedoInversion {
-    /** The range of angles is halved so often; what lies below has no share of as much as a rounding. */
+    /** The number of halvings of the range of angles; the rest contributes less than a rounding. */
     private static final int OCTAVES = 27;
 
     private static final int POINTS = 10;
 
-    /** Below this angle 1 − θ cot θ is a sum of powers. */
+    /** Below this angle 1 − θ cot θ is summed as a power series. */
     private static final double SMALL_ANGLE = 0.125;
 
-    /** Below this, so is 1 − ln(1 + z) / z. */
+    /** Below this z, 1 − ln(1 + z) / z is summed as a power series. */
     private static final double SMALL_RATIO = 0x1p-10;
 
     private static final int STEPS = 60;
@@ -31,7 +31,7 @@ final class AlbedoInversion {
     /** At each angle of the quadrature: 1 − θ cot θ. */
     private static final double[] RISE = new double[OCTAVES * POINTS];
 
-    /** That by sin² θ, times the weight of the point; all together are 1. */
+    /** At each angle of the quadrature: (1 − θ cot θ) / sin² θ times the weight of the point; they add up to 1. */
     private static final double[] WEIGHT = new double[OCTAVES * POINTS];
 
     static {
@@ -54,7 +54,7 @@ final class AlbedoInversion {
         if (angle >= SMALL_ANGLE) {
             return (sin - angle * StrictMath.cos(angle)) / sin;
         }
-        // (sin θ − θ cos θ) / θ, by their powers.
+        // (sin θ − θ cos θ) / θ as a power series.
         double sum = 0;
         for (int n = 6; n >= 1; n--) {
             // 2n / (2n + 1)! = 1/3, 1/30, 1/840, ... of alternating signs.
@@ -72,16 +72,16 @@ final class AlbedoInversion {
     }
 
     /**
-     * The share of light that each scattering leaves in a half-space without a border that reflects, which scatters to all sides alike.
+     * The single-scattering albedo of a half-space with isotropic scattering and no reflecting interface.
      *
-     * @param givenBack the share of light from everywhere that it gives back, 0..1
+     * @param givenBack its reflectance under uniform illumination, 0..1
      * @return 0..1; 1 within 10^-8 of 1
      */
     static double singleScattering(double givenBack) {
         if (givenBack <= 0 || givenBack >= 1) {
             return givenBack <= 0 ? 0 : 1;
         }
-        // By the root of what is lost, in which the share is nearly linear.
+        // Bisection in the square root of the absorption, in which the reflectance is nearly linear.
         double low = 0;
         double high = 1;
         for (int i = 0; i < STEPS; i++) {
@@ -96,9 +96,9 @@ final class AlbedoInversion {
     }
 
     /**
-     * The share of light that a half-space gives back.
+     * The reflectance of a half-space under uniform illumination.
      *
-     * @param root the root of what each scattering absorbs, 0..1
+     * @param root the square root of the absorbed share of each scattering event, 0..1
      */
     static double givenBack(double root) {
         double ratio = (1 - root) * (1 + root) / (root * root);

@@ -4,15 +4,15 @@ import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
 
 /**
- * An amount ready to be looked up. Immutable.
+ * A textured number as rendering reads it. Immutable.
  *
- * @param map where its numbers come from
- * @param channel which component of its colours
- * @param factor what that is multiplied by
+ * @param map the texture
+ * @param channel the component of its colours that is the number
+ * @param factor of that component
  */
 public record AmountLookup(TextureLookup map, Texture.Amount.Channel channel, double factor) {
 
-    /** One number everywhere. */
+    /** A constant amount. */
     public static AmountLookup of(Texture.Amount.Constant amount) {
         return mean(new TextureLookup(Texture.of(Rgb.gray(amount.value())), null, true));
     }
@@ -33,7 +33,7 @@ public record AmountLookup(TextureLookup map, Texture.Amount.Channel channel, do
                 };
     }
 
-    /** A text that is equal for amounts that are the same everywhere. */
+    /** A text that is equal for amounts that are equal everywhere. */
     String look() {
         return map.look() + (channel == Texture.Amount.Channel.MEAN && factor == 1 ? "" : " " + channel + " " + factor);
     }

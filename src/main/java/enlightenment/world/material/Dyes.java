@@ -6,18 +6,18 @@ import enlightenment.material.Material;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 
-/** What the dyes of fluorescent materials do with the light of a scene: nothing that the scene does not require. */
+/** Compiles the dyes of fluorescent materials, without what the light of the scene does not require. */
 public final class Dyes {
     private final Scene scene;
 
-    /** Whether anything shines in ultraviolet; null until somebody asks. */
+    /** Whether the scene has ultraviolet light; null until it is needed. */
     private Boolean hasUltraviolet;
 
     public Dyes(Scene scene) {
         this.scene = scene;
     }
 
-    /** What a dye does; null if that is nothing: then the surface is a matte one. */
+    /** The reradiation of a dye; null if it re-emits nothing: then the surface is a matte one. */
     Reradiation of(Material.Fluorescent dye) {
         Reradiation r = new Reradiation(
                 dye.absorption().low(),

@@ -9,12 +9,12 @@ import java.util.function.Predicate;
 
 /** The materials of primitives by id and face: a primitive has one for all its faces or one for each. Immutable. */
 public final class FaceMaterials {
-    /** For each id, where its materials begin, and where the last one's end; null if each has one. */
+    /** By id, the index of its first material, then the end of the last one's; null if each primitive has one. */
     private final int[] first;
 
     private final SurfaceMaterial[] materials;
 
-    /** Each of them once: a million primitives are of a few. */
+    /** Each material once: a million primitives have few. */
     private final SurfaceMaterial[] distinct;
 
     /** @param byId for each of n primitives its one material, or one per face */
@@ -46,7 +46,7 @@ public final class FaceMaterials {
         return found.toArray(SurfaceMaterial[]::new);
     }
 
-    /** Each of the materials once, in place of one with detail what it may be made of. */
+    /** Each of the materials once; in place of one with detail, the materials that it may resolve to. */
     public List<SurfaceMaterial> distinct() {
         Set<SurfaceMaterial> all = new LinkedHashSet<>();
         for (SurfaceMaterial m : distinct) {
@@ -55,7 +55,7 @@ public final class FaceMaterials {
         return List.copyOf(all);
     }
 
-    /** Whether some surface has holes. */
+    /** Whether some surface has an alpha mask. */
     public boolean haveMasks() {
         return Arrays.stream(distinct).anyMatch(SurfaceMaterial::hasMask);
     }
@@ -65,12 +65,12 @@ public final class FaceMaterials {
         return Arrays.stream(distinct).anyMatch(SurfaceMaterial::readsImages);
     }
 
-    /** Whether some surface is of such a material. */
+    /** Whether some surface's material satisfies a condition. */
     public boolean any(Predicate<SurfaceMaterial> such) {
         return Arrays.stream(distinct).anyMatch(m -> m.any(such));
     }
 
-    /** What fills a solid of glass: the material of the first of its faces that is of glass; face 0 of another one. */
+    /** The material that fills a solid of glass: that of the first of its faces of glass; if there is none, of face 0. */
     public SurfaceMaterial inside(int id) {
         int start = first == null ? id : first[id];
         int end = first == null ? id + 1 : first[id + 1];

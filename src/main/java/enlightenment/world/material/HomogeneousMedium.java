@@ -6,11 +6,11 @@ import enlightenment.frame.SceneFrame;
 import enlightenment.material.Medium;
 import enlightenment.numeric.Scale;
 
-/** What fills a solid that scatters light inside, or the whole scene: the same everywhere, per unit of length of the frame. Immutable. */
+/** A scattering medium that fills a solid or the whole scene, homogeneous; coefficients are per unit of length of the frame. Immutable. */
 public final class HomogeneousMedium {
     /**
-     * No mean free path in the frame, in which the scene has a size of about 1, is taken as shorter than the inverse of this: rounded
-     * places could not tell the steps of a path apart, and what light does there is over on a way that nobody sees.
+     * The largest extinction coefficient in the frame, in which the scene has a size of about 1: with shorter mean free paths, rounded
+     * positions could not resolve a path's steps, and light does not get visibly far.
      */
     private static final double DENSEST = 0x1p36;
 
@@ -26,10 +26,10 @@ public final class HomogeneousMedium {
     public final double extinctionG;
     public final double extinctionB;
 
-    /** Whether that is the same in all bands. */
+    /** Whether extinction is the same in all bands. */
     public final boolean isGrey;
 
-    /** How it scatters. */
+    /** The phase function. */
     public final HenyeyGreenstein phase;
 
     private final String look;
@@ -86,20 +86,18 @@ public final class HomogeneousMedium {
         return scattering == extinction ? inFrame : scattering / extinction * inFrame;
     }
 
-    /**
-     * The albedo of single scattering, by similarity from that of an isotropic medium which gives back the same share (H. van de Hulst).
-     */
+    /** The single-scattering albedo, by similarity from that of an isotropic medium with the same reflectance (H. van de Hulst). */
     private static double albedo(double givenBack, double g) {
         double isotropic = AlbedoInversion.singleScattering(givenBack);
         return isotropic / (isotropic + (1 - g) * (1 - isotropic));
     }
 
-    /** Whether it scatters any light; if it only absorbs, what is left of a straight way says all. */
+    /** Whether it scatters any light; if it only absorbs, transmittance describes it. */
     boolean scatters() {
         return scatteringR > 0 || scatteringG > 0 || scatteringB > 0;
     }
 
-    /** How much is lost on a straight way, by band: scattered or absorbed. */
+    /** The extinction coefficient, by band. */
     Rgb extinction() {
         return new Rgb(extinctionR, extinctionG, extinctionB);
     }

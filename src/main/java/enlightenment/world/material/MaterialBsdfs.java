@@ -28,13 +28,13 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 
 /**
- * How the materials of a scene scatter light. Those with tables are made once for all materials that differ in colour alone, and not again for
- * the scene after. For use by one thread.
+ * The scattering functions of a scene's materials. Those with tables are made once for all materials that differ in colour alone, and
+ * reused for the next scene. For use by one thread.
  */
 public final class MaterialBsdfs {
     private final Map<List<Object>, Bsdf> made = new ConcurrentHashMap<>();
 
-    /** Those of the scene before, which may still be compiled by another thread. */
+    /** The scattering functions of the scene before, which another thread may still be compiling. */
     private final Map<List<Object>, Bsdf> earlier;
 
     private final PrincipledLayers layers = new PrincipledLayers();
@@ -47,7 +47,7 @@ public final class MaterialBsdfs {
         this.earlier = earlier;
     }
 
-    /** For another scene, which takes from this one what it needs as well; the rest is not kept. */
+    /** For the next scene: reuses those of this one that it needs; the rest is dropped. */
     public MaterialBsdfs next() {
         return new MaterialBsdfs(made);
     }
@@ -162,13 +162,18 @@ public final class MaterialBsdfs {
                 sheen);
     }
 
-    /** The index of refraction at least 1 whose reflectance ((n − 1)/(n + 1))² at normal incidence is that of another, times a factor. */
+    /**
+     * The index of refraction, at least 1, whose reflectance at normal incidence, ((n − 1)/(n + 1))², is that of another times a factor.
+     */
     static double index(double of, double factor) {
         double root = Math.sqrt(factor) * ((of - 1) / (of + 1));
         return factor == 1 ? of : (1 + root) / (1 - root);
     }
 
-    /** Of a roughness by a texture, a rough border that stands for those of its levels where nothing asks for the place. */
+    /**
+     * The scattering function of a rough interface; for a textured roughness, one that stands for those of all its levels where no position
+     * is given.
+     */
     private Bsdf border(Texture.Amount roughness, boolean losesNothing) {
         double value = roughness instanceof Texture.Amount.Constant constant ? constant.value() : 1;
         double alpha = value * value;

@@ -15,17 +15,17 @@ import enlightenment.material.Texture;
 import enlightenment.numeric.Scale;
 
 /**
- * What physical shading knows of a material beyond its colour.
+ * The properties of a material in physical shading, beyond its colour.
  *
- * @param bsdf how it scatters light
- * @param glow the radiance that it emits
+ * @param bsdf the scattering function
+ * @param glow the emitted radiance
  * @param sides the sides that emit
- * @param absorption how much of light a solid of it takes away on a straight way, per unit of length of the frame
- * @param dispersion how much its index of refraction grows with the place of the wavelength
- * @param ultraviolet the radiance of ultraviolet that it emits
- * @param reradiation what a dye in it does; null if there is none
- * @param medium what fills a solid of it if that scatters light; else null
- * @param described what {@link #look()} tells; null for a light
+ * @param absorption the extinction coefficient inside a solid of it, per unit of length of the frame
+ * @param dispersion the slope of its index of refraction by wavelength ({@link enlightenment.colorimetry.CauchyFormula#slope})
+ * @param ultraviolet the emitted radiance of ultraviolet
+ * @param reradiation of a dye in it; null if there is none
+ * @param medium that fills a solid of it, if that scatters light; else null
+ * @param described the part of {@link #look()} that comes from the description; null for a light
  */
 public record PhysicalSurface(
         Bsdf bsdf,
@@ -37,11 +37,13 @@ public record PhysicalSurface(
         Reradiation reradiation,
         HomogeneousMedium medium,
         Look described) {
-    /** That of a material of classic shading. */
+    /** The properties of a material of classic shading: none. */
     static final PhysicalSurface NONE = new PhysicalSurface(
             null, Rgb.BLACK, Material.EmissionPattern.Side.FRONT, Rgb.BLACK, 0, 0, null, null, null);
 
-    /** @param bsdfs makes how it scatters light */
+    /**
+     * @param bsdfs makes the scattering function
+     */
     public static PhysicalSurface of(Material material, SceneFrame frame, Dyes dyes, MaterialBsdfs bsdfs) {
         Rgb factor = material.radianceMap().orElse(null) instanceof Texture.Solid solid
                 ? solid.color().linear()
@@ -84,7 +86,7 @@ public record PhysicalSurface(
         return new PhysicalSurface(Lambert.INSTANCE, radiance, sides, Rgb.BLACK, 0, ultraviolet, null, null, null);
     }
 
-    /** All this as a text that is equal for materials that look the same. Made when it is asked for: of thousands of lights hardly one is. */
+    /** A text that is equal for materials that look the same. Made on demand: few of thousands of lights need it. */
     public String look() {
         return text(glow, ultraviolet)
                 + (described == null
@@ -93,7 +95,7 @@ public record PhysicalSurface(
     }
 
     /**
-     * What surfaces that look the same have in common, beside what shines.
+     * The properties that surfaces of equal look have in common, emission aside.
      *
      * @param medium the text of the medium that is inside; null if there is none
      */
@@ -135,7 +137,7 @@ public record PhysicalSurface(
         };
     }
 
-    /** A record's own text takes as long as compiling a small scene, when a program has just started. */
+    /** Avoids a record's own text, whose first use takes as long as compiling a small scene. */
     private static String text(Rgb c) {
         return c.r() + "," + c.g() + "," + c.b();
     }
@@ -154,7 +156,10 @@ public record PhysicalSurface(
         return new Rgb(scaled(c.r(), exponent), scaled(c.g(), exponent), scaled(c.b(), exponent));
     }
 
-    /** Nothing is darker than what absorbs all light on the shortest way. */
+    /**
+     * The coefficient in the frame; the largest double instead of infinity: nothing is darker than a medium that absorbs all light on the
+     * shortest way.
+     */
     private static double scaled(double absorption, int exponent) {
         return Math.min(Scale.scalb(absorption, exponent), Double.MAX_VALUE);
     }

@@ -5,14 +5,16 @@ import enlightenment.primitive.Hit;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
-/** The texture that the radiance of a surface is multiplied by, and bounds of it. Immutable. */
+/** The texture by which a surface's radiance is multiplied, with bounds of its factors. Immutable. */
 public final class RadianceMap {
     private final TextureLookup texture;
 
     /** The largest factor of each band. */
     private final double[] largest = new double[3];
 
-    /** @param texture whose colours are linear light */
+    /**
+     * @param texture whose colours are linear light
+     */
     public RadianceMap(TextureLookup texture) {
         this.texture = texture;
         texture.forEachColor(rgb -> raise(largest, rgb));
@@ -34,7 +36,7 @@ public final class RadianceMap {
         texture.color(hit.u, hit.v, hit.primitive.repeatsTextures(), rgb);
     }
 
-    /** About how many texels lie in a part of the texture coordinates, along the side that has more of them. */
+    /** Roughly the number of texels in a box of texture coordinates, along the side that has more of them. */
     public double texels(double width, double height) {
         return texture.texelsAlong(width, height);
     }
@@ -46,7 +48,7 @@ public final class RadianceMap {
 
     /** Writes upper bounds of the factors where texture coordinates lie in a box. */
     public void bound(double u0, double v0, double u1, double v1, double[] rgb) {
-        // Coordinates are rounded: those of a point of the box may lie a little beside it.
+        // Rounded coordinates of a point of the box may lie a little beside it.
         double slack =
                 Scale.gamma(64) * (1 + Math.max(Math.abs(u0), Math.abs(u1)) + Math.max(Math.abs(v0), Math.abs(v1)));
         boolean isKnown = texture.forEachColor(u0 - slack, v0 - slack, u1 + slack, v1 + slack, new Bound(rgb));
@@ -55,7 +57,7 @@ public final class RadianceMap {
         }
     }
 
-    /** Collects the largest of each band. */
+    /** Collects the largest factor of each band. */
     private record Bound(double[] rgb) implements Consumer<double[]> {
         Bound {
             Arrays.fill(rgb, 0);

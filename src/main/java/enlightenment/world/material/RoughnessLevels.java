@@ -3,19 +3,19 @@ package enlightenment.world.material;
 import java.util.Arrays;
 
 /**
- * The roughnesses that a surface is made for where a texture says which it has: each has tables of its own, so there are some, and every
- * point is of one of the two around its own roughness, by chance in such a way that the mean is right. Two of a checkerboard are exact; for
- * images they are among {@value #STEPS} + 1 that are even in 0..1. Immutable.
+ * The roughness levels of a surface with textured roughness: each has tables of its own, so there are few, and every point has one of the
+ * two next to its own roughness, at random with the right mean. The two of a checkerboard are exact; for images they are among
+ * {@value #STEPS} + 1 that are even in 0..1. Immutable.
  *
  * @param low the first roughness
  * @param step from each to the next; 0 if there is one
- * @param count how many there are, at least 1
+ * @param count the number of levels, at least 1
  */
 public record RoughnessLevels(double low, double step, int count) {
-    /** The steps between 0 and 1: α differs by less than a tenth between neighbours from a roughness of a third on. */
+    /** The steps between 0 and 1: from a roughness of a third on, α differs by less than a tenth between neighbours. */
     private static final int STEPS = 63;
 
-    /** Those that the numbers of a texture lie between. */
+    /** The levels that cover the numbers of a texture. */
     public static RoughnessLevels of(AmountLookup amount) {
         double[] range = {Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
         amount.map().forEachColor(rgb -> {
@@ -37,7 +37,7 @@ public record RoughnessLevels(double low, double step, int count) {
         return Math.min(Math.max(value, 0), 1);
     }
 
-    /** All of them in order. */
+    /** All levels in order. */
     public double[] all() {
         double[] all = new double[count];
         Arrays.setAll(all, k -> clamped(low + k * step));
@@ -45,9 +45,9 @@ public record RoughnessLevels(double low, double step, int count) {
     }
 
     /**
-     * Which of them a point is of.
+     * The index of a point's level.
      *
-     * @param roughness what its texture says
+     * @param roughness of the texture there
      * @param number uniform in 0..1
      */
     int at(double roughness, double number) {

@@ -5,10 +5,10 @@ import enlightenment.sampling.Hash;
 import java.util.List;
 
 /**
- * What a material does at a place before it is known what the surface is made of there: it may be one of several, nothing at all, or turn
- * the normal. Immutable.
+ * The part of a material that decides, at a point, what the surface is made of there: one of several materials, a hole, or the same with
+ * another normal. Immutable.
  *
- * <p>Chance is a hash of the place: all paths that come there find one thing.
+ * <p>Random numbers are hashes of the position, so that all paths find the same there.
  */
 public final class SurfaceDetail {
     /** The kinds of detail. */
@@ -30,7 +30,7 @@ public final class SurfaceDetail {
 
     private final Kind kind;
 
-    /** Two of a mix, one for each roughness, else one. */
+    /** The two materials of a mix, one for each roughness level, or one otherwise. */
     private final SurfaceMaterial[] parts;
 
     private final AmountLookup amount;
@@ -38,12 +38,12 @@ public final class SurfaceDetail {
     /** The texture of {@link #amount}. */
     private final TextureLookup map;
 
-    /** The roughness of each part; null unless it is that which differs. */
+    /** The roughness of each part; null if parts do not differ in roughness. */
     private final RoughnessLevels levels;
 
     private final double height;
 
-    /** What its random numbers are drawn for: another purpose than that of each detail inside of it, so that the two are independent. */
+    /** Purpose of the random numbers: different from that of each nested detail, so that they are independent. */
     private final long purpose;
 
     private SurfaceDetail(
@@ -68,7 +68,7 @@ public final class SurfaceDetail {
         return new SurfaceDetail(kind, new SurfaceMaterial[] {of}, amount, height, null);
     }
 
-    /** How many details lie inside of each other. */
+    /** The largest number of nested details. */
     private int depth() {
         int inside = 0;
         for (SurfaceMaterial part : parts) {
@@ -77,59 +77,59 @@ public final class SurfaceDetail {
         return 1 + inside;
     }
 
-    /** One of two, by chance: the second with the probability that is its weight. */
+    /** One of two materials at random: the second with probability weight. */
     public static SurfaceDetail mix(SurfaceMaterial first, SurfaceMaterial second, AmountLookup weight) {
         return new SurfaceDetail(Kind.MIX, new SurfaceMaterial[] {first, second}, weight, 0, null);
     }
 
-    /** One of several that differ in roughness, by chance: of the two next to what a texture says. */
+    /** One of several materials that differ in roughness, at random: of the two levels next to the texture's roughness. */
     public static SurfaceDetail ofRoughness(
             RoughnessLevels levels, List<SurfaceMaterial> parts, AmountLookup roughness) {
         return new SurfaceDetail(Kind.ROUGHNESS, parts.toArray(SurfaceMaterial[]::new), roughness, 0, levels);
     }
 
-    /** One of several that differ in the roughness of their clear coat, by chance, as {@link #ofRoughness}. */
+    /** One of several materials that differ in the roughness of their clear coat, at random, as {@link #ofRoughness}. */
     public static SurfaceDetail ofClearcoatRoughness(
             RoughnessLevels levels, List<SurfaceMaterial> parts, AmountLookup roughness) {
         return new SurfaceDetail(Kind.CLEARCOAT_ROUGHNESS, parts.toArray(SurfaceMaterial[]::new), roughness, 0, levels);
     }
 
-    /** There with the probability alpha, else a hole. */
+    /** An alpha mask: the surface exists with probability alpha, else there is a hole. */
     public static SurfaceDetail mask(SurfaceMaterial of, AmountLookup alpha) {
         return ofOne(Kind.MASK, of, alpha, 0);
     }
 
-    /** With a normal that a texture has, in the basis of the texture's own directions. */
+    /** A normal map: the normal is given by a texture in the basis of its own directions. */
     public static SurfaceDetail normalMap(SurfaceMaterial of, TextureLookup map) {
         return ofOne(Kind.NORMAL_MAP, of, AmountLookup.mean(map), 0);
     }
 
-    /** With the normal of a surface that is as high above this one as a texture says, times a height. */
+    /** A bump map: the normal is that of a surface displaced by a texture times a height. */
     public static SurfaceDetail bump(SurfaceMaterial of, TextureLookup map, double height) {
         return ofOne(Kind.BUMP, of, AmountLookup.mean(map), height);
     }
 
-    /** Whether it reads an image. */
+    /** Whether this detail reads an image. */
     boolean hasImage() {
         return map.hasImage();
     }
 
-    /** The materials that it may come to. */
+    /** The materials that this detail may resolve to. */
     public SurfaceMaterial[] parts() {
         return parts.clone();
     }
 
-    /** Whether it turns normals. */
+    /** Whether this detail changes shading normals. */
     public boolean turnsNormal() {
         return kind == Kind.NORMAL_MAP || kind == Kind.BUMP;
     }
 
-    /** Whether it may leave holes. */
+    /** Whether this detail may leave holes. */
     public boolean isMask() {
         return kind == Kind.MASK;
     }
 
-    /** What the surface is made of at a place, which may have detail of its own. */
+    /** The material of the surface at a hit, which may have detail of its own. */
     public SurfaceMaterial at(Hit hit, double[] scratch) {
         return switch (kind) {
             case MIX -> parts[number(hit) < value(hit, scratch) ? 1 : 0];
@@ -138,7 +138,7 @@ public final class SurfaceDetail {
         };
     }
 
-    /** Whether there is a hole in a mask. */
+    /** Whether an alpha mask has a hole at a hit. */
     public boolean isHole(Hit hit, double[] scratch) {
         return number(hit) >= value(hit, scratch);
     }
@@ -168,10 +168,10 @@ public final class SurfaceDetail {
     }
 
     /**
-     * Turns a hit's shading normal.
+     * Changes a hit's shading normal.
      *
      * @param hit with a shading normal, and the directions of its texture
-     * @return whether it is turned, to a normal on the same side of the surface
+     * @return whether it is changed, to a normal on the same side of the surface
      */
     public boolean turn(Hit hit, double[] scratch) {
         if (!hit.primitive.textureDirections(hit)) {
@@ -190,7 +190,10 @@ public final class SurfaceDetail {
         return hit.turnShadingNormal(x, y, z);
     }
 
-    /** J. Blinn, "Simulation of wrinkled surfaces", 1978: the slopes are differences over a texel, which does not reach over an edge. */
+    /**
+     * Bump mapping by J. Blinn, "Simulation of wrinkled surfaces", 1978: slopes are differences over a texel, which does not reach over an
+     * edge.
+     */
     private boolean turnByHeights(Hit hit, double[] rgb) {
         double d = map.texel() / 2;
         double left = hit.u - d;

@@ -17,33 +17,31 @@ import java.util.function.Predicate;
 
 /** A material as shading reads it: plain fields, textures loaded. */
 public final class SurfaceMaterial {
-    /** How the surface scatters light. */
+    /** The scattering function of the surface. */
     public final Bsdf bsdf;
 
     /** {@link #bsdf} where surfaces are shaded by normals of vertices; null for glass, which has its own ({@link enlightenment.bsdf.SmoothRefraction}). */
     public final Bsdf smooth;
 
-    /** Whether all that it scatters goes in single directions: {@link Bsdf#isDelta}. */
+    /** Whether the scattering function has delta lobes only: {@link Bsdf#isDelta}. */
     public final boolean isDelta;
 
-    /** Whether light passes through it; then a solid of it is a medium. */
+    /** Whether it transmits light; then a solid of it is a medium. */
     public final boolean isGlass;
 
     /** The index of refraction; 1 unless it is glass. */
     public final double indexOfRefraction;
 
-    /**
-     * How much the index grows with the place of the wavelength ({@link enlightenment.colorimetry.CauchyFormula#slope}); 0 in classic shading.
-     */
+    /** The slope of the index of refraction by wavelength ({@link enlightenment.colorimetry.CauchyFormula#slope}); 0 in classic shading. */
     public final double dispersion;
 
-    /** The share of what is seen that comes through, 0..1; 0 unless it is glass. */
+    /** The transparency, 0..1: the share of light that comes through; 0 unless it is glass. */
     public final double transparency;
 
-    /** Which of several overlapping solids fills the overlap: the one of highest priority; 0 unless it is glass. */
+    /** The priority of a solid of glass: where several overlap, that of the highest fills the overlap; 0 unless it is glass. */
     public final int priority;
 
-    /** Whether shadows show on the surface. */
+    /** Whether classic shadows show on the surface. */
     public final boolean receivesShadows;
 
     /** Whether it reflects nothing, so that paths end there. */
@@ -55,60 +53,61 @@ public final class SurfaceMaterial {
     /** The sides that emit. */
     public final Material.EmissionPattern.Side sides;
 
-    /** The radiance that it emits, before it is multiplied by {@link #radianceMap}: linear, by band. */
+    /** The emitted radiance, before the factor of {@link #radianceMap}: linear, by band. */
     public final double glowR;
 
     public final double glowG;
     public final double glowB;
 
-    /** The same of ultraviolet. */
+    /** The emitted radiance of ultraviolet, before the factor of {@link #radianceMap}. */
     public final double glowUltraviolet;
 
-    /** What the radiance of each point is multiplied by; null if all points glow alike. */
+    /** The texture by which emitted radiance is multiplied; null if it is constant. */
     public final RadianceMap radianceMap;
 
-    /** What a dye makes of light that is not reflected; null unless there is one that light in the scene makes shine. */
+    /** The reradiation of a dye; null unless there is a dye that light of the scene excites. */
     public final Reradiation reradiation;
 
-    /** Whether a solid of it takes light away on a straight way. */
+    /** Whether a solid of it attenuates light. */
     public final boolean absorbs;
 
-    /** How much of it per unit of length of the frame, by band: what it absorbs, and what it scatters. */
+    /** The extinction coefficient of a solid of it, by band, per unit of length of the frame: absorption and scattering. */
     private final double absorptionR;
 
     private final double absorptionG;
     private final double absorptionB;
 
-    /** What fills a solid of it, if that scatters light; else null. */
+    /** The scattering medium that fills a solid of it; null if it does not scatter. */
     public final HomogeneousMedium medium;
 
     private final Material description;
 
-    /** What physical shading adds to the material; null for classic shading. */
+    /** The properties in physical shading; null for classic shading. */
     private final PhysicalSurface physical;
 
     private final TextureLookup texture;
 
-    /** What must be known of a place before it is known what the surface is made of there; null for most. */
+    /** The detail that decides what the surface is made of at a point; null for most materials. */
     public final SurfaceDetail detail;
 
-    /** What glass is made of where it is opaque; null if that is nowhere, and in classic shading. */
+    /** The material of partly transparent glass where it is opaque; null if that is nowhere, and in classic shading. */
     public final SurfaceMaterial opaque;
 
-    /** A material of classic shading, whose colours are display-referred. */
+    /** Makes a material of classic shading, whose colours are display-referred. */
     public SurfaceMaterial(Material material, ImageTexture image) {
         this(material, image, null);
     }
 
-    /** A material of physical shading, whose colours are linear, as those of the image must be. */
+    /** Makes a material of physical shading, whose colours are linear, as those of the image must be. */
     public SurfaceMaterial(Material material, ImageTexture image, PhysicalSurface physical) {
         this(material, image, physical, null, null, null);
     }
 
     /**
-     * A material of physical shading that has detail, which says what it is made of.
+     * Makes a material of physical shading that may have detail.
      *
-     * @param radianceMap what its radiance is multiplied by; null if all points glow alike
+     * @param detail decides what the surface is made of at a point; null for none
+     * @param radianceMap the texture by which emitted radiance is multiplied; null if it is constant
      * @param opaque see {@link #opaque}
      */
     public SurfaceMaterial(
@@ -166,19 +165,19 @@ public final class SurfaceMaterial {
         return glowR > 0 || glowG > 0 || glowB > 0;
     }
 
-    /** The radiance that it emits. */
+    /** The emitted radiance, before the factor of {@link #radianceMap}. */
     public Rgb glow() {
         return new Rgb(glowR, glowG, glowB);
     }
 
-    /** Whether it, or what it may be made of at some place, is such. */
+    /** Whether it, or a material that its detail may resolve to, satisfies a condition. */
     public boolean any(Predicate<SurfaceMaterial> such) {
         return detail == null
                 ? such.test(this) || opaque != null && opaque.any(such)
                 : Arrays.stream(detail.parts()).anyMatch(part -> part.any(such));
     }
 
-    /** Whether some detail of it is such. */
+    /** Whether any detail of it satisfies a condition. */
     private boolean anyDetail(Predicate<SurfaceDetail> such) {
         if (detail == null) {
             return opaque != null && opaque.anyDetail(such);
@@ -186,7 +185,7 @@ public final class SurfaceMaterial {
         return such.test(detail) || Arrays.stream(detail.parts()).anyMatch(part -> part.anyDetail(such));
     }
 
-    /** Adds what it may be made of at some place: itself, or its parts. */
+    /** Adds the materials that it may resolve to: itself, or the parts of its detail. */
     void addTo(Collection<SurfaceMaterial> all) {
         if (detail == null) {
             all.add(this);
@@ -200,17 +199,17 @@ public final class SurfaceMaterial {
         }
     }
 
-    /** Whether there may be holes in it. */
+    /** Whether it has an alpha mask. */
     boolean hasMask() {
         return anyDetail(SurfaceDetail::isMask);
     }
 
-    /** Whether its colour or its detail comes from an image, or that of what it may be made of. */
+    /** Whether its colour or detail, or that of a material that it may resolve to, reads an image. */
     boolean readsImages() {
         return any(SurfaceMaterial::hasImage) || anyDetail(SurfaceDetail::hasImage);
     }
 
-    /** Whether it turns normals by a texture. */
+    /** Whether it changes shading normals by a texture. */
     public boolean turnsNormals() {
         return anyDetail(SurfaceDetail::turnsNormal);
     }
@@ -239,7 +238,7 @@ public final class SurfaceMaterial {
         return texture.isTextured();
     }
 
-    /** Where its colour is looked up. */
+    /** The texture of the colour. */
     public TextureLookup texture() {
         return texture;
     }
@@ -255,9 +254,9 @@ public final class SurfaceMaterial {
     }
 
     /**
-     * Multiplies light by what is left of it after a straight way through a solid of this material: Beer's law.
+     * Multiplies light by the transmittance of a solid of this material, by the law of Beer and Lambert.
      *
-     * @param length of the way, in units of the frame
+     * @param length of the segment, in the frame
      * @param rgb light by band
      */
     public void absorb(double length, double[] rgb) {

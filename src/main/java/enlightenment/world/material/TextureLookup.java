@@ -7,9 +7,9 @@ import enlightenment.material.Texture;
 import enlightenment.texture.ImageTexture;
 import java.util.function.Consumer;
 
-/** A texture ready to be looked up: one colour, a checkerboard, or an image. Immutable. */
+/** A texture as rendering reads it: one colour, a checkerboard, or an image. Immutable. */
 public final class TextureLookup {
-    /** Bounds of more texels than this are not worth their time for each of many triangles. */
+    /** Beyond this number of texels, bounds for each of many triangles are not worth their time. */
     private static final int FEW_TEXELS = 1 << 14;
 
     private final Texture description;
@@ -63,7 +63,7 @@ public final class TextureLookup {
         return new double[] {c.r(), c.g(), c.b()};
     }
 
-    /** Whether it is black everywhere, as far as can be told without looking at an image. */
+    /** Whether it is black everywhere; images are not examined, and count as not black. */
     boolean isBlack() {
         return description instanceof Texture.Solid && r == 0 && g == 0 && b == 0;
     }
@@ -78,28 +78,28 @@ public final class TextureLookup {
         return image != null;
     }
 
-    /** The image that it is, or null. */
+    /** The image, or null. */
     public ImageTexture image() {
         return image;
     }
 
-    /** Whether places between texels of the image are interpolated. */
+    /** Whether texels of the image are interpolated bilinearly. */
     public boolean isBilinear() {
         return bilinear;
     }
 
-    /** Its colour, a checkerboard's second colour, and how many squares that has along a unit: 0 for what is none. */
+    /** Its colour, a checkerboard's second colour, and the number of squares along a unit: 0 for a part that does not exist. */
     public double[] numbers() {
         double[] second = other == null ? new double[3] : other;
         return new double[] {r, g, b, second[0], second[1], second[2], checks};
     }
 
-    /** The distance of two columns, or of two rows if there are more of them, in texture coordinates; 0 without an image. */
+    /** The size of a texel in texture coordinates, along the side that has more of them; 0 without an image. */
     double texel() {
         return image == null ? 0 : 1.0 / Math.max(image.width(), image.height());
     }
 
-    /** Writes the colour of one that is not textured. */
+    /** Writes the colour of a texture that does not depend on coordinates. */
     public void color(double[] rgb) {
         rgb[0] = r;
         rgb[1] = g;
@@ -128,7 +128,7 @@ public final class TextureLookup {
     }
 
     /**
-     * Gives all colours that it has, in linear light or display-referred as it is: of an image those of the texels, between which all others
+     * Passes all colours to a consumer, linear or display-referred as they are: of an image those of the texels, between which all others
      * lie.
      */
     void forEachColor(Consumer<double[]> consumer) {
@@ -143,10 +143,9 @@ public final class TextureLookup {
     }
 
     /**
-     * Gives all colours that may be found where texture coordinates lie in a box, if it is an image and the box lies in 0..1 and holds few
-     * texels.
+     * Passes all colours that occur where texture coordinates lie in a box, if it is an image and the box lies in 0..1 and has few texels.
      *
-     * @return false if none were given
+     * @return false if no colours were passed
      */
     boolean forEachColor(double u0, double v0, double u1, double v1, Consumer<double[]> consumer) {
         if (image == null || !(u0 >= 0 && v0 >= 0 && u1 <= 1 && v1 <= 1)) {
@@ -160,7 +159,7 @@ public final class TextureLookup {
         return true;
     }
 
-    /** About how many texels, or squares of a checkerboard, lie along the longer side of a box in texture coordinates. */
+    /** Roughly the number of texels, or squares of a checkerboard, along the longer side of a box in texture coordinates. */
     double texelsAlong(double width, double height) {
         if (image == null) {
             return checks * Math.max(width, height);
@@ -169,7 +168,7 @@ public final class TextureLookup {
     }
 
     private boolean odd(double coordinate) {
-        // The far edge belongs to the last square; beyond it the squares go on.
+        // The far edge belongs to the last square; beyond it the squares continue.
         double square = Math.floor(coordinate * checks);
         if (coordinate <= 1) {
             square = Math.min(square, Math.ceil(checks) - 1);

@@ -2,9 +2,9 @@ package enlightenment.world.parts;
 
 import java.util.Arrays;
 
-/** The order of many numbers, without an object for any of them. */
+/** Sorts indices by many numbers, without an object for any of them. */
 public final class Ascending {
-    /** Bits of a digit by which keys are sorted: the counts of its values fit into the processor's nearest memory. */
+    /** Bits of a digit of the radix sort: the counts of its values fit into the processor's first-level cache. */
     private static final int BITS = 11;
 
     private static final int RADIX = 1 << BITS;
@@ -30,7 +30,7 @@ public final class Ascending {
         }
         int[] other = new int[n];
         for (int digit = 0; digit < DIGITS; digit++) {
-            // Where all have the same digit, it sorts nothing: most numbers of a scene share some.
+            // A digit that all keys share sorts nothing; most numbers of a scene share some.
             if (counts[digit][digit(keys[0], digit)] < n) {
                 sort(keys, digit, counts[digit], order, other);
                 int[] sorted = other;
@@ -41,7 +41,7 @@ public final class Ascending {
         return order;
     }
 
-    /** By searching each in the sorted numbers: counts of digits would take longer. */
+    /** The order of few numbers, by a search for each in the sorted numbers, which is faster than a radix sort. */
     private static int[] orderOfFew(double[] numbers) {
         long[] sorted = new long[numbers.length];
         for (int i = 0; i < sorted.length; i++) {
@@ -70,18 +70,18 @@ public final class Ascending {
         }
     }
 
-    /** From the least significant one on. */
+    /** A digit of a key, counted from the least significant one. */
     private static int digit(long key, int digit) {
         return (int) (key >>> digit * BITS) & RADIX - 1;
     }
 
-    /** A whole number that compares with others as the double does. */
+    /** An integer that is ordered as the double is. */
     private static long comparable(double v) {
         long bits = Double.doubleToLongBits(v);
         return bits ^ bits >> 63 & Long.MAX_VALUE;
     }
 
-    /** Where a number that is there stands first. */
+    /** The first index of a number that occurs. */
     private static int first(long[] sorted, long number) {
         int low = 0;
         int high = sorted.length - 1;

@@ -36,12 +36,14 @@ public record CompiledPrimitives(
         int objects,
         int[] mediumRank) {
 
-    /** How a shape becomes primitives: one, or several that are its parts. */
+    /** Turns a shape into primitives: one, or several that are its parts. */
     public interface Placement {
         List<Primitive> place(Shape shape, SceneFrame frame);
     }
 
-    /** @param poll called now and then; ends this by what it throws */
+    /**
+     * @param poll called regularly; what it throws ends this
+     */
     public static CompiledPrimitives of(
             List<SceneObject> objects,
             SceneFrame frame,

@@ -2,7 +2,7 @@ package enlightenment.world.parts;
 
 import java.util.Arrays;
 
-/** A growing list of numbers that is used again. */
+/** A growing list of ints that is reused. */
 public final class IntList {
     private int[] numbers = new int[16];
     private int size;
@@ -30,12 +30,12 @@ public final class IntList {
         numbers[k] = number;
     }
 
-    /** Keeps the first n. */
+    /** Keeps the first n elements. */
     public void shorten(int n) {
         size = n;
     }
 
-    /** Ascending. */
+    /** Sorts the elements in ascending order. */
     public void sort() {
         Arrays.sort(numbers, 0, size);
     }

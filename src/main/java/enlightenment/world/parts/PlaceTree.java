@@ -4,29 +4,29 @@ import enlightenment.numeric.MedianCut;
 import java.util.Arrays;
 
 /**
- * Which of many boxes hold a point: a floor has as many as there are things on it, and each ray that hits it asks. A balanced tree, its
- * nodes as in a heap, its leaves of up to {@link #LEAF} boxes; read only once it is built.
+ * Finds which of many boxes contain a point: a floor has as many boxes as there are objects on it, and each ray that hits it asks. A
+ * balanced tree, its nodes as in a heap, its leaves of up to {@link #LEAF} boxes; read only once it is built.
  */
 public final class PlaceTree {
-    /** As many boxes are as quickly asked one by one. */
+    /** The number of boxes in a leaf, which a loop tests as fast. */
     public static final int LEAF = 16;
 
     /** Numbers of a box: its lower corner, its upper corner. */
     public static final int BOX = 6;
 
-    /** The boxes' numbers, those of a leaf adjacent. */
+    /** The indices of the boxes, those of a leaf adjacent. */
     private final int[] items;
 
-    /** The box of each node; those of node i are 2i + 1 and 2i + 2. */
+    /** The box of each node; the children of node i are 2i + 1 and 2i + 2. */
     private final double[] nodes;
 
     private final int levels;
 
     /**
-     * A tree of boxes.
+     * Makes a tree of boxes.
      *
      * @param boxes six numbers for each
-     * @param bounds six numbers: a box in which the points will mostly be; the boxes are told apart by what they have of it
+     * @param bounds six numbers: a box that most points will lie in; the tree separates the boxes by their parts within it
      */
     public PlaceTree(double[] boxes, double[] bounds) {
         int n = boxes.length / BOX;
@@ -41,7 +41,7 @@ public final class PlaceTree {
         new Builder(boxes, bounds).build(0, 0, n, levels);
     }
 
-    /** Adds the numbers of some boxes in no order, those that hold a point among them. */
+    /** Adds the indices of some boxes in no order, among them all that contain a point. */
     public void candidates(double x, double y, double z, IntList out) {
         candidates(0, 0, items.length, levels, x, y, z, out);
     }
@@ -73,7 +73,7 @@ public final class PlaceTree {
     private final class Builder {
         private final double[] boxes;
 
-        /** The centres of what the boxes have of the bounds. */
+        /** By axis, the centres of the boxes' parts within the bounds. */
         private final double[][] centers;
 
         Builder(double[] boxes, double[] bounds) {

@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
-/** The primitives of a scene's objects in the order of the file, on their way to the canonical one. */
+/** The primitives of a scene's objects in the order of the file, before they are put in canonical order. */
 final class PlacedObjects {
     private final Map<Material, SurfaceMaterial> bySource;
     private final Map<String, Integer> kinds = new TreeMap<>();
@@ -20,7 +20,7 @@ final class PlacedObjects {
     private int[] object;
     private int[] kind;
 
-    /** The one material of a primitive; null for one that has a material for each face, which are in the map. */
+    /** By primitive: its one material; null for one that has a material for each face ({@link #ofFaces}). */
     private SurfaceMaterial[] surface;
 
     private final Map<Integer, List<SurfaceMaterial>> ofFaces = new HashMap<>();
@@ -75,7 +75,7 @@ final class PlacedObjects {
         return List.copyOf(kinds.keySet());
     }
 
-    /** By the numbers of {@link #kind}: where the kinds stand in alphabetical order. */
+    /** By the numbers of {@link #kind}: the rank of the kind in alphabetical order. */
     int[] kindRanks() {
         int[] ranks = new int[kinds.size()];
         int rank = 0;
@@ -95,9 +95,8 @@ final class PlacedObjects {
     }
 
     /**
-     * The primitives in an order that depends neither on names nor on the order in the file: by kind, then parameters, then
-     * material. Of several with exactly the same surface there is only the first: the others would only shine through by
-     * rounding.
+     * The primitives in an order that depends neither on names nor on the order in the file: by kind, then parameters, then material. Of
+     * several with exactly the same surface only the first is kept: the others would show only by rounding.
      */
     int[] canonicalOrder() {
         int[] order = new int[size];
@@ -107,7 +106,7 @@ final class PlacedObjects {
             for (int k = 0; k < first.length; k++) {
                 first[k] = primitives[ofKind[k]].parameters()[0];
             }
-            // Few primitives share their first number, so that the others are hardly ever looked at.
+            // Few primitives share their first parameter, so that the others are seldom compared.
             int[] byFirst = Ascending.order(first);
             for (int k = 0; k < byFirst.length; ) {
                 int end = k + 1;
@@ -164,7 +163,7 @@ final class PlacedObjects {
     }
 
     private record Entry(int index, Class<?> form, double[] parameters, List<SurfaceMaterial> surfaces) {
-        /** Of two surfaces in the same place, an opaque one hides one of glass, and one that glows hides others. */
+        /** Of two surfaces in the same place, an opaque one hides one of glass, and an emitting one hides others. */
         static final Comparator<Entry> CANONICAL = Comparator.comparing(Entry::parameters, Arrays::compare)
                 .thenComparing(Entry::isGlass)
                 .thenComparing(e -> !e.glows())

@@ -19,16 +19,16 @@ public final class RayCounters {
     /** Light samples taken. */
     public long lightSamples;
 
-    /** Those of them whose visibility was known without a shadow ray. */
+    /** Light samples whose visibility was known without a shadow ray. */
     public long lightSamplesWithoutRay;
 
     /** Lookups of image textures. */
     public long textureLookups;
 
-    /** Light samples proposed by ray clusters, or steps proposed to Markov chains. */
+    /** Light samples proposed by ray clusters, or proposals of Markov chains. */
     public long proposals;
 
-    /** Those of them that had the visibility the cluster sought, or were made. */
+    /** Proposals accepted: those with the visibility that the cluster sought, or accepted steps of chains. */
     public long accepted;
 
     /** Ray clusters that proposed light samples, or Markov chains. */

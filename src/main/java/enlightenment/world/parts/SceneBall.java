@@ -5,7 +5,7 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 import enlightenment.primitive.Primitive;
 
-/** A ball around all surfaces of a scene: light from infinity goes through it. */
+/** The bounding ball of all surfaces of a scene, through which light from infinity passes. */
 public record SceneBall(Vec3 center, double radius) {
     public static SceneBall around(Primitive[] primitives) {
         Bounds box = null;

@@ -10,19 +10,21 @@ import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneObject;
 import java.util.List;
 
-/** How large a scene is beside the smallest of its things: physical light has densities per area, and they have squares. */
+/** The size of a scene relative to its smallest object: physical shading has densities per area, whose squares must be representable. */
 public final class SceneExtent {
-    /** Promised is 2^400 (docs/notes/numerics.md); what is smaller than this beside the scene, weights and projections cannot hold. */
+    /**
+     * Binary logarithm of the least relative size of an object. 2^-400 is promised (docs/notes/numerics.md); below this, MIS weights and
+     * projections underflow.
+     */
     private static final int LEAST = -440;
 
     private SceneExtent() {}
 
     /**
-     * The largest absolute coordinate of a description.
+     * The largest absolute coordinate of a description, in the frame.
      *
      * @param anchors its points, exact
-     * @param reach how far it extends beyond them, in scene units
-     * @return in the units of the frame
+     * @param reach its extent beyond them, in scene units
      */
     public static double of(List<ExactPoint> anchors, double reach, SceneFrame frame) {
         double largest = 0;
@@ -32,7 +34,7 @@ public final class SceneExtent {
         return largest + frame.toFrame(reach);
     }
 
-    /** The extent, in the frame, of the smallest thing that is more than a point beside its distance from the eye; at most 1. */
+    /** The extent, in the frame, of the smallest object that rounding in the frame leaves larger than a point; at most 1. */
     public static double least(Primitive[] primitives) {
         double least = 1;
         for (Primitive p : primitives) {
@@ -45,7 +47,7 @@ public final class SceneExtent {
     /**
      * Refuses scenes whose light would be lost or infinite by underflow.
      *
-     * @throws SceneException at the place of what is farthest away
+     * @throws SceneException at the place of the most distant object
      */
     public static void check(Scene scene, SceneFrame frame, Primitive[] primitives) {
         int exponent = Scale.exponent(least(primitives));

@@ -1,5 +1,5 @@
 /**
- * What every pass over a scene stands on: its primitives as arrays in a canonical order, the objects they came from, the extent of
- * the scene, and a tree over boxes.
+ * Foundations of all passes over a scene: its primitives as arrays in canonical order, the objects they came from, the extent of the scene,
+ * and a tree of boxes.
  */
 package enlightenment.world.parts;

@@ -8,8 +8,8 @@ import enlightenment.world.material.SurfaceDetail;
 import enlightenment.world.material.SurfaceMaterial;
 
 /**
- * A surface where a path is: what a ray has met, as light transport sees it. All of it but the {@link #hit} is set by {@link #arrive}, the one
- * place where hits become interactions. A mutable work object, one per path.
+ * The vertex of a path on a surface or in a medium, as light transport reads it. All fields but {@link #hit} are set by {@link #arrive},
+ * the one place where hits become interactions. A mutable work object, one per path.
  */
 public final class SurfaceInteraction {
     private static final int NOWHERE = -1;
@@ -25,15 +25,15 @@ public final class SurfaceInteraction {
     /** The material of the face; null in a medium. */
     public SurfaceMaterial material;
 
-    /** Whether the hit's shading normal has been turned by a texture. */
+    /** Whether a texture has changed the hit's shading normal. */
     private boolean isTurned;
 
     private final double[] scratch = new double[3];
 
-    /** How the face scatters light; null in a medium. */
+    /** The scattering function of the face; null in a medium. */
     public Bsdf bsdf;
 
-    /** The index of the light that the face is; -1 if it emits nothing, or nothing that could be sampled. */
+    /** The index of the face's light; -1 if it emits nothing, or nothing that can be sampled. */
     public int light = NO_LIGHT;
 
     /** The unit shading normal on the side that the path came from; (0, 0, 0) in a medium. */
@@ -49,19 +49,23 @@ public final class SurfaceInteraction {
     public double emittedB;
     public double emittedUltraviolet;
 
-    /** Completes the interaction once its hit is set. */
+    /**
+     * Completes the interaction once {@link #hit} is set.
+     *
+     * @param atId id of the primitive
+     */
     public void arrive(CompiledScene scene, int atId) {
         id = atId;
         find(scene.material(atId, hit.face));
         light = material.glows && scene.physical != null ? scene.physical.lightOf(atId, hit.face) : NO_LIGHT;
     }
 
-    /** Where glass is opaque, as chance has it: the surface is made of that. */
+    /** Makes the material that of partly transparent glass where it is opaque. */
     public void becomeOpaque() {
         find(material.opaque);
     }
 
-    /** Finds how a surface of this material scatters light here. */
+    /** Sets the material, with the scattering function and shading normal at the hit. */
     private void find(SurfaceMaterial of) {
         material = of;
         isTurned = false;
@@ -81,7 +85,7 @@ public final class SurfaceInteraction {
         nz = hit.nz * hit.side;
     }
 
-    /** Finds what is there of a material with detail. */
+    /** Resolves a material's detail at the hit. */
     private void resolve(SurfaceDetail detail) {
         if (detail.turnsNormal()) {
             if (!isTurned && !hit.primitive.shadingNormal(hit)) {
@@ -93,7 +97,7 @@ public final class SurfaceInteraction {
         material = detail.at(hit, scratch);
     }
 
-    /** Whether the surface, of this material, has a hole there: there is nothing then. */
+    /** Whether a surface of this material has a hole at the hit. */
     public boolean isHole(SurfaceMaterial of) {
         SurfaceMaterial m = of;
         while (m.detail != null) {
@@ -105,7 +109,7 @@ public final class SurfaceInteraction {
         return false;
     }
 
-    /** Places it at a point of a medium. */
+    /** Sets the interaction to a point of a medium. */
     public void arriveInMedium(double x, double y, double z) {
         hit.px = x;
         hit.py = y;
@@ -124,7 +128,7 @@ public final class SurfaceInteraction {
         nz = 0;
     }
 
-    /** Whether the shading normal is not that of the surface itself. */
+    /** Whether the shading normal differs from the geometric normal. */
     public boolean isSmooth() {
         return bsdf != material.bsdf;
     }
@@ -144,7 +148,7 @@ public final class SurfaceInteraction {
         }
     }
 
-    /** Whether the surface emits light towards where the path came from. */
+    /** Whether the surface emits light towards the path's previous vertex. */
     public boolean emits() {
         return material.glows && material.glowsTo(hit.side);
     }

@@ -1,2 +1,2 @@
-/** What shading knows of the surface that a ray has met: made from a hit in one place. */
+/** The interaction of a path with a surface, made from a hit in one place. */
 package enlightenment.world.surface;

@@ -144,7 +144,7 @@ public abstract sealed class TileFilm permits Film, FilmInFile {
     /**
      * A film of the same rectangle of which nothing is there yet.
      *
-     * @param few what was splatted over pixels with few samples, which the error is told with
+     * @param few what was splatted over pixels with few samples, for the error
      */
     abstract TileFilm empty(FewSamplesSplats few);
 

@@ -9,7 +9,7 @@ public final class ReducedPicture {
 
     private ReducedPicture() {}
 
-    /** Every n-th column and row of a picture, with the least n that leaves at most so many pixels. */
+    /** Every n-th column and row of a picture, with the n of {@link #step}. */
     public static Image of(Image image, int mostPixels) {
         int step = step(image.width(), image.height(), mostPixels);
         int columns = side(image.width(), step);
@@ -22,7 +22,7 @@ public final class ReducedPicture {
         return new Image(columns, rows, rgb, image.curve());
     }
 
-    /** The least n of which every n-th column and row are at most so many pixels. */
+    /** The least n for which every n-th column and row have at most this number of pixels. */
     public static int step(int width, int height, int mostPixels) {
         int step = (int) Math.max(Math.sqrt((double) width * height / mostPixels) - 1, 1);
         while ((long) side(width, step) * side(height, step) > mostPixels) {
@@ -31,7 +31,7 @@ public final class ReducedPicture {
         return step;
     }
 
-    /** How many columns of so many, or rows, every n-th is. */
+    /** The number of columns, or rows, if only every n-th is taken. */
     public static int side(int columns, int step) {
         return (columns + step - 1) / step;
     }

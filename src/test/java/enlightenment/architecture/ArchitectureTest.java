@@ -154,7 +154,7 @@ class ArchitectureTest {
                     "job",
                     "checkpoint",
                     "film",
-                    "render",
+                    "engine",
                     "net",
                     "measure",
                     "view",
@@ -319,7 +319,7 @@ class ArchitectureTest {
             .whereLayer("surroundings")
             .mayOnlyBeAccessedByLayers("classic shading", "probe", "classic cluster", "world", "transport")
             .whereLayer("picture")
-            .mayOnlyBeAccessedByLayers("plan", "render", "engine", "measure", "view", "cli")
+            .mayOnlyBeAccessedByLayers("film", "plan", "render", "engine", "status", "measure", "view", "cli")
             .whereLayer("texture")
             .mayOnlyBeAccessedByLayers("device", "world")
             .whereLayer("image")

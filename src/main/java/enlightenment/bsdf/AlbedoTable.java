@@ -4,29 +4,29 @@ import java.util.Arrays;
 import java.util.stream.Stream;
 
 /**
- * What a rough surface loses because light that hits it more than once is not counted: 1 − E(μ) at cosines μ, and the mean 1 − Ē over
- * directions by their cosine, of the interpolated table itself, so that a surface that absorbs nothing, with the lost light, gives back
- * exactly what arrives, up to the interpolation. Made by a fixed quadrature: the same everywhere.
+ * The energy loss of single scattering at a rough surface: 1 − E(μ) at cosines μ, with E the directional albedo, and the mean 1 − Ē over
+ * cosine-weighted directions, computed from the interpolated table itself, so that a surface without absorption, with its compensating
+ * lobe, reflects exactly all light up to the interpolation. Made by a fixed quadrature: the same on every machine.
  */
 final class AlbedoTable {
     private static final int NODES = 64;
 
-    /** Halvings until a place between 0 and 1 is known as well as a double can tell. */
+    /** Bisections that determine a cosine in 0..1 to the precision of a double. */
     private static final int BISECTIONS = 52;
 
-    /** Rings of the hemisphere, even in sqrt(μ), in which samples of lost light are spread by their cosine. */
+    /** Rings of the hemisphere, uniform in sqrt(μ), by which directions of the compensating lobe are sampled. */
     private static final int CELLS = 64;
 
-    /** Parts of each of these in the mean. */
+    /** Parts of each ring in the integral of the mean. */
     private static final int PARTS = 32;
 
-    /** 1 − Ē. */
+    /** 1 − Ē, the cosine-weighted mean of the loss. */
     final double meanLoss;
 
-    /** At each node the loss, or what is kept over what a smooth surface keeps ({@link VisibleNormals#isRelative}). */
+    /** At each node the loss, or the ratio of the albedo to that of a smooth surface ({@link VisibleNormals#isRelative}). */
     private final double[] nodes = new double[NODES + 1];
 
-    /** The share of lost light that is below each ring, and the density in it over the cosine. */
+    /** By ring, the share of the lobe's samples below it, and the density in it over the cosine. */
     private final double[] below = new double[CELLS + 1];
 
     private final double[] density = new double[CELLS];
@@ -36,7 +36,7 @@ final class AlbedoTable {
     /** {@link VisibleNormals#even}. */
     private final double even;
 
-    /** What facets lose by single scattering. */
+    /** Makes the table of the losses of single scattering at these normals. */
     AlbedoTable(VisibleNormals normals) {
         this.normals = normals;
         alpha = normals.facets.alpha;
@@ -51,7 +51,7 @@ final class AlbedoTable {
         spread();
     }
 
-    /** Where the k-th node is. */
+    /** The cosine of the k-th node. */
     private double cosine(int k) {
         double x = (double) k / (NODES - 1);
         double x2 = x * x;
@@ -71,7 +71,7 @@ final class AlbedoTable {
         return k == NODES - 1 ? 1 : low;
     }
 
-    /** Which node is at a cosine, 0..1. */
+    /** The position of a cosine, 0..1, among the nodes, scaled to 0..1. */
     private double node(double cosine) {
         double steep = Math.sqrt(cosine * (1 + alpha) / (cosine + alpha));
         return Math.fma(even, cosine - steep, steep);
@@ -86,8 +86,8 @@ final class AlbedoTable {
     }
 
     /**
-     * The loss 1 − E at a cosine, 0..1. Nodes are even in sqrt(μ(1 + α)/(μ + α)): the loss is steep at grazing directions, where it changes
-     * with μ/α; or in a mean of that and μ.
+     * The loss 1 − E at a cosine, 0..1. Nodes are uniform in sqrt(μ(1 + α)/(μ + α)), as the loss is steep at grazing directions, where it
+     * changes with μ/α; or in a mean of that and μ.
      */
     double loss(double cosine) {
         double x = (NODES - 1) * node(cosine);
@@ -96,7 +96,7 @@ final class AlbedoTable {
         return normals.isRelative ? Math.max(1 - normals.keptBySmooth(cosine) * value, 0) : value;
     }
 
-    /** 2∫(1 − E)μ dμ of the interpolated table, by Simpson's rule in sqrt(μ); leaves the sums up to each ring. */
+    /** 2∫(1 − E)μ dμ of the interpolated table, by Simpson's rule in sqrt(μ); stores the sums up to each ring. */
     private double mean() {
         double total = 0;
         double step = 1.0 / (CELLS * PARTS);
@@ -130,7 +130,8 @@ final class AlbedoTable {
     }
 
     /**
-     * The share of the lost light that comes back from metal, 0..1: each further reflection takes F̄, and 1 − Ē of the rest goes on.
+     * The share of the lost light that metal reflects after further reflections, 0..1: each of these multiplies by F̄, and 1 − Ē of the
+     * rest is lost again.
      *
      * @param mean the metal's mean reflectance F̄
      */
@@ -138,12 +139,12 @@ final class AlbedoTable {
         return mean * mean * (1 - meanLoss) / (1 - mean * meanLoss);
     }
 
-    /** The density per solid angle, at a cosine, of directions that {@link #sample} chooses; nearly (1 − E(μ))μ/(π(1 − Ē)). */
+    /** The density per solid angle, at a cosine, of {@link #sampleDirection}; nearly (1 − E(μ))μ/(π(1 − Ē)). */
     double density(double cosine) {
         return density[Math.min((int) (CELLS * Math.sqrt(cosine)), CELLS - 1)] * cosine;
     }
 
-    /** Samples i with the {@link #density} of its cosine: at small α what is lost is lost along the surface. */
+    /** Samples i with the {@link #density} of its cosine: at small α the loss is concentrated at grazing directions. */
     void sampleDirection(Scattering s, double u, double v) {
         s.toDisk(u, v);
         double z = sample(Math.min(s.disk2, 1));
@@ -152,15 +153,15 @@ final class AlbedoTable {
         s.directLocal(s.diskX * across, s.diskY * across, z);
     }
 
-    /** The cosine of a direction in which lost light leaves, from a number that is uniform in 0..1. */
+    /** Samples the cosine of a direction of the compensating lobe, by a number uniform in 0..1. */
     double sample(double number) {
         return sample(this, 1, number);
     }
 
     /**
-     * The same of a mixture of this table with another one.
+     * Samples the cosine of a direction by a mixture of this table and another one; see {@link #sample(double)}.
      *
-     * @param share of this one's light in it, 0..1
+     * @param share of this table in the mixture, 0..1
      */
     double sample(AlbedoTable other, double share, double number) {
         int low = 0;

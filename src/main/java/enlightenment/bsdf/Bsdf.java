@@ -19,18 +19,18 @@ public interface Bsdf {
         return isDelta();
     }
 
-    /** Whether light passes through the surface. */
+    /** Whether there are lobes of transmission. */
     boolean transmits();
 
     /**
-     * Whether all lobes that matter are so narrow that a path from the eye seldom leaves them towards a given small light: caustics by way of
-     * them are found like those of delta lobes (docs/notes/caustics.md).
+     * Whether all significant lobes are so narrow that a path from the eye seldom leaves them towards a given small light: their caustics
+     * are sampled like those of delta lobes (docs/notes/caustics.md).
      */
     default boolean isNarrow() {
         return false;
     }
 
-    /** Whether a surface whose colour is black reflects light all the same. */
+    /** Whether a surface whose colour is black still reflects light. */
     default boolean reflectsIfBlack() {
         return false;
     }
@@ -47,7 +47,10 @@ public interface Bsdf {
      */
     void evaluate(Scattering s);
 
-    /** Sets the same of some points of a batch, which are all of surfaces of this kind; no delta lobes. */
+    /**
+     * Evaluates the non-delta lobes, as {@link #evaluate(Scattering)}, at points from..to − 1 of a batch, whose surfaces all have this kind
+     * of BSDF without delta lobes.
+     */
     default void evaluate(ScatteringBatch batch, int from, int to) {
         for (int n = from; n < to; n++) {
             Scattering s = batch.get(n);

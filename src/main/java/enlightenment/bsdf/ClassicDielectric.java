@@ -1,8 +1,8 @@
 package enlightenment.bsdf;
 
 /**
- * Smooth glass as the paper has it: it refracts all light, or reflects all of it where Snell's law has no solution. The surface's colour
- * is no part of the value: surfaces that coincide are one border of media, and whoever crosses it is filtered by each of them.
+ * Smooth glass of the paper: it refracts all light, or reflects all of it at total internal reflection. The surface's colour is not part of
+ * the value: surfaces that coincide are one interface of media, and the caller multiplies by the colour of each.
  */
 public final class ClassicDielectric implements DeltaBsdf {
     public static final ClassicDielectric INSTANCE = new ClassicDielectric();

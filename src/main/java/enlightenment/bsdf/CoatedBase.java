@@ -6,7 +6,7 @@ package enlightenment.bsdf;
  * albedo is m T(μo): a base of reflectance 1 has m = 1, so that nothing is lost.
  */
 final class CoatedBase {
-    /** The share of diffuse light that the coat reflects back to the base, F̄ = 1 − T̄/n². */
+    /** The internal diffuse reflectance of the coat, F̄ = 1 − T̄/n²: the share of diffuse light that it reflects back to the base. */
     private final double inside;
 
     private final boolean nonlinear;
@@ -14,7 +14,7 @@ final class CoatedBase {
     /**
      * @param index n, at least 1
      * @param meanThrough T̄, 0..1
-     * @param nonlinear whether light that goes to and fro below the coat is coloured by the base each time
+     * @param nonlinear whether each inter-reflection below the coat multiplies by the base's colour
      */
     CoatedBase(double index, double meanThrough, boolean nonlinear) {
         inside = 1 - meanThrough / (index * index);
@@ -31,13 +31,16 @@ final class CoatedBase {
         return nonlinear ? color * (1 - inside) / (1 - color * inside) : color;
     }
 
-    /** The share of samples of the coat's own reflection, by what both lobes reflect of light from o: 1 − T(μo) and m T(μo). */
+    /** The probability of sampling the coat's own reflection, by the albedos of both lobes for light from o: 1 − T(μo) and m T(μo). */
     double share(Scattering s, double through) {
         double coat = 1 - through;
         return coat > 0 ? coat / (coat + reflected(s, through)) : 0;
     }
 
-    /** The share of samples of a delta lobe: more where it reflects less than the base, since it alone finds lamps that it reflects. */
+    /**
+     * The probability of sampling a delta lobe: raised where it reflects less than the base, since only this lobe finds lamps that it
+     * reflects.
+     */
     double shareOfDelta(Scattering s, double through) {
         double coat = 1 - through;
         double base = reflected(s, through);
@@ -51,7 +54,7 @@ final class CoatedBase {
         return through * (reflected(s.red) + reflected(s.green) + reflected(s.blue)) / 3;
     }
 
-    /** Sets the value to that of the base, plus a colourless one. */
+    /** Sets the value to that of the base plus a colourless term. */
     void value(Scattering s, double diffuse, double coat) {
         s.value(
                 Math.fma(reflected(s.red), diffuse, coat),

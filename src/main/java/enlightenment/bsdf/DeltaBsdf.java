@@ -1,6 +1,8 @@
 package enlightenment.bsdf;
 
-/** Surfaces all of whose lobes are delta lobes: only {@link #sample} finds what they do. */
+/**
+ * Surfaces all of whose lobes are delta lobes: {@link #evaluate} and {@link #pdf} are 0, and {@link #sample} returns the only directions.
+ */
 public sealed interface DeltaBsdf extends Bsdf
         permits SpecularReflection,
                 SmoothConductor,

@@ -44,8 +44,8 @@ public final class DielectricFresnel {
     }
 
     /**
-     * The share that is refracted, from the cosines of arrival and refraction, both positive: one does not follow well from the other
-     * next to total reflection. The same from both sides.
+     * The transmittance for unpolarised light, from the cosines of incidence and refraction, both positive: near total internal reflection
+     * one cannot be computed accurately from the other. The same from both sides.
      */
     static double transmittance(double c, double through, double eta) {
         double perpendicular = 1 / Math.fma(eta, c, through);
@@ -56,8 +56,8 @@ public final class DielectricFresnel {
     }
 
     /**
-     * The share of unpolarised light that a pane between two parallel faces reflects, with all that goes to and fro inside: each
-     * polarisation for itself, 2R/(1 + R), because parallel faces do not mix them.
+     * The reflectance of unpolarised light at a thin slab with two parallel faces, all inter-reflections included: 2R/(1 + R) for each
+     * polarisation, because parallel faces do not mix them.
      */
     static double paneReflectance(double c, double eta) {
         double s = perpendicular(c, eta);
@@ -68,7 +68,7 @@ public final class DielectricFresnel {
         return s / (1 + s) + p / (1 + p);
     }
 
-    /** The squared cosine of refraction; negative for total internal reflection. */
+    /** The squared cosine of the angle of refraction; negative for total internal reflection. */
     static double refracted2(double c, double eta) {
         double etaCos = eta * c;
         return Math.fma(etaCos, etaCos, (1 - eta) * (1 + eta));
@@ -88,7 +88,7 @@ public final class DielectricFresnel {
         return Math.min(r * r, 1);
     }
 
-    /** What the reflectance of parallel polarisation is over that of perpendicular one, where light is refracted. */
+    /** The ratio of the reflectance of parallel polarisation to that of perpendicular polarisation, where light is refracted. */
     private static double parallelRatio(double c, double eta) {
         double cosines = c * Math.sqrt(refracted2(c, eta));
         double sines = eta * Math.max((1 - c) * (1 + c), 0);

@@ -1,12 +1,11 @@
 package enlightenment.bsdf;
 
 /**
- * A dielectric layer over something else, present to a share of the surface: of light at the cosine μ it reflects wE(μ) and passes
- * 1 − wE(μ) on, with w the share and E the directional albedo of single reflection at its facets, or Fresnel's reflectance where it is
- * smooth. Immutable.
+ * A dielectric layer that covers a share w of a surface. At the cosine μ it reflects wE(μ) and transmits 1 − wE(μ), with E the directional
+ * albedo of single reflection at its facets, or Fresnel's reflectance where it is smooth. Immutable.
  */
 final class DielectricLayer {
-    /** The distribution of its facets; null where it is smooth or absent. */
+    /** The distribution of its facets; null if it is smooth or absent. */
     final Microfacets facets;
 
     private final double share;
@@ -14,7 +13,7 @@ final class DielectricLayer {
     private final AlbedoTable table;
 
     /**
-     * A layer: if it is rough, makes a table, in some milliseconds.
+     * Makes a layer; a rough one has a table, computed in some milliseconds.
      *
      * @param share w, 0..1; 0: there is none
      * @param alpha the roughness α of GGX, 0..1
@@ -31,17 +30,17 @@ final class DielectricLayer {
         return share == 0;
     }
 
-    /** Whether it reflects into a single direction. */
+    /** Whether its lobe is a delta lobe. */
     boolean isSmooth() {
         return share > 0 && facets == null;
     }
 
-    /** Whether its lobe is narrow, or there is none. */
+    /** Whether its lobe is narrow, or the layer is absent. */
     boolean isNarrow() {
         return share == 0 || facets != null && facets.isNarrow();
     }
 
-    /** The share of light that passes at a cosine, 0..1: 1 − wE(μ). */
+    /** The transmittance at a cosine, 0..1: 1 − wE(μ). */
     double through(double cosine) {
         if (share == 0) {
             return 1;
@@ -50,12 +49,12 @@ final class DielectricLayer {
                 share, table == null ? SmoothCoating.transmittance(cosine, eta) : table.loss(cosine), 1 - share);
     }
 
-    /** w times the reflectance of a facet, at the cosine of incidence there. */
+    /** w times the reflectance of a facet, at the cosine of incidence on the facet. */
     double reflectance(double cosine) {
         return share == 0 ? 0 : share * DielectricFresnel.reflectance(cosine, eta);
     }
 
-    /** Samples i about as what has passed the layer on both ways: with {@link #density}. */
+    /** Samples i nearly in proportion to light that passes the layer on both ways, with {@link #density}. */
     void sampleBelow(Scattering s, double u, double v) {
         if (table == null) {
             s.sampleCosine(u, v);

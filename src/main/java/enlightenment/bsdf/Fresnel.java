@@ -3,11 +3,11 @@ package enlightenment.bsdf;
 import enlightenment.color.Rgb;
 
 /**
- * What share of light an opaque glossy surface or one of its microfacets reflects, for each colour component, 0..1: by Schlick's formula
- * from the surface's colour, or by Fresnel's equations of a metal times that colour.
+ * The Fresnel reflectance of an opaque glossy surface or one of its microfacets, 0..1 by colour component: by Schlick's formula from the
+ * surface's colour, or by Fresnel's equations of a metal times that colour.
  */
 public final class Fresnel {
-    /** Metals of a larger index reflect all light, up to rounding, and their fourth powers could overflow. */
+    /** Metals with a larger index reflect all light, up to rounding, and their fourth powers could overflow. */
     private static final double LARGEST = 0x1p100;
 
     /**
@@ -16,7 +16,7 @@ public final class Fresnel {
      */
     public static final Fresnel SCHLICK = new Fresnel(null, null);
 
-    /** Gauss and Legendre's points on 0..1 for the mean over directions. */
+    /** The number of points of Gauss-Legendre quadrature for the mean over directions. */
     private static final int POINTS = 16;
 
     private final Rgb eta;
@@ -56,7 +56,6 @@ public final class Fresnel {
         return new Rgb(Math.min(index.r(), LARGEST), Math.min(index.g(), LARGEST), Math.min(index.b(), LARGEST));
     }
 
-    /** Whether light is reflected where the colour is black: by Schlick's approximation, at grazing angles. */
     /** For code on another device: 1 if it is Schlick's, η and k by band, mean reflectances by band. */
     double[] numbers() {
         Rgb n = eta == null ? Rgb.BLACK : eta;
@@ -64,11 +63,12 @@ public final class Fresnel {
         return new double[] {eta == null ? 1 : 0, n.r(), n.g(), n.b(), e.r(), e.g(), e.b(), meanR, meanG, meanB};
     }
 
+    /** Whether a surface of black colour still reflects: by Schlick's approximation, at grazing angles. */
     boolean reflectsIfBlack() {
         return eta == null;
     }
 
-    /** Sets the value to the reflectance at the cosine c, 0..1, of arrival. */
+    /** Sets the value to the reflectance at the cosine of incidence c, 0..1. */
     void at(double c, Scattering s) {
         if (eta == null) {
             double w = towardsWhite(c);
@@ -81,7 +81,7 @@ public final class Fresnel {
         }
     }
 
-    /** The same of many points, at the cosines of their microfacets. */
+    /** Sets the values of points from..to − 1 of a batch to the reflectance at the cosines with their microfacets. */
     void at(ScatteringBatch b, int from, int to) {
         if (eta == null) {
             schlick(b.facet, b.red, b.valueR, from, to);
@@ -128,27 +128,27 @@ public final class Fresnel {
         }
     }
 
-    /** The mean 2∫F c dc over directions by their cosine, of the red component. */
+    /** The mean reflectance 2∫F c dc over cosine-weighted directions, of the red component. */
     double meanR(Scattering s) {
         return eta == null ? schlickMean(s.red) : s.red * meanR;
     }
 
-    /** The same, green. */
+    /** The mean reflectance 2∫F c dc over cosine-weighted directions, of the green component. */
     double meanG(Scattering s) {
         return eta == null ? schlickMean(s.green) : s.green * meanG;
     }
 
-    /** The same, blue. */
+    /** The mean reflectance 2∫F c dc over cosine-weighted directions, of the blue component. */
     double meanB(Scattering s) {
         return eta == null ? schlickMean(s.blue) : s.blue * meanB;
     }
 
-    /** 2∫(1 − c)⁵ c dc is 1/21. */
+    /** Schlick's mean reflectance: 2∫(1 − c)⁵ c dc is 1/21. */
     private static double schlickMean(double color) {
         return color + (1 - color) / 21;
     }
 
-    /** The reflectance of a metal for unpolarised light at the cosine c of arrival. */
+    /** The reflectance of a metal for unpolarised light at the cosine of incidence c. */
     static double conductor(double c, double eta, double k) {
         double c2 = c * c;
         double s2 = Math.max((1 - c) * (1 + c), 0);

@@ -1,8 +1,8 @@
 package enlightenment.bsdf;
 
-/** Gauss and Legendre's quadrature on 0..1. Not for hot code: every call works its number out. */
+/** Gauss-Legendre quadrature on 0..1. Not for hot code: every call computes its result anew. */
 public final class GaussLegendre {
-    /** Newton's method doubles the digits of a first guess that has two. */
+    /** Newton's method doubles the number of correct digits, two in the first guess. */
     private static final int STEPS = 8;
 
     private GaussLegendre() {}
@@ -12,7 +12,7 @@ public final class GaussLegendre {
         return 0.5 - 0.5 * root(n, i);
     }
 
-    /** Its weight; all of them add up to 1. */
+    /** The weight of the i-th of n points; all weights add up to 1. */
     public static double weight(int n, int i) {
         double x = root(n, i);
         double slope = slope(n, x);

@@ -2,11 +2,11 @@ package enlightenment.bsdf;
 
 /**
  * Rough metal and other opaque glossy surfaces: {@link Microfacets} that reflect, f = F·D·G2/(4 μo μi), sampled by the normals that are
- * visible from o. If asked, what single reflection loses among the microfacets comes back as a second, broad lobe (C. Kulla and
- * A. Conty, "Revisiting physically based shading at Imageworks", 2017), which is reciprocal: a white surface then reflects all light.
+ * visible from o. Optionally the light that single scattering loses among the microfacets is compensated by a second, broad lobe (C. Kulla
+ * and A. Conty, "Revisiting physically based shading at Imageworks", 2017), which is reciprocal: a white surface then reflects all light.
  */
 public final class GlossyReflection implements Bsdf {
-    /** Of samples at least so many are of visible normals. */
+    /** The least probability of sampling visible normals. */
     private static final double LEAST_SHARE = 0.1;
 
     private final Microfacets facets;
@@ -14,11 +14,11 @@ public final class GlossyReflection implements Bsdf {
     private final AlbedoTable table;
 
     /**
-     * A rough surface.
+     * Makes a rough surface.
      *
      * @param alpha its roughness α of GGX, at most 1 and not {@linkplain Microfacets#isSmooth smooth}
-     * @param fresnel what share of light a microfacet reflects
-     * @param compensate whether light that is reflected more than once is added: makes a table, in some milliseconds
+     * @param fresnel the reflectance of a microfacet
+     * @param compensate whether multiple scattering is compensated: makes a table, in some milliseconds
      */
     public GlossyReflection(double alpha, Fresnel fresnel, boolean compensate) {
         facets = new Microfacets(alpha);
@@ -104,7 +104,7 @@ public final class GlossyReflection implements Bsdf {
         fresnel.at(1, s);
     }
 
-    /** Sets D, and gives the value of a white surface's single reflection. */
+    /** Sets D, and returns the value of single reflection at a white surface. */
     private double single(Scattering s, double in, double out) {
         facets.at(s, s.ox + s.ix, s.oy + s.iy, s.oz + s.iz);
         return 0.5 * s.facets * facets.masking(in, out);
@@ -114,10 +114,7 @@ public final class GlossyReflection implements Bsdf {
         return 0.5 * s.facets * facets.visible(out);
     }
 
-    /**
-     * Adds the broad lobe to the density of visible normals and to what single reflection is, the reflectance of a facet times
-     * {@code single}.
-     */
+    /** Adds the compensating lobe to value and density, given the value of white single reflection. */
     private void compensate(Scattering s, double in, double out, double single) {
         double lost = table.loss(out);
         double r = fresnel.meanR(s);
@@ -134,7 +131,7 @@ public final class GlossyReflection implements Bsdf {
                 Math.fma(s.valueB, single, moreB * more));
     }
 
-    /** The share of samples of visible normals, by what both lobes reflect of light from o. */
+    /** The probability of sampling visible normals, by the albedos of both lobes for light from o. */
     private static double share(double first, double more, double lost) {
         double single = first * (1 - lost);
         double both = Math.fma(more, lost, single);

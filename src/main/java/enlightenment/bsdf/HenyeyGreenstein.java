@@ -1,9 +1,9 @@
 package enlightenment.bsdf;
 
 /**
- * How a point inside a medium scatters light: by the phase function of L. Henyey and J. Greenstein ("Diffuse radiation in the galaxy",
- * 1941), which is its own density, so that every sample has the weight 1. Value and density are per steradian; there is no surface, and no
- * cosine. The normal and the colour of the {@link Scattering} are not read.
+ * The phase function of L. Henyey and J. Greenstein ("Diffuse radiation in the galaxy", 1941) at a point of a medium. It is its own
+ * density, so that every sample has weight 1. Value and density are per steradian, without a cosine. Normal and colour of the
+ * {@link Scattering} are not read.
  */
 public final class HenyeyGreenstein implements Bsdf {
     private final double g;
@@ -60,7 +60,7 @@ public final class HenyeyGreenstein implements Bsdf {
      */
     @Override
     public boolean sample(Scattering s, double u, double v, double choice) {
-        // The square of the radius is as uniform as the angle, and independent of it.
+        // The squared radius is uniform, and independent of the angle.
         s.toDisk(u, v);
         double below = 2 * s.disk2;
         double above = 2 - below;

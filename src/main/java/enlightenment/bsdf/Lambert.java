@@ -1,6 +1,6 @@
 package enlightenment.bsdf;
 
-/** Matte: f = colour/π on the side that is seen, alike on both sides of the surface. Sampled proportionally to the cosine. */
+/** Matte: f = colour/π on the side of o, the same on both sides of the surface. Sampled in proportion to the cosine. */
 public final class Lambert implements Bsdf {
     public static final Lambert INSTANCE = new Lambert();
 

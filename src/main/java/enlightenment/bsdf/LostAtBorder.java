@@ -1,18 +1,18 @@
 package enlightenment.bsdf;
 
 /**
- * What a rough border of two media loses by single scattering, from both sides, and how much of it comes through. Both sides are named by
- * their index of refraction: rare the lower, dense the higher one.
+ * The energy loss of single scattering at a rough interface of two media, from both sides, and the share of it that is transmitted. Sides
+ * are named by their index of refraction: rare for the lower, dense for the higher one.
  *
- * <p>With L = 1 − E the loss of a side and L̄ its mean, lost light leaves on either side by that side's Lμ. From one side t of it comes
- * through, 1 − t comes back; reciprocity wants t L̄ n² to be the same from both sides, {@link #through} here, where n is 1 on the rare
- * side. One number is then left to choose: on the rare side lost light meets the surface again from outside, and as much is
- * reflected as of diffuse light, the less the rougher the surface is, since it has more chances to get through. Compared with random walks
- * among facets (E. Heitz, J. Hanika, E. d'Eon and C. Dachsbacher, "Multiple-scattering microfacet BSDFs with the Smith model", 2016):
+ * <p>With L = 1 − E the loss of a side and L̄ its mean, lost light leaves on either side in proportion to that side's Lμ. From one side the
+ * share t is transmitted, 1 − t reflected; reciprocity requires t L̄ n² to be the same from both sides, {@link #through} here, where n is 1
+ * on the rare side. One number is then left to choose: on the rare side lost light meets the surface again from outside, and is reflected
+ * like diffuse light, less so the rougher the surface is, since it has more chances to get through. Compared with random walks among facets
+ * (E. Heitz, J. Hanika, E. d'Eon and C. Dachsbacher, "Multiple-scattering microfacet BSDFs with the Smith model", 2016):
  * docs/notes/bsdfs.md.
  */
 final class LostAtBorder {
-    /** How much less of lost light comes back from the roughest surface. */
+    /** The reduction of the reflected share at the roughest surface. */
     private static final double LESS_AT_ROUGHEST = 0.75;
 
     private static final int POINTS = 32;
@@ -20,11 +20,11 @@ final class LostAtBorder {
     final AlbedoTable rare;
     final AlbedoTable dense;
 
-    /** t L̄ n². */
+    /** t L̄ n², the same from both sides. */
     final double through;
 
     /**
-     * At a border.
+     * Makes the losses of an interface.
      *
      * @param index of the dense side over that of the rare side, at least 1
      */
@@ -35,7 +35,7 @@ final class LostAtBorder {
         through = (1 - back) * rare.meanLoss;
     }
 
-    /** What a smooth border reflects of diffuse light. */
+    /** The diffuse reflectance of a smooth interface. */
     private static double meanReflectance(double eta) {
         double sum = 0;
         for (int i = 0; i < POINTS; i++) {

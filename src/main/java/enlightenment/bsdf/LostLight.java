@@ -3,11 +3,11 @@ package enlightenment.bsdf;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
 /**
- * What a rough border of any two media does with light that single scattering loses: {@link LostAtBorder} for indices of refraction n that
- * are even in the square root of (n − 1)/(n + 1), interpolated between. Tables are made when a path first needs them, some milliseconds
- * each; what they hold does not depend on when.
+ * Compensation of the energy loss at a rough interface of any two media: {@link LostAtBorder} for indices of refraction n that are uniform
+ * in the square root of (n − 1)/(n + 1), interpolated in between. Tables are made at the first use, some milliseconds each; their content
+ * does not depend on when.
  *
- * <p>A place says where between two of them a border is: their number and how far it is from there to the next.
+ * <p>A <i>place</i> is the position of an interface among these indices: the number of the lower one plus the fraction towards the next.
  */
 final class LostLight {
     private static final int NODES = 64;
@@ -19,7 +19,7 @@ final class LostLight {
         this.facets = facets;
     }
 
-    /** The place of a border; {@code eta} is the index on one side over that on the other. */
+    /** The place of an interface; {@code eta} is the index on one side over that on the other. */
     static double place(double eta) {
         double index = Math.max(eta, 1 / eta);
         double t = (index - 1) / (index + 1);
@@ -35,7 +35,7 @@ final class LostLight {
         LostAtBorder node = nodes.get(k);
         if (node == null) {
             double root = (double) k / NODES;
-            // At the last node one medium is endlessly dense, up to this.
+            // At the last node one medium is infinitely dense, up to this.
             double t = Math.min(root * root, 1 - Math.ulp(1f));
             node = new LostAtBorder(facets, (1 + t) / (1 - t));
             nodes.setRelease(k, node);
@@ -56,21 +56,21 @@ final class LostLight {
         return Math.fma(part, high - low, low);
     }
 
-    /** The loss on one side at a cosine, 0..1. */
+    /** The loss 1 − E on one side at a cosine, 0..1. */
     double loss(double place, boolean isDense, double cosine) {
         int k = low(place);
         return between(
                 place - k, table(k, isDense).loss(cosine), table(k + 1, isDense).loss(cosine));
     }
 
-    /** Its mean. */
+    /** The cosine-weighted mean of the loss on one side. */
     double meanLoss(double place, boolean isDense) {
         int k = low(place);
         return between(place - k, table(k, isDense).meanLoss, table(k + 1, isDense).meanLoss);
     }
 
     /**
-     * The share of what is lost on one side that comes through to the other.
+     * The share of the light lost on one side that is transmitted to the other.
      *
      * @param eta the index on this side over that on the other
      */
@@ -81,7 +81,7 @@ final class LostLight {
         return Math.min(flux / (meanLoss(place, isDense) * square), 1);
     }
 
-    /** The density per solid angle, at a cosine, of directions that {@link #sample} chooses on a side. */
+    /** The density per solid angle, at a cosine, of directions that {@link #sample} selects on a side. */
     double density(double place, boolean isDense, double cosine) {
         int k = low(place);
         AlbedoTable a = table(k, isDense);
@@ -90,7 +90,7 @@ final class LostLight {
         return sum / between(place - k, a.meanLoss, b.meanLoss);
     }
 
-    /** The cosine of a direction in which lost light leaves to a side, from a number that is uniform in 0..1. */
+    /** Samples the cosine of a direction in which lost light leaves on a side, by a number uniform in 0..1. */
     double sample(double place, boolean isDense, double number) {
         int k = low(place);
         AlbedoTable a = table(k, isDense);

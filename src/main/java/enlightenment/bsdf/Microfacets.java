@@ -7,11 +7,11 @@ package enlightenment.bsdf;
  * forms are free of cancellation and of divisions by small cosines, down to the smallest α and to grazing directions.
  */
 public final class Microfacets {
-    /** The least roughness that has an extent: below it a lobe is as narrow as what doubles can tell of directions. */
+    /** The least α of a rough surface: below it a lobe is narrower than doubles can resolve directions. */
     private static final double LEAST = 1e-4;
 
     /**
-     * A roughness of 0.25. Fitted: where paths from small lights make caustics with as little noise as paths from the eye do
+     * A roughness of 0.25. Fitted: there paths from small lights and paths from the eye make caustics with the same variance
      * (docs/notes/caustics.md).
      */
     private static final double NARROW = 0.0625;
@@ -39,7 +39,7 @@ public final class Microfacets {
         return new double[] {alpha, alpha2, rest};
     }
 
-    /** Whether a lobe is narrow beside most lamps ({@link Bsdf#isNarrow}). */
+    /** Whether the lobe is narrow compared to most lamps ({@link Bsdf#isNarrow}). */
     boolean isNarrow() {
         return alpha < NARROW;
     }
@@ -69,7 +69,7 @@ public final class Microfacets {
         return (out + reach(out)) * masking(in, out);
     }
 
-    /** 1 − {@link #shadowing}, with all its digits. */
+    /** 1 − {@link #shadowing}, without cancellation. */
     double shadowed(double in, double out) {
         double reach = reach(in);
         return out * (alpha2 * (1 - in) * (1 + in) / (reach + in)) / Math.fma(out, reach, in * reach(out));
@@ -99,8 +99,9 @@ public final class Microfacets {
     }
 
     /**
-     * What {@link #at}, {@link #visible} and {@link #masking} say of many points: the densities of visible normals, as directions of i,
-     * what a surface of white microfacets reflects, and the cosines with these. It is of use only where i is above the surface.
+     * Computes D, cosines and white single reflection, as {@link #at}, {@link #visible} and {@link #masking}, for points from..to − 1 of a
+     * batch: densities of i by visible normals, values of white microfacets, and the cosines with these. Valid only where i is above the
+     * surface.
      */
     void evaluate(ScatteringBatch b, int from, int to) {
         for (int n = from; n < to; n++) {
@@ -116,7 +117,7 @@ public final class Microfacets {
             double length2 = z2 + p2;
             double ratio = alpha * (length2 / Math.fma(alpha2, z2, p2));
             b.single[n] = ratio * ratio * (0.5 / Math.PI);
-            // Half of the sum of two unit vectors is as long as its cosine with each of them.
+            // Half of the sum of two unit vectors has the length of its cosine with each of them.
             b.facet[n] = Math.min(0.5 * Math.sqrt(length2), 1);
         }
         for (int n = from; n < to; n++) {
@@ -130,8 +131,8 @@ public final class Microfacets {
     }
 
     /**
-     * Samples a normal that is visible from o, uniformly on a spherical cap (J. Dupuy and A. Benyoub, "Sampling visible GGX normals with
-     * spherical caps", 2023), and leaves it in i. The cap's heights come from the disk without a subtraction of like numbers.
+     * Samples a normal visible from o, uniformly on a spherical cap (J. Dupuy and A. Benyoub, "Sampling visible GGX normals with spherical
+     * caps", 2023), and stores it in i. The cap's heights come from the disk without cancellation.
      *
      * @return false if there is none
      */

@@ -5,25 +5,25 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The layers of {@link PrincipledReflection} and their tables, each made once: surfaces whose two roughnesses come from textures are many
+ * Caches the layers of {@link PrincipledReflection} with their tables: surfaces whose two roughnesses come from textures are many
  * combinations of few layers. For one thread.
  */
 public final class PrincipledLayers {
     private final Map<List<Double>, DielectricLayer> layers = new HashMap<>();
     private final Map<Double, AlbedoTable> mirrors = new HashMap<>();
 
-    /** Null until a surface has sheen. */
+    /** The table of sheen; null until a surface has sheen. */
     private SheenAlbedo sheen;
 
-    /** No layers yet. */
+    /** Makes an empty cache. */
     public PrincipledLayers() {}
 
-    /** The layer of these parameters of {@link DielectricLayer}. */
+    /** The layer with these parameters of {@link DielectricLayer}. */
     DielectricLayer layer(double share, double alpha, double index) {
         return layers.computeIfAbsent(List.of(share, alpha, index), key -> new DielectricLayer(share, alpha, index));
     }
 
-    /** The sheen of these parameters of {@link SheenLayer}. */
+    /** The sheen with these parameters of {@link SheenLayer}. */
     SheenLayer sheen(double share, double tint) {
         if (share > 0 && sheen == null) {
             sheen = new SheenAlbedo();
@@ -31,7 +31,7 @@ public final class PrincipledLayers {
         return new SheenLayer(share, tint, sheen);
     }
 
-    /** What single reflection loses at facets that reflect all light. */
+    /** The energy loss of single reflection at facets that reflect all light. */
     AlbedoTable mirrors(Microfacets facets) {
         return mirrors.computeIfAbsent(facets.alpha, key -> new AlbedoTable(new VisibleNormals.OfMirrors(facets)));
     }

@@ -14,7 +14,7 @@ package enlightenment.bsdf;
  * <p>Smooth layers are delta lobes, which share one direction and are sampled as one.
  */
 public final class PrincipledReflection implements Bsdf {
-    /** Parts of the integral for B̄, even in sqrt(μ). */
+    /** Parts of the integral for B̄, uniform in sqrt(μ). */
     private static final int PARTS = 2048;
 
     private static final int DELTA = 0;
@@ -29,10 +29,10 @@ public final class PrincipledReflection implements Bsdf {
     private final DielectricLayer coat;
     private final SheenLayer sheen;
 
-    /** The facets that metal and coat have in common; null if smooth. */
+    /** The facets that metal and coat share; null if smooth. */
     private final Microfacets facets;
 
-    /** What single reflection at the metal loses; null if smooth or without metal. */
+    /** The energy loss of single reflection at the metal; null if smooth or without metal. */
     private final AlbedoTable table;
 
     /** (1 − m)/(π B̄). */
@@ -88,7 +88,7 @@ public final class PrincipledReflection implements Bsdf {
         return total / (3 * PARTS);
     }
 
-    /** B(μ), the share of light that comes to the matte base. */
+    /** B(μ), the share of light that reaches the matte base. */
     private double below(double cosine) {
         return clear.through(cosine) * coat.through(cosine);
     }
@@ -103,7 +103,7 @@ public final class PrincipledReflection implements Bsdf {
         return isMirror() || clear.isSmooth();
     }
 
-    /** Whether metal or coat are smooth. */
+    /** Whether metal or coat is a delta lobe. */
     private boolean isMirror() {
         return facets == null && (metallic > 0 || !coat.isAbsent());
     }
@@ -123,7 +123,7 @@ public final class PrincipledReflection implements Bsdf {
         return false;
     }
 
-    /** Sets the probabilities of the lobes, by what each reflects of light from o. */
+    /** Sets the probabilities of the lobes, by the albedo of each for light from o. */
     private void choose(Scattering s, double out) {
         double[] p = s.lobes;
         double below = clear.through(out);
@@ -154,7 +154,7 @@ public final class PrincipledReflection implements Bsdf {
         return (sheen.color(s, s.red) + sheen.color(s, s.green) + sheen.color(s, s.blue)) / 3;
     }
 
-    /** The mean over the bands of the metal's mean reflectance F̄, or of what multiple reflection leaves of it. */
+    /** The mean over the bands of the metal's mean reflectance F̄, or of the share that multiple reflection leaves of it. */
     private double mean(Scattering s, boolean isMultiple) {
         double r = Fresnel.SCHLICK.meanR(s);
         double g = Fresnel.SCHLICK.meanG(s);
@@ -162,7 +162,10 @@ public final class PrincipledReflection implements Bsdf {
         return (isMultiple ? table.multiple(r) + table.multiple(g) + table.multiple(b) : r + g + b) / 3;
     }
 
-    /** Makes the sum 1; a delta lobe that reflects less than the others has more, since it alone finds lamps that it reflects. */
+    /**
+     * Normalizes the probabilities; a delta lobe that reflects less than the others gets more, since only this lobe finds lamps that it
+     * reflects.
+     */
     private static void normalize(double[] p) {
         double others = p[CLEAR] + p[FACETS] + p[MULTIPLE] + p[DIFFUSE] + p[SHEEN];
         double delta = p[DELTA];
@@ -177,7 +180,7 @@ public final class PrincipledReflection implements Bsdf {
         }
     }
 
-    /** The density of the visible normals of a lobe, as directions of i; 0 without facets. Sets those facets of s. */
+    /** The density of i by the visible normals of a lobe; 0 without facets. Sets the microfacet fields of s. */
     private static double visible(Scattering s, Microfacets of, double out) {
         if (of == null) {
             return 0;
@@ -274,7 +277,7 @@ public final class PrincipledReflection implements Bsdf {
     /**
      * Samples a broad lobe.
      *
-     * @param left what remains of the number that chooses the lobe, without the probabilities of the others
+     * @param left the number that selects the lobe, less the probabilities of the lobes before
      */
     private boolean sampleBroad(Scattering s, double u, double v, double left) {
         double[] p = s.lobes;

@@ -1,9 +1,9 @@
 package enlightenment.bsdf;
 
 /**
- * A rough dielectric coat over a matte base, such as satin paint: {@link Microfacets} that reflect by Fresnel's equations, and the diffuse lobe of
- * a {@link CoatedBase}, where T is all that single reflection leaves: light that comes to a second facet enters the coat there, but for the
- * few percent of its reflectance. Opaque; alike on both sides.
+ * A rough dielectric coat over a matte base, such as satin paint: {@link Microfacets} that reflect by Fresnel's equations, and the diffuse
+ * lobe of a {@link CoatedBase}, where T is everything that single reflection does not reflect: light that meets a second facet enters the
+ * coat there, except for the few percent of its reflectance. Opaque; the same on both sides.
  */
 public final class RoughCoating implements Bsdf {
     private final Microfacets facets;
@@ -13,11 +13,11 @@ public final class RoughCoating implements Bsdf {
     private final CoatedBase base;
 
     /**
-     * A coated surface, whose colour is that of the base: makes a table, in some milliseconds.
+     * Makes a coated surface, whose colour is that of the base; computes a table, in some milliseconds.
      *
      * @param alpha the roughness α of GGX of the coat, at most 1 and not {@linkplain Microfacets#isSmooth smooth}
      * @param index the index of refraction of the coat relative to the outside, greater than 1
-     * @param nonlinear whether light that goes to and fro below the coat is coloured by the base each time
+     * @param nonlinear whether each inter-reflection below the coat multiplies by the base's colour
      */
     public RoughCoating(double alpha, double index, boolean nonlinear) {
         facets = new Microfacets(alpha);
@@ -67,7 +67,7 @@ public final class RoughCoating implements Bsdf {
         base.value(s, entering * through.loss(Math.min(in, 1)) * in * scale, coat);
     }
 
-    /** The density of both lobes, after {@link Microfacets#at}. */
+    /** The density of the mixture of both lobes; call after {@link Microfacets#at}. */
     private double mixed(Scattering s, double in, double out, double entering) {
         double share = base.share(s, entering);
         return Math.fma(share, 0.5 * s.facets * facets.visible(out), (1 - share) * through.density(Math.min(in, 1)));

@@ -1,29 +1,29 @@
 package enlightenment.bsdf;
 
 /**
- * Frosted glass, a rough border of two media: {@link Microfacets} that reflect and refract by Fresnel's equations (Walter et al. 2007,
- * equations 20 and 21), sampled by the normals that are visible from o; {@code choice} selects which of the two. If asked, what single
- * scattering loses among the microfacets comes back on both sides as second, broad lobes (C. Kulla and A. Conty, "Revisiting physically
- * based shading at Imageworks", 2017), which are reciprocal: then no light is lost. The surface's colour is no part of the value.
+ * Frosted glass, a rough interface of two media: {@link Microfacets} that reflect and refract by Fresnel's equations (Walter et al. 2007,
+ * equations 20 and 21), sampled by the normals that are visible from o; {@code choice} selects which of the two. Optionally the light that
+ * single scattering loses among the microfacets is compensated on both sides by second, broad lobes (C. Kulla and A. Conty, "Revisiting
+ * physically based shading at Imageworks", 2017), which are reciprocal: then no light is lost. The surface's colour is not part of the
+ * value.
  *
- * <p>From both sides, for {@link Scattering#radiance} and importance: f(o, i) over the squared index on i's side is reciprocal for
- * importance. Where {@link Scattering#eta} is 1 there is no border and light passes straight, as by a delta lobe.
+ * <p>Valid from both sides, for {@link Scattering#radiance} and importance: f(o, i) over the squared index on i's side is reciprocal for
+ * importance. Where {@link Scattering#eta} is 1 there is no interface and light passes straight, as by a delta lobe.
  */
 public final class RoughDielectric implements Bsdf {
-    /** Of samples at least so many are of visible normals. */
+    /** The least probability of sampling visible normals. */
     private static final double LEAST_SHARE = 0.1;
 
     private final Microfacets facets;
 
-    /** What becomes of light that single scattering loses; null if nothing. */
+    /** The compensation of energy lost by single scattering; null for none. */
     private final LostLight lost;
 
     /**
-     * A rough border.
+     * Makes a rough interface.
      *
      * @param alpha its roughness α of GGX, at most 1 and not {@linkplain Microfacets#isSmooth smooth}
-     * @param compensate whether light that meets it more than once is added: makes tables, in some milliseconds, when a path first meets
-     *     two media
+     * @param compensate whether multiple scattering is compensated: makes tables, in some milliseconds, at the first use for two media
      */
     public RoughDielectric(double alpha, boolean compensate) {
         facets = new Microfacets(alpha);
@@ -74,19 +74,19 @@ public final class RoughDielectric implements Bsdf {
         s.value(value, value, value);
     }
 
-    /** The share of lost light that goes to the side that i is on. */
+    /** The share of lost light that leaves on the side of i. */
     private double part(Scattering s, double place, double in) {
         double through = lost.through(place, s.eta > 1, s.eta);
         return in > 0 ? 1 - through : through;
     }
 
-    /** The density of both kinds of lobes. */
+    /** The density of the mixture of both kinds of lobes. */
     private static double mixed(double single, double loss, double broad) {
         double share = share(loss);
         return Math.fma(share, single, (1 - share) * broad);
     }
 
-    /** The share of samples of visible normals, by what is lost. */
+    /** The probability of sampling visible normals, by the loss. */
     private static double share(double loss) {
         return Math.max(1 - loss, LEAST_SHARE);
     }
@@ -95,7 +95,7 @@ public final class RoughDielectric implements Bsdf {
         return through && s.radiance ? s.eta * s.eta : 1;
     }
 
-    /** What value and density have in common: D, Fresnel's share, and the change of solid angle from normals to directions. */
+    /** The common factor of value and density: D, the Fresnel term, and the Jacobian from normals to directions. */
     private double density(Scattering s, double in) {
         if (in > 0) {
             facets.at(s, s.ox + s.ix, s.oy + s.iy, s.oz + s.iz);
@@ -105,7 +105,8 @@ public final class RoughDielectric implements Bsdf {
     }
 
     private double through(Scattering s) {
-        // ηo + i goes along the normal of the microfacet that refracts o to i: up if the denser medium is on o's side.
+        // ηo + i is along the normal of the microfacet that refracts o to i: upwards if the denser medium is on o's
+        // side.
         double sign = s.eta > 1 ? 1 : -1;
         double hx = sign * Math.fma(s.eta, s.ox, s.ix);
         double hy = sign * Math.fma(s.eta, s.oy, s.iy);
@@ -159,7 +160,7 @@ public final class RoughDielectric implements Bsdf {
         return s.weigh();
     }
 
-    /** Samples a direction of single scattering, and which way it goes. */
+    /** Samples a direction of single scattering, reflected or refracted. */
     private boolean sampleSingle(Scattering s, double u, double v, double choice) {
         if (!facets.sampleVisible(s, u, v)) {
             return false;
@@ -186,7 +187,7 @@ public final class RoughDielectric implements Bsdf {
         return s.pdf > 0;
     }
 
-    /** Samples a broad lobe, on the side that was chosen, by its table: at small α what is lost is lost along the surface. */
+    /** Samples a broad lobe, on the selected side, by its table: at small α the loss is concentrated at grazing directions. */
     private void sampleLost(Scattering s, double place, boolean toDense, double u, double v) {
         s.toDisk(u, v);
         double z = lost.sample(place, toDense, Math.min(s.disk2, 1));

@@ -3,10 +3,10 @@ package enlightenment.bsdf;
 /**
  * Rough matte surfaces such as plaster or clay: the energy-preserving form of Oren and Nayar's model (J. Portsmouth, P. Kutz and S. Hill,
  * "EON: a practical energy-preserving rough diffuse BRDF", JCGT 2025). A white one reflects all light, from every direction and at every
- * roughness; with roughness 0 it is {@link Lambert}. Reciprocal, alike on both sides.
+ * roughness; with roughness 0 it is {@link Lambert}. Reciprocal, the same on both sides.
  *
- * <p>The cosine alone is a poor density: towards where grazing light comes from, the value grows like 1/max(μo, μi). So part of the
- * samples is spread evenly over the hemisphere.
+ * <p>The cosine alone is a poor density: towards the origin of grazing light the value grows like 1/max(μo, μi). So a share of the samples
+ * is uniform over the hemisphere.
  */
 public final class RoughDiffuse implements Bsdf {
     private static final double C1 = 0.5 - 2 / (3 * Math.PI);
@@ -19,7 +19,7 @@ public final class RoughDiffuse implements Bsdf {
     private final double multiple;
 
     /**
-     * A surface of one roughness.
+     * Makes a surface of one roughness.
      *
      * @param roughness 0 (Lambert) to 1
      */
@@ -104,7 +104,7 @@ public final class RoughDiffuse implements Bsdf {
         return color * Math.fma(color * mean / (1 - color * (1 - mean)), more, single);
     }
 
-    /** c1 − G(μ)/π: what single scattering loses, over rA. */
+    /** c1 − G(μ)/π: the loss of single scattering, over rA. */
     private static double lost(double cosine) {
         double c = Math.min(cosine, 1);
         double m = Math.sqrt(1 - c);
@@ -135,7 +135,7 @@ public final class RoughDiffuse implements Bsdf {
         return Math.fma(even, 0.5 - in, in) / Math.PI;
     }
 
-    /** The share of samples that are spread evenly. */
+    /** The probability of sampling uniformly over the hemisphere. */
     private double even(double out) {
         return 0.5 * r * (1 - out) * (1 - out);
     }

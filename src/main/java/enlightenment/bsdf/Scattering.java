@@ -4,32 +4,32 @@ import enlightenment.frame.Basis;
 import enlightenment.sampling.Warp;
 
 /**
- * A point of a surface at which light is scattered, and what its {@link Bsdf} says. All directions are unit vectors that point away
- * from the surface. A mutable work object, one per thread.
+ * A point at which light is scattered, with the results of its {@link Bsdf}. All directions are unit vectors that point away from the
+ * surface. A mutable work object, one per thread.
  */
 public final class Scattering {
-    /** Towards where the path came from. */
+    /** The direction o, towards the path's previous vertex. */
     public double ox;
 
     public double oy;
     public double oz;
 
-    /** The surface's normal on the side of o: no rounded product decides which side that is. */
+    /** The shading normal on the side of o: no rounded product decides which side that is. */
     public double nx;
 
     public double ny;
     public double nz;
 
-    /** The normal of the surface itself, on the same side, where {@link #nx} and so on is one that it is only shaded by; else the same. */
+    /** The geometric normal, on the same side as {@link #nx}; equal to it where there is no other shading normal. */
     public double gx;
 
     public double gy;
     public double gz;
 
-    /** Whether o leads to a light, along a path that begins there; read where the two normals differ. */
+    /** Whether o leads to a light, along a light path; read where the two normals differ. */
     public boolean fromLight;
 
-    /** The surface's colour here. */
+    /** The surface's colour at the point, by band. */
     public double red = 1;
 
     public double green = 1;
@@ -45,7 +45,7 @@ public final class Scattering {
      */
     public boolean radiance;
 
-    /** Towards where the path goes on. */
+    /** The direction i, towards the path's next vertex. */
     public double ix;
 
     public double iy;
@@ -60,21 +60,21 @@ public final class Scattering {
     /** The density of the direction i, per solid angle; its discrete probability, 0..1, if it was sampled from a delta lobe. */
     public double pdf;
 
-    /** Whether the direction sampled is one of a delta lobe. */
+    /** Whether the sampled direction is that of a delta lobe. */
     public boolean delta;
 
-    /** Whether it leads to the other side of the surface. */
+    /** Whether the sampled direction leads to the other side of the surface. */
     public boolean transmitted;
 
     private final Basis basis = new Basis();
     private final double[] disk = new double[3];
 
-    /** The point of the unit disk of the last direction that was sampled. */
+    /** The point of the unit disk from which the last direction was sampled. */
     double diskX;
 
     double diskY;
 
-    /** Its squared distance from the centre. */
+    /** The squared distance of that point from the disk's centre. */
     double disk2;
 
     /** The cosine between o and the last microfacet's normal, and that normal's density D. */
@@ -82,13 +82,13 @@ public final class Scattering {
 
     double facets;
 
-    /** The probabilities of the lobes of a {@link PrincipledReflection}, as it set them last. */
+    /** The probabilities of the lobes of a {@link PrincipledReflection}, as last set. */
     final double[] lobes = new double[6];
 
-    /** A point without a direction yet. */
+    /** Makes a point without directions. */
     public Scattering() {}
 
-    /** Makes it the same point with the same colour and direction o. */
+    /** Copies point, colour and direction o of another one. */
     public void arriveAs(Scattering from) {
         ox = from.ox;
         oy = from.oy;
@@ -107,32 +107,32 @@ public final class Scattering {
         radiance = from.radiance;
     }
 
-    /** The cosine between the surface's own normal and i. */
+    /** The cosine between the geometric normal and i. */
     public double geometricCosineIn() {
         return ix * gx + iy * gy + iz * gz;
     }
 
-    /** The cosine between the surface's own normal and o. */
+    /** The cosine between the geometric normal and o. */
     public double geometricCosineOut() {
         return ox * gx + oy * gy + oz * gz;
     }
 
-    /** The cosine between normal and o. */
+    /** The cosine between the shading normal and o. */
     double cosineOut() {
         return ox * nx + oy * ny + oz * nz;
     }
 
-    /** The same, 0..1: rounding may take it beyond. */
+    /** The cosine between the shading normal and o, clamped to 0..1 against rounding. */
     double cosineOutClamped() {
         return Math.min(Math.max(cosineOut(), 0), 1);
     }
 
-    /** The cosine between normal and i. */
+    /** The cosine between the shading normal and i. */
     double cosineIn() {
         return ix * nx + iy * ny + iz * nz;
     }
 
-    /** Sets the direction o to that of a vector. */
+    /** Sets the direction o to that of a vector of any length. */
     public void arriveFrom(double x, double y, double z) {
         double scale = 1 / Math.sqrt(x * x + y * y + z * z);
         ox = x * scale;
@@ -140,7 +140,7 @@ public final class Scattering {
         oz = z * scale;
     }
 
-    /** Sets the direction i to that of a vector. */
+    /** Sets the direction i to that of a vector of any length. */
     public void direct(double x, double y, double z) {
         double scale = 1 / Math.sqrt(x * x + y * y + z * z);
         ix = x * scale;
@@ -148,7 +148,7 @@ public final class Scattering {
         iz = z * scale;
     }
 
-    /** Sets the completion of the normal to a basis, for {@link #localOx} and {@link #directLocal}. */
+    /** Sets the basis around the normal, for {@link #localOx} and {@link #directLocal}. */
     void turn() {
         basis.around(nx, ny, nz);
     }
@@ -180,7 +180,7 @@ public final class Scattering {
                 Math.fma(x, basis.az, Math.fma(y, basis.bz, -z * oz)));
     }
 
-    /** Takes the unit square to the unit disk. */
+    /** Maps the unit square to the unit disk, preserving area, and stores the point. */
     void toDisk(double u, double v) {
         Warp.toDisk(u, v, disk);
         diskX = disk[0];
@@ -188,7 +188,7 @@ public final class Scattering {
         disk2 = disk[2];
     }
 
-    /** Samples i by its cosine with Malley's method: uniform in the disk below the hemisphere. */
+    /** Samples i with density proportional to the cosine, by Malley's method: uniform in the disk below the hemisphere. */
     void sampleCosine(double u, double v) {
         toDisk(u, v);
         turn();
@@ -196,8 +196,8 @@ public final class Scattering {
     }
 
     /**
-     * Samples i and its density at a Lambertian surface: a unit vector up to rounding, which rays need not be told more exactly. The
-     * density may be 0.
+     * Samples i with its density at a Lambertian surface; the vector is of unit length only up to rounding, which rays do not need better.
+     * The density may be 0.
      */
     public void sampleMatte(double u, double v) {
         toDisk(u, v);
@@ -211,7 +211,7 @@ public final class Scattering {
         transmitted = false;
     }
 
-    /** Samples i uniformly on the hemisphere: height is as evenly spread there as area is in a disk. */
+    /** Samples i uniformly on the hemisphere: its height is as uniform as the squared radius in a disk. */
     void sampleHemisphere(double u, double v) {
         toDisk(u, v);
         turn();
@@ -219,7 +219,7 @@ public final class Scattering {
         directLocal(diskX * s, diskY * s, 1 - disk2);
     }
 
-    /** Sets what {@link Bsdf#sample} found, from value and density of the direction i, if there is a density. */
+    /** Completes {@link Bsdf#sample} from value and density of the direction i; returns whether the density is positive. */
     boolean weigh() {
         delta = false;
         double p = pdf;
@@ -230,7 +230,7 @@ public final class Scattering {
         return true;
     }
 
-    /** Tells that no sample comes this way. */
+    /** Sets value and density to 0: no sample leads this way. */
     void nothing() {
         value(0, 0, 0);
         pdf = 0;
@@ -242,12 +242,12 @@ public final class Scattering {
         valueB = b;
     }
 
-    /** Tells that the direction is the only one of a delta lobe, which was certain to be chosen. */
+    /** Completes the sample of a delta lobe that was chosen with certainty. */
     void certain(boolean through) {
         only(1, through);
     }
 
-    /** Tells that the direction is the only one of a delta lobe, which was chosen with a probability. */
+    /** Completes the sample of a delta lobe that was chosen with a probability. */
     void only(double probability, boolean through) {
         pdf = probability;
         delta = true;
@@ -259,14 +259,14 @@ public final class Scattering {
         reflectFrom(nx, ny, nz);
     }
 
-    /** Sets i to the mirror image of o at a surface of normal m. */
+    /** Sets i to the mirror image of o at a surface with normal m. */
     void reflectFrom(double mx, double my, double mz) {
         double twice = 2 * (ox * mx + oy * my + oz * mz);
         direct(twice * mx - ox, twice * my - oy, twice * mz - oz);
     }
 
     /**
-     * Sets i to where o is refracted to by Snell's law.
+     * Sets i to the refracted direction of o by Snell's law.
      *
      * @return false for total internal reflection, which sets nothing
      */
@@ -274,7 +274,7 @@ public final class Scattering {
         return refractFrom(nx, ny, nz, cosineOutClamped());
     }
 
-    /** The same at a surface of normal m, whose cosine with o is c, 0..1. */
+    /** Sets i to the refracted direction at a surface with normal m, whose cosine with o is c, 0..1; see {@link #refract}. */
     boolean refractFrom(double mx, double my, double mz, double c) {
         // 1 − η²(1 − c²), written so that it is c² exactly where η is 1.
         double etaCos = eta * c;

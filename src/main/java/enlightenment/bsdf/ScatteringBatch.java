@@ -1,35 +1,35 @@
 package enlightenment.bsdf;
 
 /**
- * Many points at which light is scattered: what a {@link Bsdf} says of each, at once. Coordinates lie side by side, for loops that
- * the compiler makes vector instructions of. A mutable work object, one per thread.
+ * Many points at which light is scattered, for {@link Bsdf#evaluate(ScatteringBatch, int, int)}. A structure of arrays, for loops that the
+ * compiler vectorizes. A mutable work object, one per thread.
  */
 public final class ScatteringBatch {
-    /** Towards where paths came from: unit vectors. */
+    /** The directions o, towards previous vertices: unit vectors. */
     public final double[] ox;
 
     public final double[] oy;
     public final double[] oz;
 
-    /** The surfaces' normals on the side of o. */
+    /** The shading normals on the side of o. */
     public final double[] nx;
 
     public final double[] ny;
     public final double[] nz;
 
-    /** Towards where paths go on: unit vectors. */
+    /** The directions i, towards next vertices: unit vectors. */
     public final double[] ix;
 
     public final double[] iy;
     public final double[] iz;
 
-    /** The surfaces' colours. */
+    /** The surfaces' colours, by band. */
     public final double[] red;
 
     public final double[] green;
     public final double[] blue;
 
-    /** What was found, f·|cosθ|. */
+    /** The values f·|cosθ|, by band. */
     public final double[] valueR;
 
     public final double[] valueG;
@@ -38,18 +38,18 @@ public final class ScatteringBatch {
     /** The densities per solid angle of the directions i. */
     public final double[] pdf;
 
-    /** Cosines of i and of o with the normal; and of o with that of the microfacet. */
+    /** Cosines of i and of o with the normal; and of o with the microfacet. */
     final double[] in;
 
     final double[] out;
     final double[] facet;
 
-    /** What a surface of white microfacets reflects. */
+    /** The value of single reflection at white microfacets. */
     final double[] single;
 
     private final Scattering one = new Scattering();
 
-    /** Room for so many points. */
+    /** Makes room for this number of points. */
     public ScatteringBatch(int size) {
         ox = new double[size];
         oy = new double[size];
@@ -86,13 +86,13 @@ public final class ScatteringBatch {
         blue[n] = s.blue;
     }
 
-    /** A point alone, until another is asked for. */
+    /** A single point, in an object that the next call reuses. */
     Scattering get(int n) {
         get(n, one);
         return one;
     }
 
-    /** Writes a point. */
+    /** Copies a point, without results. */
     void get(int n, Scattering s) {
         s.ox = ox[n];
         s.oy = oy[n];
@@ -108,7 +108,7 @@ public final class ScatteringBatch {
         s.blue = blue[n];
     }
 
-    /** The colour of a point alone, and what was found there, until another is asked for. */
+    /** Colour and value of a single point, in an object that the next call reuses. */
     Scattering found(int n) {
         one.red = red[n];
         one.green = green[n];
@@ -118,7 +118,7 @@ public final class ScatteringBatch {
         return one;
     }
 
-    /** Sets what was found at a point. */
+    /** Stores value and density of a point. */
     void find(int n, Scattering s) {
         valueR[n] = s.valueR;
         valueG[n] = s.valueG;
@@ -126,7 +126,7 @@ public final class ScatteringBatch {
         pdf[n] = s.pdf;
     }
 
-    /** Makes it nothing where i is below the surface. */
+    /** Sets value and density to 0 where i is below the surface. */
     void clearBelow(int from, int to) {
         for (int n = from; n < to; n++) {
             if (!(in[n] > 0)) {
@@ -138,7 +138,7 @@ public final class ScatteringBatch {
         }
     }
 
-    /** Finds the cosines with the normal; in two loops, since long ones become no vector instructions. */
+    /** Computes the cosines with the normal; in two loops, since the compiler does not vectorize long ones. */
     void findCosines(int from, int to) {
         for (int n = from; n < to; n++) {
             in[n] = ix[n] * nx[n] + iy[n] * ny[n] + iz[n] * nz[n];

@@ -1,8 +1,8 @@
 package enlightenment.bsdf;
 
 /**
- * The directional albedo E(μ) = ∫ (1 − cosθ_d)⁵ μ_i dω_i of sheen of share 1 ({@link SheenLayer}), tabulated. Made by a fixed quadrature: the
- * same everywhere.
+ * The directional albedo E(μ) = ∫ (1 − cosθ_d)⁵ μ_i dω_i of sheen of share 1 ({@link SheenLayer}), tabulated. Made by a fixed quadrature:
+ * the same on every machine.
  *
  * <p>θ_d is half of the angle γ between both directions, so that E is one integral over γ of the mean of the cosine around o.
  */
@@ -20,7 +20,7 @@ final class SheenAlbedo {
         }
     }
 
-    /** E at a cosine, 0..1. */
+    /** E at a cosine, 0..1, interpolated. */
     double at(double cosine) {
         double x = NODES * cosine;
         int k = Math.min((int) x, NODES - 1);

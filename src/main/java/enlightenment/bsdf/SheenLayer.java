@@ -1,11 +1,12 @@
 package enlightenment.bsdf;
 
 /**
- * The sheen of fibres that stand on a surface: a lobe along it, S = s C (1 − cosθ_d)⁵ with the share s, the colour C and the angle θ_d
- * between a direction and the half vector (B. Burley, "Physically based shading at Disney", 2012), and what it lets through to the surface
- * below, q(μ) = 1 − s E(μ) with the directional albedo E of the lobe of share 1 in white. Immutable.
+ * The sheen of fibres that stand on a surface: a lobe at grazing directions, S = s C (1 − cosθ_d)⁵ with the share s, the colour C and the
+ * angle θ_d between a direction and the half vector (B. Burley, "Physically based shading at Disney", 2012), and its transmittance to the
+ * surface below, q(μ) = 1 − s E(μ) with the directional albedo E of the white lobe of share 1. Immutable.
  *
- * <p>The colour leads from white to that of the surface by the tint; its largest component is 1, so that no band of q is less than this.
+ * <p>The tint interpolates the colour from white to that of the surface; its largest component is 1, so that no band of q is less than
+ * this.
  */
 final class SheenLayer {
     /** The density of uniform directions on the hemisphere. */
@@ -16,10 +17,10 @@ final class SheenLayer {
     private final SheenAlbedo albedo;
 
     /**
-     * A layer.
+     * Makes a layer.
      *
      * @param share s, 0..1; 0: there is none
-     * @param tint how much of the surface's colour the lobe has, 0..1
+     * @param tint the weight of the surface's colour in that of the lobe, 0..1
      */
     SheenLayer(double share, double tint, SheenAlbedo albedo) {
         this.share = share;
@@ -31,12 +32,12 @@ final class SheenLayer {
         return share == 0;
     }
 
-    /** The share of light that passes at a cosine, 0..1. */
+    /** The transmittance at a cosine, 0..1. */
     double through(double cosine) {
         return share == 0 ? 1 : 1 - share * albedo.at(cosine);
     }
 
-    /** The lobe in white, for the directions of s. */
+    /** The white lobe's value, for the directions of s. */
     double lobe(Scattering s) {
         if (share == 0) {
             return 0;

@@ -1,8 +1,8 @@
 package enlightenment.bsdf;
 
 /**
- * A smooth dielectric coat over a matte base, such as varnish or polished plastic: a delta lobe, the mirror image by Fresnel's equations, and
- * the diffuse lobe of a {@link CoatedBase} with T = 1 − F. Opaque; alike on both sides.
+ * A smooth dielectric coat over a matte base, such as varnish or polished plastic: a delta lobe, the mirror image by Fresnel's equations,
+ * and the diffuse lobe of a {@link CoatedBase} with T = 1 − F. Opaque; the same on both sides.
  */
 public final class SmoothCoating implements Bsdf {
     private static final int POINTS = 64;
@@ -12,10 +12,10 @@ public final class SmoothCoating implements Bsdf {
     private final CoatedBase base;
 
     /**
-     * A coated surface, whose colour is that of the base.
+     * Makes a coated surface, whose colour is that of the base.
      *
      * @param index the index of refraction of the coat relative to the outside, greater than 1
-     * @param nonlinear whether light that goes to and fro below the coat is coloured by the base each time
+     * @param nonlinear whether each inter-reflection below the coat multiplies by the base's colour
      */
     public SmoothCoating(double index, boolean nonlinear) {
         eta = 1 / CoatedBase.checked(index);
@@ -24,7 +24,7 @@ public final class SmoothCoating implements Bsdf {
         base = new CoatedBase(index, mean, nonlinear);
     }
 
-    /** 2∫Tμ dμ over μ = x⁴, in which T is smooth where the index is next to 1 as well. */
+    /** The mean transmittance 2∫Tμ dμ, integrated over μ = x⁴, in which T is smooth for indices near 1 as well. */
     static double meanTransmittance(double eta) {
         double total = 0;
         for (int k = 0; k < POINTS; k++) {
@@ -35,7 +35,7 @@ public final class SmoothCoating implements Bsdf {
         return Math.min(total, 1);
     }
 
-    /** The share of light that enters a coat at a cosine, 0..1. */
+    /** The transmittance into a coat at a cosine, 0..1. */
     static double transmittance(double cosine, double eta) {
         double refracted = Math.sqrt(DielectricFresnel.refracted2(cosine, eta));
         return Math.min(DielectricFresnel.transmittance(cosine, refracted, eta), 1);

@@ -1,13 +1,13 @@
 package enlightenment.bsdf;
 
-/** A smooth metal, or another opaque surface that is polished: one delta lobe, the mirror image, with Fresnel's share of the light. */
+/** A smooth metal, or another polished opaque surface: one delta lobe, the mirror image, with the Fresnel reflectance. */
 public final class SmoothConductor implements DeltaBsdf {
     private final Fresnel fresnel;
 
     /**
-     * A polished surface.
+     * Makes a polished surface.
      *
-     * @param fresnel what share it reflects
+     * @param fresnel its reflectance
      */
     public SmoothConductor(Fresnel fresnel) {
         this.fresnel = fresnel;

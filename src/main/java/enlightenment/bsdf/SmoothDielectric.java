@@ -1,9 +1,8 @@
 package enlightenment.bsdf;
 
 /**
- * A smooth border of two media, by Fresnel's equations: it reflects their share of the light and refracts the rest. Two delta lobes, of
- * which {@code choice} selects one with the probability of its share. The surface's colour is no part of the value, as of
- * {@link ClassicDielectric}.
+ * A smooth interface of two media, by Fresnel's equations. Two delta lobes, reflection and refraction, of which {@code choice} selects one
+ * with the probability of its share of the light. The surface's colour is not part of the value, as for {@link ClassicDielectric}.
  */
 public final class SmoothDielectric implements DeltaBsdf {
     public static final SmoothDielectric INSTANCE = new SmoothDielectric();
@@ -20,7 +19,7 @@ public final class SmoothDielectric implements DeltaBsdf {
         return true;
     }
 
-    /** Reflects if {@code choice} is below the share that is reflected. */
+    /** Reflects if {@code choice} is below the reflectance. */
     @Override
     public boolean sample(Scattering s, double u, double v, double choice) {
         double share = DielectricFresnel.reflectance(s.cosineOutClamped(), s.eta);

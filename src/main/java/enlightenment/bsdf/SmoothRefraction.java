@@ -1,13 +1,13 @@
 package enlightenment.bsdf;
 
 /**
- * A smooth border of two media that is refracted by as if its triangles were a smooth surface: {@link SmoothDielectric} about the shading
- * normal. Light that would leave to the wrong side of the triangle itself is lost, and so is what comes from behind the shading normal: both
- * are the same of light that goes the other way.
+ * A smooth interface of two media on triangles with vertex normals: {@link SmoothDielectric} about the shading normal. Light that would
+ * leave to the wrong side of the triangle is lost, and so is light from behind the shading normal; both are symmetric in the direction of
+ * light.
  *
- * <p>Light that paths from lights carry is corrected by |ω_i·n_s||ω_o·n_g| / (|ω_i·n_g||ω_o·n_s|), ω_i towards the light and ω_o towards the
- * eye (E. Veach, "Robust Monte Carlo methods for light transport simulation", 1997, section 5.3): {@link Scattering#fromLight} says which it
- * is. Where the two normals are one, it is a {@link SmoothDielectric}.
+ * <p>Light paths are corrected by |ω_i·n_s||ω_o·n_g| / (|ω_i·n_g||ω_o·n_s|), ω_i towards the light and ω_o towards the eye (E. Veach,
+ * "Robust Monte Carlo methods for light transport simulation", 1997, section 5.3): {@link Scattering#fromLight} says which it is. Where the
+ * two normals are equal, it is a {@link SmoothDielectric}.
  */
 public final class SmoothRefraction implements DeltaBsdf {
     public static final SmoothRefraction INSTANCE = new SmoothRefraction();
@@ -24,7 +24,7 @@ public final class SmoothRefraction implements DeltaBsdf {
         return true;
     }
 
-    /** Reflects if {@code choice} is below the share that is reflected. */
+    /** Reflects if {@code choice} is below the reflectance. */
     @Override
     public boolean sample(Scattering s, double u, double v, double choice) {
         boolean goes = s.cosineOut() > 0 && SmoothDielectric.INSTANCE.sample(s, u, v, choice);

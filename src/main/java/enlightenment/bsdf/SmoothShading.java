@@ -1,26 +1,28 @@
 package enlightenment.bsdf;
 
 /**
- * An opaque surface of triangles that is shaded as if it were smooth, by a normal that is interpolated between vertices: another Bsdf about
- * that normal, times what keeps the edge of shadows from showing the triangles (M. J.-Y. Chiang, Y. K. Li and B. Burley, "Taming the shadow
- * terminator", 2019): −g³ + g² + g with g = min(1, cos(n_g, l) / (cos(n_s, l) · cos(n_g, n_s))), l towards the light. The factor is a part of
- * the Bsdf, so that every way to sample a path finds the same light.
+ * An opaque surface of triangles with vertex normals: another Bsdf about the interpolated shading normal, times a factor that softens the
+ * shadow terminator (M. J.-Y. Chiang, Y. K. Li and B. Burley, "Taming the shadow terminator", 2019): −g³ + g² + g with g = min(1, cos(n_g,
+ * l) / (cos(n_s, l) · cos(n_g, n_s))), l towards the light. The factor is part of the Bsdf, so that every strategy for a path finds the
+ * same light.
  *
- * <p>Light that paths from lights carry is corrected by |ω_i·n_s||ω_o·n_g| / (|ω_i·n_g||ω_o·n_s|), ω_i towards the light and ω_o towards the
- * eye (E. Veach, "Robust Monte Carlo methods for light transport simulation", 1997, section 5.3): {@link Scattering#fromLight} says which it
- * is. No light passes the triangle itself: where a direction is behind that, the value is 0.
+ * <p>Light paths are corrected by |ω_i·n_s||ω_o·n_g| / (|ω_i·n_g||ω_o·n_s|), ω_i towards the light and ω_o towards the eye (E. Veach,
+ * "Robust Monte Carlo methods for light transport simulation", 1997, section 5.3): {@link Scattering#fromLight} says which it is. No light
+ * passes the triangle itself: where a direction is behind it, the value is 0.
  *
- * <p>Where the interpolated normal turns away from the eye, its mirror image in the plane across the view stands for it.
+ * <p>Where the interpolated normal points away from the eye, its mirror image in the plane across the view is used.
  */
 public final class SmoothShading implements Bsdf {
     private final Bsdf inner;
 
-    /** @param inner what the surface is made of; it transmits nothing */
+    /**
+     * @param inner the scattering function about the shading normal; it transmits nothing
+     */
     public SmoothShading(Bsdf inner) {
         this.inner = inner;
     }
 
-    /** What the surface is made of. */
+    /** The scattering function about the shading normal. */
     public Bsdf inner() {
         return inner;
     }
@@ -57,7 +59,7 @@ public final class SmoothShading implements Bsdf {
         s.pdf = p;
     }
 
-    /** Sets the value; the density is that of the normal by which the value is computed, which may be another. */
+    /** Sets the value by the shading normal, mirrored where needed; leaves in pdf the density for that normal, which callers replace. */
     private void valueOf(Scattering s) {
         double in = s.geometricCosineIn();
         if (!(in > 0) || !(s.geometricCosineOut() > 0)) {
@@ -85,7 +87,7 @@ public final class SmoothShading implements Bsdf {
         s.nz = nz;
     }
 
-    /** What the inner value is multiplied by. */
+    /** The factor of the inner value. */
     private static double factor(Scattering s, double cosineIn, double cosineOut) {
         double in = s.geometricCosineIn();
         double out = s.geometricCosineOut();
@@ -100,7 +102,7 @@ public final class SmoothShading implements Bsdf {
         s.value(s.valueR * f, s.valueG * f, s.valueB * f);
     }
 
-    /** Turns the normal so that it is on the side of the eye. */
+    /** Mirrors the normal in the plane across a direction, that to the eye, if it points away from it. */
     private static void turnTo(Scattering s, double x, double y, double z) {
         double cosine = s.nx * x + s.ny * y + s.nz * z;
         if (cosine < 0) {
@@ -150,7 +152,7 @@ public final class SmoothShading implements Bsdf {
         return s.delta || reweigh(s);
     }
 
-    /** The weight of a sampled direction: of its value by the normal that counts for the eye. */
+    /** Sets the weight of a sampled direction, from the value with the shading normal for the eye. */
     private boolean reweigh(Scattering s) {
         double p = s.pdf;
         valueOf(s);

@@ -1,9 +1,9 @@
 package enlightenment.bsdf;
 
 /**
- * A pane without thickness, of glass in one medium: it reflects, with all that goes to and fro between its two faces, and lets the rest
- * pass straight on. Two delta lobes, of which {@code choice} selects one with the probability of its share. The surface's colour is no
- * part of the value; {@link Scattering#eta} is the index of refraction of what surrounds the pane over its own.
+ * A thin slab of glass in one medium, without thickness: it reflects, all inter-reflections between its two faces included, and transmits
+ * the rest straight. Two delta lobes, of which {@code choice} selects one with the probability of its share of the light. The surface's
+ * colour is not part of the value; {@link Scattering#eta} is the index of refraction of the surrounding medium over that of the slab.
  */
 public final class ThinDielectric implements DeltaBsdf {
     public static final ThinDielectric INSTANCE = new ThinDielectric();
@@ -16,17 +16,17 @@ public final class ThinDielectric implements DeltaBsdf {
     }
 
     /**
-     * The transmittance of the pane, 0..1, all inter-reflections between its faces included, without its colour: the factor of a shadow
-     * ray through it. {@code transmittance} + reflectance = 1; R = 2F/(1 + F) for each polarisation.
+     * The transmittance of the slab, 0..1, all inter-reflections between its faces included, without its colour: the factor of a shadow ray
+     * through it. {@code transmittance} + reflectance = 1; R = 2F/(1 + F) for each polarisation.
      *
-     * @param cosine of the angle between its direction and the normal, of any sign
-     * @param eta the index of refraction of what surrounds the pane over its own, positive
+     * @param cosine of the angle between the ray's direction and the normal, of any sign
+     * @param eta the index of refraction of the surrounding medium over that of the slab, positive
      */
     public static double transmittance(double cosine, double eta) {
         return 1 - DielectricFresnel.paneReflectance(Math.min(Math.abs(cosine), 1), eta);
     }
 
-    /** Reflects if {@code choice} is below the share that is reflected. */
+    /** Reflects if {@code choice} is below the reflectance. */
     @Override
     public boolean sample(Scattering s, double u, double v, double choice) {
         double share = DielectricFresnel.paneReflectance(s.cosineOutClamped(), s.eta);

@@ -1,19 +1,19 @@
 package enlightenment.bsdf;
 
-/** A fixed quadrature over the normals of facets that are visible from a direction: the mean of what is lost at one facet. */
+/** A fixed quadrature over the normals of facets visible from a direction, for the mean loss of light at one facet. */
 abstract class VisibleNormals {
     final Microfacets facets;
 
-    /** How evenly over cosines what is lost changes: 0 if mostly along the surface, 1 if nothing is special there. */
+    /** How uniformly the loss varies over cosines: 0 if mostly at grazing directions, 1 if nowhere in particular. */
     final double even;
 
-    /** Whether tables interpolate what is kept relative to {@link #keptBySmooth}. */
+    /** Whether tables interpolate the albedo relative to {@link #keptBySmooth}. */
     final boolean isRelative;
 
     private final int rings;
     private final double[] cosines;
 
-    /** Over rings and sectors of a half disk, over which visible normals are spread evenly. */
+    /** Makes a quadrature over rings and sectors of a half disk, in which visible normals are uniform. */
     VisibleNormals(Microfacets facets, double even, boolean isRelative, int rings, int sectors) {
         this.isRelative = isRelative;
         this.facets = facets;
@@ -26,16 +26,16 @@ abstract class VisibleNormals {
     }
 
     /**
-     * The share of light from o that is lost at a facet whose normal goes along a vector m.
+     * The share of light from o that is lost at a facet whose normal is along a vector m.
      *
      * @param out the cosine between o and the surface's normal
      * @param along o·m
-     * @param z the part of m along the surface's normal
+     * @param z the component of m along the surface's normal
      * @param length2 m·m
      */
     abstract double lost(double out, double along, double z, double length2);
 
-    /** The share of light that a smooth surface does not lose at a cosine, greater than 0: what changes faster than roughness makes it. */
+    /** The albedo of a smooth surface at a cosine, greater than 0: the part of the albedo that varies faster than roughness makes it. */
     double keptBySmooth(double cosine) {
         return 1;
     }
@@ -46,8 +46,8 @@ abstract class VisibleNormals {
     }
 
     /**
-     * The mean over the normals visible from a direction. Rings are dense at the edge of the disk, 1 − r² = w⁴ with w even: there are the
-     * few steep normals that a smooth surface loses light by.
+     * The mean loss over the normals visible from a direction. Rings are dense at the edge of the disk, 1 − r² = w⁴ with w uniform: there
+     * are the few steep normals at which a smooth surface loses light.
      *
      * @param out the cosine of the direction
      */
@@ -70,7 +70,7 @@ abstract class VisibleNormals {
         return Math.min(total / (rings * cosines.length), 1);
     }
 
-    /** At the normal of slopes αx and αy over z, with y squared. */
+    /** The loss at the normal of slopes αx and αy over z, with y squared. */
     private double lost(double out, double sine, double x, double y2, double z) {
         double alpha = facets.alpha;
         double hx = alpha * x;
@@ -91,7 +91,7 @@ abstract class VisibleNormals {
         }
     }
 
-    /** Facets of a dielectric coat: lost is what they do not reflect. */
+    /** Facets of a dielectric coat: the loss is what they do not reflect. */
     static final class OfCoat extends VisibleNormals {
         private final double eta;
 
@@ -123,13 +123,13 @@ abstract class VisibleNormals {
         }
     }
 
-    /** Facets that are the border of two media. */
+    /** Facets that are the interface of two media. */
     static final class OfBorder extends VisibleNormals {
         private final double eta;
 
         /** @param eta the index on the side of arrival over that of the other side */
         OfBorder(Microfacets facets, double eta) {
-            // Next to the angle of total reflection it changes as well.
+            // The loss varies near the angle of total internal reflection as well.
             super(facets, 0.5, false, 128, 32);
             this.eta = eta;
         }

@@ -1,4 +1,2 @@
-/**
- * How surfaces scatter light: value, samples and their density for each kind of surface, one class for each. Internal.
- */
+/** Scattering functions of surfaces and media: value, samples and density, a class for each kind. Internal. */
 package enlightenment.bsdf;

@@ -43,16 +43,36 @@ public final class UnitWork {
             RayCounters counters,
             Learned learned,
             BooleanSupplier cancelled) {
+        this(units, scene, outline, counters, tilesOf(units, scene, outline, counters, learned), cancelled);
+    }
+
+    private static TileIntegrator tilesOf(
+            WorkUnits units, CompiledScene scene, RenderOutline outline, RayCounters counters, Learned learned) {
+        return units.haveTiles()
+                ? (TileIntegrator) Integrators.of(outline.plan(), scene, outline.settings(), counters, learned)
+                : null;
+    }
+
+    /**
+     * What does the units, tiles by something else than the method's own integrator.
+     *
+     * @param tiles makes them; null if no units are tiles
+     */
+    public UnitWork(
+            WorkUnits units,
+            CompiledScene scene,
+            RenderOutline outline,
+            RayCounters counters,
+            TileIntegrator tiles,
+            BooleanSupplier cancelled) {
         this.units = units;
+        this.tiles = tiles;
         display = outline.display();
-        RenderSettings settings = outline.settings();
-        if (units.haveTiles()) {
-            tiles = (TileIntegrator) Integrators.of(outline.plan(), scene, settings, counters, learned);
+        if (tiles != null) {
             tiles.stopWhen(cancelled);
-        } else {
-            tiles = null;
         }
         if (units.batches() > 0) {
+            RenderSettings settings = outline.settings();
             paths = Integrators.splats(outline.plan(), scene, settings, counters);
             paths.stopWhen(cancelled);
             RenderSettings.Crop region = settings.region();
@@ -61,20 +81,6 @@ public final class UnitWork {
             paths = null;
             batch = null;
         }
-    }
-
-    /**
-     * What does units that are tiles, by something else than the method's own integrator.
-     *
-     * @param tiles makes them
-     */
-    public UnitWork(WorkUnits units, RenderOutline outline, TileIntegrator tiles, BooleanSupplier cancelled) {
-        this.units = units;
-        this.tiles = tiles;
-        display = outline.display();
-        paths = null;
-        batch = null;
-        tiles.stopWhen(cancelled);
     }
 
     /** A tile, or a pass over it. */

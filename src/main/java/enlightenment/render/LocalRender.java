@@ -124,7 +124,9 @@ final class LocalRender implements PictureRender {
             UnitWork work = counters.size() <= ofDevice
                     ? new UnitWork(
                             units,
+                            scene,
                             outline,
+                            mine,
                             device.tiles(counters.size() - 1, outline.plan().level(), mine),
                             cancelled)
                     : new UnitWork(units, scene, outline, mine, learned(), cancelled);

@@ -40,7 +40,7 @@ class DeviceCommandTest {
 
     @ParameterizedTest
     @CsvSource({
-        "cornell-box, raytrace, the scene has physical shading",
+        "fog, raytrace, the scene has a medium that scatters light",
         "torus, raytrace, the scene has an object of the kind torus",
         "fire-and-ice, cluster, 'devices render by the method raytrace, not by cluster'",
     })

@@ -3,11 +3,11 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 
 /**
- * A light with extent, or a face of a glowing object, in the frame of a render, for physical shading. Radiance is not part of it:
- * closed forms are for radiance 1. Immutable, shared by threads; what depends on the receiver is in a {@link LightSample}, which must have
- * been {@link #aim aimed}.
+ * A light with extent, or an emitting face of an object, in the frame of a render, for physical shading. Radiance is not part of it: closed
+ * forms are for radiance 1. Immutable, shared by threads; what depends on the receiver is in a {@link LightSample}, which must have been
+ * {@link #aim aimed}.
  *
- * <p>Whether the light itself or something else hides a sampled point is for the caller's shadow ray to find out.
+ * <p>Occlusion of a sampled point, by the light itself or by others, is left to the caller's shadow ray.
  */
 public sealed interface AreaLight permits SphereLight, SurfaceLight {
     /** Prepares samples of this light for the receiver (x, y, z), and sets the sample's cone around the light's ball. */
@@ -43,14 +43,14 @@ public sealed interface AreaLight permits SphereLight, SurfaceLight {
     double irradiance(LightSample s, double nx, double ny, double nz);
 
     /**
-     * Whether light of it may reach a receiver with the unit normal n: not if the receiver is behind the light, or the light below the
-     * horizon, where {@link #irradiance} is 0, up to rounding. It costs less than that, and is a function of receiver and light alone.
+     * Whether light may reach a receiver with the unit normal n: false if the receiver is behind the light, or the light below the horizon,
+     * where {@link #irradiance} is 0, up to rounding. Cheaper than that, and a function of receiver and light alone.
      */
     default boolean reaches(LightSample s, double nx, double ny, double nz) {
         return irradiance(s, nx, ny, nz) != 0;
     }
 
-    /** Whether {@link #irradiance} is a number everywhere, of a ball outside of it. */
+    /** Whether {@link #irradiance} is a number for all receivers; for a ball, for all outside of it. */
     default boolean hasClosedForm() {
         return false;
     }
@@ -63,27 +63,27 @@ public sealed interface AreaLight permits SphereLight, SurfaceLight {
         sample(s, u, v);
     }
 
-    /** Whether {@link #sampleByCosine} chooses by the cosine: then its density is the cosine over {@link #irradiance}. */
+    /** Whether {@link #sampleByCosine} samples in proportion to the cosine: then its density is the cosine over {@link #irradiance}. */
     default boolean samplesByCosine(LightSample s, double nx, double ny, double nz) {
         return false;
     }
 
-    /** The area of one side. */
+    /** The area of one side, in squared units of the frame. */
     double area();
 
-    /** Whether a flat light or a curved surface shines from both of its sides. */
+    /** Whether a flat light or a curved surface emits from both of its sides. */
     boolean isTwoSided();
 
-    /** Chooses a point evenly over the area, for (u, v) in the unit square, with its normal. */
+    /** Samples a point uniformly over the area, for (u, v) in the unit square, with its normal. */
     void samplePoint(double u, double v, SurfacePoint point);
 
-    /** The centre of a ball around it. */
+    /** The centre of the bounding ball. */
     Vec3 ballCenter();
 
-    /** The radius of that ball. */
+    /** The radius of the bounding ball. */
     double ballRadius();
 
-    /** The unit normal of a flat light, on its front unless it shines to its back alone; the zero vector for one that is not flat. */
+    /** The unit normal of a flat light, on its front unless only its back emits; the zero vector for a light that is not flat. */
     Vec3 flatNormal();
 
     /** The numbers that define the light, in a fixed order: lights of a kind are equal if these are. */

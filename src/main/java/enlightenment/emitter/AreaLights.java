@@ -11,16 +11,16 @@ import enlightenment.primitive.SpherePrimitive;
 import enlightenment.primitive.TorusPrimitive;
 import enlightenment.primitive.TrianglePrimitive;
 
-/** The lights that placed surfaces are. */
+/** Makes the lights of emitting surfaces of primitives. */
 public final class AreaLights {
     private AreaLights() {}
 
     /**
-     * A face of a primitive as a light: the whole of it if it has one face.
+     * Makes the light of a face of a primitive: the whole primitive if it has one face.
      *
      * @param face in 0..{@link Primitive#faceCount}−1, as {@link enlightenment.primitive.Hit#face}
-     * @param sides those that shine; solids that shine to both are not sampled from inside, where every direction meets them
-     * @return null if the face has no area in the frame: it cannot be sampled, and hardly be met
+     * @param sides that emit; solids that emit on both are not sampled from inside, where every direction hits them
+     * @return null if the face has no area in the frame, so that it cannot be sampled
      */
     public static AreaLight of(Primitive primitive, int face, LightSides sides) {
         if (primitive instanceof SpherePrimitive s) {
@@ -45,7 +45,7 @@ public final class AreaLights {
         throw new AssertionError("no light of the form " + primitive.getClass().getSimpleName());
     }
 
-    /** Every direction from inside a solid meets it, so that only one that shines there alone is sampled from there. */
+    /** From inside a solid every direction hits it, so that only one that emits on its inside alone is sampled from there. */
     private static LightSides ofSolid(LightSides sides) {
         return sides == LightSides.BACK ? LightSides.BACK : LightSides.FRONT;
     }
@@ -90,7 +90,7 @@ public final class AreaLights {
     private static AreaLight boxFace(Vec3 min, Vec3 max, int face, LightSides sides) {
         Vec3 extent = max.minus(min);
         boolean upper = face % 2 == 1;
-        // Assigned, not computed, as on the primitive.
+        // Assigned, not computed, as in the primitive.
         Vec3 corner = new Vec3(
                 upper && face / 2 == 0 ? max.x() : min.x(),
                 upper && face / 2 == 1 ? max.y() : min.y(),

@@ -2,10 +2,10 @@ package enlightenment.emitter;
 
 import enlightenment.math.Vec3;
 
-/** A curved surface that is sampled evenly over its area. */
+/** A curved light that is sampled uniformly over its area. */
 abstract sealed class CurvedLight extends SurfaceLight permits LateralLight, TorusLight, InnerSphereLight {
     /**
-     * A surface inside of a ball.
+     * Makes a light within a bounding ball.
      *
      * @param center of the ball
      */

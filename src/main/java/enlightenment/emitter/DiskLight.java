@@ -5,22 +5,22 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 import enlightenment.sampling.Warp;
 
-/** A flat disk, sampled evenly over its area. */
+/** A flat disk, sampled uniformly over its area. */
 public final class DiskLight extends FlatLight {
     private final Vec3 center;
     private final double radius;
     private final Basis basis = new Basis();
 
-    /** A surface whose front shines, or both of its sides. */
+    /** Makes a disk that emits from its front, or from both sides. */
     public DiskLight(Vec3 center, Vec3 normal, double radius, boolean twoSided) {
         this(center, normal, radius, LightSides.of(twoSided));
     }
 
     /**
-     * A disk.
+     * Makes a disk.
      *
-     * @param normal of length 1, points to its front
-     * @param sides those that shine
+     * @param normal of length 1, on its front
+     * @param sides that emit
      */
     public DiskLight(Vec3 center, Vec3 normal, double radius, LightSides sides) {
         super(center, normal, Math.PI * radius * radius, sides, center, radius * (1 + Scale.gamma(8)));
@@ -50,7 +50,7 @@ public final class DiskLight extends FlatLight {
         return density(distance, cosine);
     }
 
-    /** 0 where nothing of it is seen above the horizon; else there is none. */
+    /** 0 if the receiver is on a side that does not emit, or the disk below its horizon; NaN otherwise. */
     @Override
     public double irradiance(LightSample s, double nx, double ny, double nz) {
         if (!faces(s)) {

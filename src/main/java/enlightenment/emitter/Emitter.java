@@ -3,19 +3,19 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 
 /**
- * The form of a light of classic shading, in the frame of a render; {@link AreaLight} is that of physical shading. Immutable, shared by threads; what depends on the point that it is seen from is in an
- * {@link EmitterView}, which must have been aimed at it.
+ * The form of a light of classic shading, in the frame of a render; {@link AreaLight} is that of physical shading. Immutable, shared by
+ * threads; what depends on the viewer is in an {@link EmitterView}, which must have been aimed at the emitter.
  */
 public sealed interface Emitter permits SphereEmitter, RectangleEmitter, PointEmitter {
-    /** The centre of a ball around it. */
+    /** The centre of the bounding ball. */
     Vec3 ballCenter();
 
-    /** The radius of that ball. */
+    /** The radius of the bounding ball. */
     double ballRadius();
 
     /**
-     * Whether it has no extent: then all of its points are the same, and densities are with respect to the discrete measure rather than
-     * to solid angle.
+     * Whether it has no extent: then all its samples are one point, and densities are with respect to the discrete measure, not to solid
+     * angle.
      */
     boolean isDelta();
 
@@ -29,21 +29,21 @@ public sealed interface Emitter permits SphereEmitter, RectangleEmitter, PointEm
     double pdf(EmitterView view);
 
     /**
-     * The density per solid angle with which {@link #sample} chooses the unit direction (x, y, z): that of {@link #pdf(EmitterView)} for
-     * a direction that it chose, up to rounding; 0 for one that misses the emitter, and if {@link #isDelta}.
+     * The density per solid angle with which {@link #sample} selects the unit direction (x, y, z): up to rounding {@link #pdf(EmitterView)}
+     * of a sampled direction; 0 for one that misses the emitter, and if {@link #isDelta}.
      */
     double pdf(EmitterView view, double x, double y, double z);
 
     /**
-     * The exact mean over the emitter's solid angle of the cosine between direction and unit normal n, where that counts from 0 on: 0 if
-     * all of it lies below the horizon; a closed form if all lies above it and there is one; NaN otherwise.
+     * The exact mean over the emitter's solid angle of the cosine between direction and unit normal n, clamped at 0: 0 if all of it is
+     * below the horizon; a closed form if all is above it and there is one; NaN otherwise.
      */
     double meanCosine(EmitterView view, double nx, double ny, double nz);
 
     /** Prepares {@link #sampleByCosine} and {@link #sampleDisk} for a normal whose {@link #meanCosine} is above 0. */
     void prepareByCosine(EmitterView view, double nx, double ny, double nz);
 
-    /** As {@link #sample}, with a density that is that of {@link #pdf} times the cosine over the mean cosine. */
+    /** As {@link #sample}, with the density of {@link #pdf} times the cosine over the mean cosine. */
     void sampleByCosine(EmitterView view, double u, double v);
 
     /**

@@ -3,26 +3,26 @@ package enlightenment.emitter;
 import enlightenment.frame.BallCone;
 import enlightenment.frame.Basis;
 
-/** An emitter as it is seen from a point, and one point of it that was sampled. A mutable work object, one per thread. */
+/** An emitter as seen from a point, with a sampled point of it. A mutable work object, one per thread. */
 public sealed class EmitterView permits LightSample {
-    /** The viewer and the cone of directions that the emitter lies in: that of the ball around it. */
+    /** The viewer as apex, and the cone of directions to the emitter's bounding ball. */
     public final BallCone cone;
 
-    /** The direction to the last point sampled, of length 1. */
+    /** The unit direction to the sampled point. */
     public double dx;
 
     public double dy;
     public double dz;
 
-    /** The distance to that point. */
+    /** The distance to the sampled point, in the frame. */
     public double length;
 
     final double[] disk = new double[3];
 
-    /** Half of the chord that the last direction cuts off a ball that is seen from outside. */
+    /** Half of the chord that the sampled direction cuts off a ball seen from outside, in the frame. */
     double half;
 
-    /** The normal in the cone's basis: its component along the axis, the length of the rest, and the direction of the rest. */
+    /** The prepared normal in the cone's basis: its component along the axis, the length of the rest, and the direction of the rest. */
     double normalAlong;
 
     double normalAcross;
@@ -32,17 +32,19 @@ public sealed class EmitterView permits LightSample {
     private final Basis basis = new Basis();
     private boolean hasBasis;
 
-    /** @param cone is set by whoever aims the view, before {@link #aim} */
+    /**
+     * @param cone set by the caller before each {@link #aim}
+     */
     public EmitterView(BallCone cone) {
         this.cone = cone;
     }
 
-    /** Tells that the cone has been set anew. */
+    /** Resets what depends on the cone, after it has been set anew. */
     public final void aim() {
         hasBasis = false;
     }
 
-    /** Two unit vectors that complete the cone's axis. */
+    /** The two unit vectors that complete the cone's axis to a basis. */
     final Basis basis() {
         if (!hasBasis) {
             basis.around(cone.wx, cone.wy, cone.wz);

@@ -3,7 +3,7 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Products;
 
-/** A part of a plane that shines from one of its sides or from both. */
+/** A part of a plane that emits from one of its sides or from both. */
 abstract sealed class FlatLight extends SurfaceLight permits ParallelogramLight, TriangleLight, DiskLight {
     /** The unit normal, on the front. */
     final Vec3 normal;
@@ -23,24 +23,24 @@ abstract sealed class FlatLight extends SurfaceLight permits ParallelogramLight,
         s.height = -Products.dot(normal.x(), normal.y(), normal.z(), foot.x() - x, foot.y() - y, foot.z() - z);
     }
 
-    /** Whether the receiver is on a side that shines. */
+    /** Whether the receiver is on an emitting side. */
     final boolean faces(LightSample s) {
         return sides.shineAt(s.height);
     }
 
-    /** Chooses a point that was sampled evenly over the area, given from the receiver. */
+    /** Sets the sample to a point, sampled uniformly over the area, at this offset from the receiver. */
     final void choose(LightSample s, double x, double y, double z) {
         s.toOffset(x, y, z);
         s.cosine = s.height / s.length;
         s.pdf = density(s.length, s.cosine);
     }
 
-    /** The density per solid angle of a point that is sampled evenly over the area. */
+    /** The density per solid angle of a point that is sampled uniformly over the area. */
     final double density(double distance, double cosine) {
         return LightSample.pdfOfArea(area, sides, distance, cosine);
     }
 
-    /** Chooses the point of the plane in the direction that the triangle has chosen. */
+    /** Sets the sample to the point of the plane in the direction that the triangle has sampled. */
     final void choose(LightSample s, SphericalTriangle t, double density) {
         double cosine = -Products.dot(t.x, t.y, t.z, normal.x(), normal.y(), normal.z());
         double distance = s.height / cosine;
@@ -49,12 +49,12 @@ abstract sealed class FlatLight extends SurfaceLight permits ParallelogramLight,
         s.pdf = distance > 0 && distance <= Double.MAX_VALUE ? density : 0;
     }
 
-    /** The irradiance of the polygon that the sample has, which is the light. */
+    /** The irradiance of the sample's polygon, which is the light. */
     final double irradianceOfPolygon(LightSample s, double nx, double ny, double nz) {
         return s.polygon.irradiance(nx, ny, nz, Math.abs(s.height), isFar(s));
     }
 
-    /** Whether Lambert's sum would lose digits from here. */
+    /** Whether Lambert's sum would cancel at the receiver's distance. */
     final boolean isFar(LightSample s) {
         return 2 * ballRadius() < HorizonPolygon.FAR * s.cone.distance;
     }

@@ -4,12 +4,12 @@ import enlightenment.numeric.Angles;
 import enlightenment.numeric.Arcs;
 
 /**
- * The same distribution over x as that of {@link SphericalRectangle} where nearly all of the rectangle is seen along its plane, or little
- * of it is seen at all: every number is a sum, a product or a quotient of positive ones, so that none loses digits.
+ * Samples x by the same distribution as {@link SphericalRectangle}, for rectangles that are seen at a grazing angle or cover a small solid
+ * angle: every number is a sum, a product or a quotient of positive ones, so that nothing cancels.
  *
- * <p>The strip between y0 and y1 that goes on endlessly along x covers the solid angle ψ∞ = e0 − e1 on each side of x = 0, e being the
- * angles above the plane at which its edges stand there. Of it ψ lies between 0 and x, and δ = ψ∞ − ψ beyond. With the sine s of the
- * angle at which x is seen and the sines b of those of y0 and y1, ψ = asin(s b1) − asin(s b0), whose inverse is
+ * <p>The infinite strip between y0 and y1 along x covers the solid angle ψ∞ = e0 − e1 on each side of x = 0, e being the angles above the
+ * plane at which its edges stand there. Of it ψ lies between 0 and x, and δ = ψ∞ − ψ beyond. With the sine s of the angle at which x is
+ * seen and the sines b of those of y0 and y1, ψ = asin(s b1) − asin(s b0), whose inverse is
  *
  * <p>x = h sin ψ / √(4 sin(δ/2) sin(ψ∞ − δ/2) sin(e1 + δ/2) sin(e0 − δ/2)).
  *
@@ -19,7 +19,7 @@ final class GrazingRectangle {
     private double x0;
     private double x1;
 
-    /** Mirrored where that is needed for y0 + y1 ≥ 0. */
+    /** The edges' coordinates along y, mirrored where needed for y0 + y1 ≥ 0. */
     private double y0;
 
     private double y1;
@@ -61,7 +61,7 @@ final class GrazingRectangle {
         zz = height * height;
     }
 
-    /** Places the rectangle as {@link SphericalRectangle#set} does, and finds its solid angle. */
+    /** Sets the rectangle as {@link SphericalRectangle#set} does, and computes its solid angle. */
     double measure(double least, double width, double low, double length, double height) {
         set(least, width, low, length, height);
         if (x0 >= 0) {
@@ -78,14 +78,16 @@ final class GrazingRectangle {
         return solidAngle;
     }
 
-    /** The solid angle of what lies between the distances p and q from x = 0. */
+    /** The solid angle of the part between the distances p and q from x = 0. */
     private double side(double p, double q, double width) {
         return y0 < 0
                 ? quarter(p, q, width, 0, y1, y1) + quarter(p, q, width, 0, -y0, -y0)
                 : quarter(p, q, width, y0, y1, length);
     }
 
-    /** That of a rectangle without negative coordinates: as in {@link SphericalRectangle#measure}, where nothing cancels then. */
+    /**
+     * The solid angle of a rectangle without negative coordinates: as in {@link SphericalRectangle#measure}, where nothing cancels then.
+     */
     private double quarter(double left, double right, double width, double low, double high, double length) {
         double low2 = low * low + zz;
         double high2 = high * high + zz;
@@ -107,14 +109,14 @@ final class GrazingRectangle {
         return y0 < 0 ? beyond(p, 0, y1, y1) + beyond(p, 0, -y0, -y0) : beyond(p, y0, y1, length);
     }
 
-    /** That of a strip without negative coordinates: a spherical triangle, the ends of its edges being one. */
+    /** The solid angle of a strip without negative coordinates: a spherical triangle, as the ends of its edges coincide. */
     private double beyond(double p, double low, double high, double length) {
         double r0 = Math.sqrt(p * p + low * low + zz);
         double r1 = Math.sqrt(p * p + high * high + zz);
         return 2 * Angles.atan2(height * length, (r0 + p) * (r1 + p) + low * high + zz);
     }
 
-    /** Prepares {@link #choose}; after {@link #measure}. */
+    /** Prepares {@link #choose}; call after {@link #measure}. */
     void prepare() {
         e1 = Angles.atan2(height, y1);
         obtuseEdge = y0 < 0;
@@ -128,7 +130,7 @@ final class GrazingRectangle {
         beyondRight = right > 0 ? beyond(x1) : 0;
     }
 
-    /** The x up to which the share u of the solid angle lies. */
+    /** The x below which the share u of the solid angle lies. */
     double choose(double u) {
         double turn = u * solidAngle;
         double rest = (1 - u) * solidAngle;
@@ -140,7 +142,7 @@ final class GrazingRectangle {
         return Math.min(Math.max(distance(before + inner, beyondRight + rest), x0), x1);
     }
 
-    /** The distance from x = 0 that has the solid angle ψ before it and δ beyond. */
+    /** The distance from x = 0 with the solid angle ψ before it and δ beyond. */
     private double distance(double psi, double delta) {
         double half = 0.5 * delta;
         double ofStrip = Arcs.sine(obtuseStrip ? strip + half : strip - half);
@@ -148,7 +150,7 @@ final class GrazingRectangle {
         double ofPsi = Arcs.sine(obtuseStrip && delta < psi ? strip + delta : psi);
         double product = Arcs.sine(half) * ofStrip;
         double edges = Arcs.sine(e1 + half) * ofEdge;
-        // Where rounding leaves nothing the point is at infinity but for the rectangle's edge.
+        // Where rounding leaves 0 the point is at infinity, and is limited by the rectangle's edge.
         return product > 0 && edges > 0
                 ? 0.5 * height * ofPsi / (Math.sqrt(product) * Math.sqrt(edges))
                 : Double.MAX_VALUE;

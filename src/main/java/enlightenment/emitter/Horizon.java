@@ -2,7 +2,7 @@ package enlightenment.emitter;
 
 import enlightenment.frame.BallCone;
 
-/** What is known of any light from the ball around it. */
+/** Irradiance bounds of any light by its bounding ball. */
 final class Horizon {
     private Horizon() {}
 

@@ -3,10 +3,9 @@ package enlightenment.emitter;
 import enlightenment.numeric.Angles;
 
 /**
- * A flat convex light of radiance 1 as it is seen from a receiver, cut by the receiver's horizon, and the irradiance that it causes:
- * Lambert's sum over its edges (Lambert 1760; D. Baum, H. Rushmeier, J. Winget, "Improving radiosity solutions through the use of
- * analytically determined form-factors", 1989). Far away that sum cancels, and a quadrature of the area, exact there to the last digits,
- * takes its place. A mutable work object.
+ * A flat convex light of radiance 1, clipped by the receiver's horizon, and its irradiance: Lambert's sum over its edges (Lambert 1760; D.
+ * Baum, H. Rushmeier, J. Winget, "Improving radiosity solutions through the use of analytically determined form-factors", 1989). Far away
+ * that sum cancels, and a quadrature over the area, exact there to rounding, is used. A mutable work object.
  */
 final class HorizonPolygon {
     /** Below this ratio of size to distance the quadrature, of the fifth degree, is exact to rounding. */
@@ -46,7 +45,7 @@ final class HorizonPolygon {
         add(0, 0, 0);
     }
 
-    /** Adds the corner at this offset from the first one: of a far polygon offsets from the receiver would keep too few digits. */
+    /** Adds the corner at this offset from the first one: of a far polygon, offsets from the receiver would lose digits. */
     void add(double cx, double cy, double cz) {
         rawX[corners] = cx;
         rawY[corners] = cy;
@@ -77,7 +76,7 @@ final class HorizonPolygon {
         return sum * height;
     }
 
-    /** The part above the horizon (I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974). */
+    /** Clips to the part above the horizon (I. Sutherland and G. Hodgman, "Reentrant polygon clipping", 1974). */
     private void clip() {
         count = 0;
         int last = corners - 1;

@@ -3,11 +3,11 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
-/** A ball that shines inwards, sampled evenly over its area. */
+/** A ball that emits inwards, sampled uniformly over its area. */
 public final class InnerSphereLight extends CurvedLight {
     private final SphereLight ball;
 
-    /** The inside of a ball. */
+    /** Makes the inside of a ball. */
     public InnerSphereLight(Vec3 center, double radius) {
         super(center, radius * (1 + Scale.gamma(8)), 4 * Math.PI * radius * radius, LightSides.BACK);
         ball = new SphereLight(center, radius);

@@ -4,12 +4,13 @@ import enlightenment.math.Vec3;
 import java.util.Arrays;
 
 /**
- * How the radiant intensity of a light without extent depends on direction, relative to its largest value: 0..1 by band. Directions are unit vectors
- * away from the light, in the frame of a render (which scales and moves scenes, and does not turn them). Immutable, shared by threads.
+ * The dependence of a point light's radiant intensity on direction, relative to its largest value: 0..1 by band. Directions are unit
+ * vectors away from the light, in the frame of a render (which scales and translates scenes, and does not rotate them). Immutable, shared
+ * by threads.
  */
 public sealed interface IntensityProfile permits SpotProfile, TableProfile, PictureProfile {
     /**
-     * The relative intensity of a direction, by band; unless said otherwise, that of all bands is the luminance.
+     * The relative intensity of a direction, by band; by default the luminance for all bands.
      *
      * @param rgb receives red, green and blue, 0..1
      */
@@ -37,7 +38,7 @@ public sealed interface IntensityProfile permits SpotProfile, TableProfile, Pict
     /** The integral of {@link #luminance} over all directions, in steradians: 0..4π. */
     double solidAngle();
 
-    /** The unit axis of a cone that holds all directions with an intensity above 0. */
+    /** The unit axis of a cone that contains all directions with an intensity above 0. */
     Vec3 axis();
 
     /** The angle between the axis of that cone and its side, in radians: 0..π. */

@@ -3,23 +3,22 @@ package enlightenment.emitter;
 import enlightenment.numeric.Arcs;
 
 /**
- * The irradiance of a rectangle of radiance 1 that lies above a receiver's horizon: Lambert's sum over the edges, as in
- * {@link HorizonPolygon}, in coordinates that are parallel to them. There the cross products of the corners of an edge have no differences
- * that cancel, and θ/sin θ of the angle that an edge covers is had from its cosine ({@link Arcs#overSine}), so that one division does for
- * all edges.
+ * Irradiance of a rectangle of radiance 1 above a receiver's horizon: Lambert's sum over the edges, as in {@link HorizonPolygon}, in
+ * coordinates parallel to them. There the cross products of an edge's corners have no differences that cancel, and θ/sin θ of the angle
+ * that an edge covers is computed from its cosine ({@link Arcs#overSine}), so that one division serves all edges.
  */
 final class LambertRectangle {
     private LambertRectangle() {}
 
     /**
-     * The irradiance.
+     * The irradiance for radiance 1.
      *
      * @param x the rectangle's least coordinate along its first edge, from the receiver
      * @param width the length of that edge
      * @param y the least coordinate along its second edge, whose length is {@code length}
      * @param z the coordinate of its plane
      * @param nx the receiver's unit normal in these coordinates
-     * @return NaN if the horizon cuts the rectangle, or an edge covers more than 120°: somebody else has to say
+     * @return NaN if the horizon cuts the rectangle, or an edge covers more than 120°: the caller must use another form
      */
     static double irradiance(
             double x, double width, double y, double length, double z, double nx, double ny, double nz) {

@@ -5,7 +5,7 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 import enlightenment.sampling.Warp;
 
-/** The side of a cylinder, a cone or a frustum, without its ends, sampled evenly over its area. */
+/** The side of a cylinder, a cone or a frustum, without its ends, sampled uniformly over its area. */
 public final class LateralLight extends CurvedLight {
     private final Vec3 base;
     private final Vec3 toTop;
@@ -13,24 +13,24 @@ public final class LateralLight extends CurvedLight {
     private final double topRadius;
     private final Basis basis = new Basis();
 
-    /** The normal's components across the axis and along it. */
+    /** The normal's components perpendicular to the axis and along it. */
     private final double outward;
 
     private final Vec3 alongNormal;
 
-    /** A surface whose front shines, or both of its sides. */
+    /** Makes a surface that emits from its front, or from both sides. */
     public LateralLight(Vec3 base, Vec3 toTop, double baseRadius, double topRadius, boolean twoSided) {
         this(base, toTop, baseRadius, topRadius, LightSides.of(twoSided));
     }
 
     /**
-     * The surface between two circles.
+     * Makes the surface between two circles.
      *
      * @param base the centre of the first circle
      * @param toTop from there to the centre of the other one
      * @param baseRadius the radius of the first circle, at least 0
-     * @param topRadius that of the other one, at least 0; one of the two is greater
-     * @param sides those that shine
+     * @param topRadius the radius of the other one, at least 0; one of the two is greater
+     * @param sides that emit
      */
     public LateralLight(Vec3 base, Vec3 toTop, double baseRadius, double topRadius, LightSides sides) {
         super(
@@ -50,7 +50,7 @@ public final class LateralLight extends CurvedLight {
         alongNormal = axis.times(-gain / slant);
     }
 
-    /** The length of a straight line of the surface, from circle to circle. */
+    /** The length of a straight line on the surface, from circle to circle. */
     private static double slant(Vec3 toTop, double gain) {
         return new Vec3(toTop.length(), gain, 0).length();
     }
@@ -59,7 +59,10 @@ public final class LateralLight extends CurvedLight {
         return new Vec3(0.5 * height, wide, 0).length() * (1 + Scale.gamma(16)) + Scale.gamma(4) * center.maxAbs();
     }
 
-    /** The disk's angle is that around the axis; its squared radius, which is even too, chooses the circle by its circumference. */
+    /**
+     * The disk's angle becomes that around the axis; its squared radius, which is uniform as well, selects the circle in proportion to
+     * circumference.
+     */
     @Override
     public void samplePoint(double u, double v, SurfacePoint point) {
         Warp.toDisk(u, v, point.disk);

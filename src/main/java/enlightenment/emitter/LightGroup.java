@@ -2,7 +2,7 @@ package enlightenment.emitter;
 
 import enlightenment.frame.Bounds;
 
-/** Some lights of a {@link LightTree} in the making, as a node of them would bound them. A mutable work object. */
+/** The bounds of some lights, as a node of a {@link LightTree} would have them, while it is built. A mutable work object. */
 final class LightGroup {
     private double lowerX;
     private double lowerY;
@@ -12,7 +12,7 @@ final class LightGroup {
     private double upperZ;
     private double strength;
 
-    /** Encloses their normals; null if there are no lights. */
+    /** A cone around their normals; null if there are no lights. */
     private NormalCone normals;
 
     void clear() {
@@ -64,7 +64,7 @@ final class LightGroup {
         strength += luminous;
     }
 
-    /** What a node of these lights costs: strength times the measure of normals times the surface of the box. */
+    /** The cost of a node of these lights: strength times the measure of normals times the surface area of the box. */
     double cost() {
         double x = upperX - lowerX;
         double y = upperY - lowerY;

@@ -4,13 +4,13 @@ import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
-/** A node of a {@link LightTree} in the making, which {@link LightTreeBuilder} builds from the top. Immutable. */
+/** A node of a {@link LightTree} while {@link LightTreeBuilder} builds it, top down. Immutable. */
 final class LightNode {
     final Bounds box;
     final NormalCone normals;
     final double strength;
 
-    /** Its light, or −1. */
+    /** The index of its light; −1 for an inner node. */
     final int light;
 
     final LightNode first;
@@ -25,7 +25,7 @@ final class LightNode {
         this.second = second;
     }
 
-    /** A light by itself; without a normal it shines to all sides. */
+    /** A leaf with one light; without a normal it emits in all directions. */
     static LightNode leaf(Vec3 center, double radius, Vec3 normal, double strength, int light) {
         Bounds box = Bounds.around(center, new Vec3(radius, radius, radius));
         NormalCone cone = normal.maxAbs() > 0 ? new NormalCone(normal, 0) : NormalCone.ALL;
@@ -33,8 +33,8 @@ final class LightNode {
     }
 
     /**
-     * A point with a profile by itself. The bound of the tree falls with the cosine of the angle to the axis beyond the cone that is given here, to 0 a
-     * quarter turn beyond it: so no direction of the profile has the bound 0.
+     * A leaf with one point light with a profile. The tree's bound falls with the cosine of the angle to the axis beyond the cone given
+     * here, to 0 at 90° beyond it: so no direction of the profile has the bound 0.
      */
     static LightNode leaf(Vec3 center, IntensityProfile profile, double strength, int light) {
         double angle = Math.max(profile.coneAngle() - 0.5 * Math.PI, 0);
@@ -53,7 +53,7 @@ final class LightNode {
                 second);
     }
 
-    /** Writes the numbers that {@link LightTree} needs. */
+    /** Writes the numbers that {@link LightTree} reads. */
     void write(double[] data, int k) {
         Vec3 c = box.center();
         data[k] = c.x();

@@ -3,16 +3,16 @@ package enlightenment.emitter;
 import enlightenment.frame.BallCone;
 
 /**
- * An {@link AreaLight} as it is seen from a receiving point, and one point of it that was sampled: {@link #dx}, {@link #dy}, {@link #dz} is
- * the unit direction to it, {@link #length} its distance. {@link AreaLight#aim} comes first. A mutable work object, one per thread.
+ * An {@link AreaLight} as seen from a receiver, with a sampled point of it: {@link #dx}, {@link #dy}, {@link #dz} is the unit direction to
+ * it, {@link #length} its distance. {@link AreaLight#aim} comes first. A mutable work object, one per thread.
  */
 public final class LightSample extends EmitterView {
-    /** The density of the last direction, per solid angle; 0 if there is none, and then nothing else of the sample counts. */
+    /** The density of the sample, per solid angle; 0 if there is no sample: the other fields are then undefined. */
     public double pdf;
 
     /**
-     * The cosine at the light between its normal (outward, or to its front) and the direction back to the receiver: negative where a
-     * light that shines to its back is seen from there.
+     * The cosine at the light between its normal (outward, or on its front) and the direction back to the receiver: negative where the back
+     * of a light is seen.
      */
     public double cosine;
 
@@ -22,18 +22,20 @@ public final class LightSample extends EmitterView {
     final HorizonPolygon polygon = new HorizonPolygon();
     final SurfacePoint point = new SurfacePoint();
 
-    /** How a light that can be sampled in several ways is sampled from here. */
+    /** The technique by which a light with several is sampled from this receiver. */
     SamplingChoice choice = SamplingChoice.UNDECIDED;
 
     /** The signed distance of the receiver from a flat light's plane, positive in front of it. */
     double height;
 
-    /** A sample with a cone of its own. */
+    /** Makes a sample with a cone of its own. */
     public LightSample() {
         this(new BallCone());
     }
 
-    /** @param cone receives the cone around the light's ball when the sample is aimed */
+    /**
+     * @param cone receives the cone around the light's bounding ball when the sample is aimed
+     */
     public LightSample(BallCone cone) {
         super(cone);
     }
@@ -55,14 +57,14 @@ public final class LightSample extends EmitterView {
         set(x * inverse, y * inverse, z * inverse, len);
     }
 
-    /** The sample is {@link #point}, chosen evenly over an area. */
+    /** Sets the sample to {@link #point}, sampled uniformly over an area. */
     void toPoint(double area, LightSides sides) {
         toOffset(point.x - cone.x, point.y - cone.y, point.z - cone.z);
         cosine = -(dx * point.nx + dy * point.ny + dz * point.nz);
         pdf = pdfOfArea(area, sides, length, cosine);
     }
 
-    /** Density by area to density by solid angle; 0 on a side that does not shine, and where it is not finite. */
+    /** Converts density per area to density per solid angle; 0 on a side that does not emit, and where it is not finite. */
     static double pdfOfArea(double area, LightSides sides, double distance, double cosine) {
         if (!sides.shineAt(cosine)) {
             return 0;

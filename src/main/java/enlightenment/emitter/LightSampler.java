@@ -11,12 +11,12 @@ import java.util.List;
  * which lights are given. Immutable, shared by threads. See docs/notes/light-sampling.md.
  */
 public final class LightSampler {
-    /** Up to this number every light is weighed for every receiver. */
+    /** Up to this number of lights, each is weighed for every receiver. */
     static final int FEW = 16;
 
     private final int count;
 
-    /** From canonical places to the caller's indices, and back. */
+    /** From canonical places to the caller's indices, and the inverse. */
     private final int[] indices;
 
     private final int[] places;
@@ -48,10 +48,11 @@ public final class LightSampler {
     }
 
     /**
-     * Chooses a light for the receiver (x, y, z).
+     * Samples a light for the receiver (x, y, z).
      *
-     * @param nx the receiver's unit normal, on the side that light is taken from; (0, 0, 0) if it takes light from all sides, as glass
-     * @param number evenly distributed in 0..1
+     * @param nx the receiver's unit normal, on the side that light is received from; (0, 0, 0) if it receives light from all sides, as
+     *     glass
+     * @param number uniform in 0..1
      */
     public void choose(
             double x, double y, double z, double nx, double ny, double nz, double number, SampledLight choice) {
@@ -102,7 +103,7 @@ public final class LightSampler {
         return sum > 0 ? scratch.weights[place] / sum : 0;
     }
 
-    /** The places of lights, sorted by what they are: lights that compare as equal are equal. */
+    /** The places of lights, sorted by their parameters: lights that compare as equal are equal. */
     private static int[] canonicalOrder(List<Entry> entries) {
         return java.util.stream.IntStream.range(0, entries.size())
                 .boxed()
@@ -130,13 +131,13 @@ public final class LightSampler {
     public static final class Builder {
         private final List<Entry> entries = new ArrayList<>();
 
-        /** A builder without lights. */
+        /** Makes a builder without lights. */
         public Builder() {}
 
         /**
          * Adds a light with extent.
          *
-         * @param luminance of its radiance, above 0, as that of all others in any unit
+         * @param luminance of its radiance, above 0, in a unit that all lights share
          */
         public Builder add(AreaLight light, double luminance) {
             entries.add(new Entry(light, light.ballCenter(), null, luminance, light.parameters()));
@@ -144,18 +145,18 @@ public final class LightSampler {
         }
 
         /**
-         * Adds a point that shines to all sides.
+         * Adds a point light that emits in all directions.
          *
-         * @param luminance of its radiant intensity, in the unit of the other lights' times the square of the unit of length
+         * @param luminance of its radiant intensity, in the unit of the other lights' radiance times the square of the unit of length
          */
         public Builder addPoint(Vec3 position, double luminance) {
             return addPoint(position, null, luminance);
         }
 
         /**
-         * Adds a point.
+         * Adds a point light.
          *
-         * @param profile by which its intensity depends on direction; null if it is the same in all directions
+         * @param profile by which its intensity depends on direction; null if it is constant
          * @param luminance of its largest intensity, as for {@link #addPoint(Vec3, double)}
          */
         public Builder addPoint(Vec3 position, IntensityProfile profile, double luminance) {
@@ -166,15 +167,15 @@ public final class LightSampler {
             return this;
         }
 
-        /** The picker of these lights. */
+        /** Builds the sampler of these lights. */
         public LightSampler build() {
             return build(() -> {});
         }
 
         /**
-         * The same, which can be ended.
+         * Builds the sampler of these lights, and can be cancelled.
          *
-         * @param poll called now and then; ends the building by what it throws
+         * @param poll called regularly; what it throws ends the building
          */
         public LightSampler build(Runnable poll) {
             return new LightSampler(entries, poll);

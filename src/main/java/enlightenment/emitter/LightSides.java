@@ -1,6 +1,6 @@
 package enlightenment.emitter;
 
-/** The sides of a surface from which a light shines; the front is the side that its normal points to. */
+/** The sides of a surface from which a light emits; the front is the side of its normal. */
 public enum LightSides {
     FRONT,
     BOTH,
@@ -11,7 +11,7 @@ public enum LightSides {
         return twoSided ? BOTH : FRONT;
     }
 
-    /** Whether light leaves at an angle of this cosine with the normal. */
+    /** Whether light leaves at this cosine with the normal. */
     boolean shineAt(double cosine) {
         return switch (this) {
             case FRONT -> cosine > 0;

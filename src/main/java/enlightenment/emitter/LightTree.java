@@ -3,26 +3,28 @@ package enlightenment.emitter;
 import enlightenment.numeric.Scale;
 
 /**
- * A hierarchy of many lights: A. Conty Estevez and C. Kulla, "Importance sampling of many lights with adaptive tree splitting", 2018,
- * with the bounds of M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 4th ed., 12.6.3. For each receiver the tree is
- * split where most may come from, into a few nodes; one of them is chosen in proportion to an upper bound
- * of what it contributes, its children likewise, a light at the end by its own weight. Immutable.
+ * A hierarchy of many lights: A. Conty Estevez and C. Kulla, "Importance sampling of many lights with adaptive tree splitting", 2018, with
+ * the bounds of M. Pharr, W. Jakob and G. Humphreys, "Physically Based Rendering", 4th ed., 12.6.3. For each receiver the tree is split,
+ * where the bound of the contribution is largest, into a few nodes; one of them is sampled in proportion to that bound, its children
+ * likewise, and a light at the end by its own weight. Immutable.
  */
 final class LightTree {
-    /** Bounds the roundings of cosines: what is below the horizon by less may be above it. */
+    /** Bounds the roundings of cosines: a light less than this below the horizon may be above it. */
     private static final double SLACK = Scale.gamma(64);
 
-    /** Into how many nodes the tree is split; twice and half as many cost more for the same error (docs/notes/light-sampling.md). */
+    /**
+     * The number of nodes into which the tree is split; twice and half as many cost more for the same error (docs/notes/light-sampling.md).
+     */
     private static final int CUT = 6;
 
     private static final int STRIDE = 10;
 
     private final LightWeights weights;
 
-    /** For each node: ball's centre and radius, cone's axis, cosine and sine, strength. */
+    /** By node: the ball's centre and radius, the cone's axis, cosine and sine, strength. */
     private final double[] data;
 
-    /** The second child of a node, whose first one follows it; for a leaf −1 − its light. */
+    /** By node: the index of its second child, the first one following the node itself; for a leaf −1 − its light. */
     private final int[] second;
 
     private final int[] parents;
@@ -38,7 +40,7 @@ final class LightTree {
         lay(root, 0, -1);
     }
 
-    /** Lays out a node and all below it from the place {@code at}; returns the place behind them. */
+    /** Writes a node and all below it from index {@code at} on; returns the next free index. */
     private int lay(LightNode n, int at, int parent) {
         parents[at] = parent;
         n.write(data, STRIDE * at);
@@ -57,8 +59,8 @@ final class LightTree {
     }
 
     /**
-     * Splits, beginning with the root, the node that may contribute most, until there are enough: a cut through the
-     * tree that depends on the receiver alone. Returns the sum of their importances.
+     * Splits, beginning with the root, the node with the largest bound, until there are enough nodes: a cut through the tree that depends
+     * on the receiver alone. Returns the sum of their importances.
      */
     private double cut(double x, double y, double z, double nx, double ny, double nz, SampledLight c) {
         c.nodes[0] = 0;
@@ -84,7 +86,7 @@ final class LightTree {
         return sum;
     }
 
-    /** The place of the most important node that can be split, or −1. */
+    /** The index of the most important node that can be split, or −1. */
     private int mostImportant(SampledLight c) {
         int most = -1;
         double largest = 0;
@@ -175,7 +177,7 @@ final class LightTree {
         return strength;
     }
 
-    /** A bound of cos(max(θ − θb, 0)) from 0 on, and above 0 where rounding leaves it in doubt. */
+    /** An upper bound of cos(max(θ − θb, 0)), clamped at 0, and above 0 where rounding leaves the sign in doubt. */
     private static double atMost(double cos, double ballCosine, double ballSine) {
         if (cos >= ballCosine) {
             return 1;
@@ -184,7 +186,7 @@ final class LightTree {
         return positive(cos * ballCosine + sin * ballSine);
     }
 
-    /** The same for max(θ − θo − θb, 0), where θo bounds the angle between normals and axis. */
+    /** An upper bound of cos(max(θ − θo − θb, 0)), as {@link #atMost}, where θo bounds the angle between normals and axis. */
     private static double emitted(double cos, double cosO, double sinO, double ballCosine, double ballSine) {
         if (cos >= cosO) {
             return 1;

@@ -3,17 +3,17 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 
 /**
- * Builds the nodes of a {@link LightTree} from the top, by the surface area orientation heuristic of A. Conty Estevez and C. Kulla,
- * "Importance sampling of many lights with adaptive tree splitting", 2018. A node's lights are a range of one array, which a split divides in
- * place: both parts keep the order of their lights. A mutable work object, for one tree.
+ * Builds the nodes of a {@link LightTree} top down, by the surface area orientation heuristic of A. Conty Estevez and C. Kulla, "Importance
+ * sampling of many lights with adaptive tree splitting", 2018. A node's lights are a range of one array, which a split partitions in place,
+ * stably. A mutable work object, for one tree.
  */
 final class LightTreeBuilder {
     private static final int BUCKETS = 12;
 
-    /** Below this depth lights are halved by number, so that the tree cannot become a list. */
+    /** Below this depth lights are halved by number, so that the tree cannot degenerate to a list. */
     private static final int DEEPEST = 48;
 
-    /** Cancellation is checked before this number of lights, or more, are divided. */
+    /** Cancellation is checked before at least this number of lights are split. */
     private static final int POLLED = 1024;
 
     private final LightNode[] leaves;
@@ -23,7 +23,7 @@ final class LightTreeBuilder {
     /** By axis and light: the centres of the lights' boxes. */
     private final double[][] centers;
 
-    /** The lights of each bucket that has some, in the order of the buckets, and which bucket it is. */
+    /** By non-empty bucket, in order: its lights, and its index. */
     private final LightGroup[] groups = new LightGroup[BUCKETS];
 
     private final int[] bucketOf = new int[BUCKETS];
@@ -31,7 +31,10 @@ final class LightTreeBuilder {
     private final LightGroup low = new LightGroup();
     private final LightGroup high = new LightGroup();
 
-    /** The cheapest split of the node at hand: its axis, −1 if there is none; the range of centres on that axis; the last bucket of its first part. */
+    /**
+     * The cheapest split of the current node: its axis, −1 if there is none; the range of centres on that axis; the last bucket of its
+     * first part.
+     */
     private int axis;
 
     private double start;
@@ -56,10 +59,10 @@ final class LightTreeBuilder {
     }
 
     /**
-     * The tree of these lights.
+     * Builds the tree of these lights.
      *
      * @param leaves by light: its node, at least one; reordered
-     * @param poll called now and then; ends the building by what it throws
+     * @param poll called regularly; what it throws ends the building
      */
     static LightNode build(LightNode[] leaves, Runnable poll) {
         return new LightTreeBuilder(leaves, poll).tree(0, leaves.length, 0);
@@ -79,7 +82,10 @@ final class LightTreeBuilder {
         return LightNode.of(tree(from, middle, depth + 1), tree(middle, to, depth + 1));
     }
 
-    /** Divides the lights where that is cheapest; returns the place of the second part's first light, an end of the range if all centres coincide. */
+    /**
+     * Partitions the lights by the cheapest split; returns the index of the second part's first light, an end of the range if all centres
+     * coincide.
+     */
     private int split(int from, int to) {
         double longest = 0;
         double[] lower = new double[3];
@@ -111,7 +117,7 @@ final class LightTreeBuilder {
         }
     }
 
-    /** The bucket of a centre between these two. */
+    /** The bucket of a centre in a range. */
     private static int bucket(double center, double lower, double upper) {
         return Math.min((int) (BUCKETS * ((center - lower) / (upper - lower))), BUCKETS - 1);
     }
@@ -127,7 +133,7 @@ final class LightTreeBuilder {
         }
     }
 
-    /** Finds what dividing behind each bucket but the last costs; behind an empty one it costs what it does before it. */
+    /** Computes the cost of splitting after each bucket but the last; after an empty bucket it is that of the bucket before. */
     private void weigh(int k, double lower, double upper, double elongation) {
         int count = 0;
         for (int b = 0; b < BUCKETS; b++) {

@@ -3,9 +3,9 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 
 /**
- * What lights contribute to a receiver if nothing hides them, roughly but quickly: 0 only where the contribution is 0, because bounds
- * decide about that, not midpoints. Balls: the closed form. Others: power times the cosines that their ball allows, over the squared
- * distance.
+ * Estimates the unoccluded contribution of lights to a receiver, roughly and quickly: 0 only where the contribution is 0, as that is
+ * decided by bounds, not by midpoints. Balls: the closed form. Others: power times the cosines possible for their bounding ball, over the
+ * squared distance.
  */
 final class LightWeights {
     private static final int BALL = 0;
@@ -14,26 +14,26 @@ final class LightWeights {
     private static final int CURVED = 3;
     private static final int POINT = 4;
 
-    /** Within this many radii of its ball, the closed form of a polygon is worth its time. */
+    /** The closed form of a polygon is used within this many radii of its bounding ball. */
     private static final double NEAR = 4;
 
-    /** What is added to the closed form of the rough weight, whose sign is certain. */
+    /** The share of the rough weight, which is certainly above 0, that is added to the closed form. */
     private static final double SHARE = 0x1p-10;
 
     private static final int STRIDE = 8;
 
-    /** No light is nearer, squared: an inverse square stays finite. */
+    /** The least squared distance of a light, so that inverse squares stay finite. */
     static final double LEAST_SQUARE = 0x1p-900;
 
     private final int[] kinds;
 
-    /** Polygons, which have a closed form; null for others. */
+    /** By light: a polygon, which has a closed form; null for others. */
     private final AreaLight[] polygons;
 
-    /** What intensity depends on; null for lights with extent, and for points that shine alike to all sides. */
+    /** By light: the profile of intensity; null for lights with extent, and for points that emit equally in all directions. */
     private final IntensityProfile[] profiles;
 
-    /** For each light: ball's centre and radius, normal, and luminance times area. */
+    /** By light: the ball's centre and radius, the normal, and luminance times area. */
     private final double[] data;
 
     LightWeights(int count) {
@@ -48,7 +48,7 @@ final class LightWeights {
         boolean flat = n.maxAbs() > 0;
         kinds[i] = light instanceof SphereLight ? BALL : !flat ? CURVED : light.isTwoSided() ? FLAT_TWO_SIDED : FLAT;
         polygons[i] = light instanceof ParallelogramLight || light instanceof TriangleLight ? light : null;
-        // A closed convex surface shows a quarter of its area in the mean.
+        // The mean projected area of a closed convex surface is a quarter of its area.
         double strength = kinds[i] == BALL ? luminance : luminance * light.area() * (flat ? 1 : 0.25);
         put(i, light.ballCenter(), light.ballRadius(), n, strength);
     }
@@ -81,7 +81,7 @@ final class LightWeights {
         return data;
     }
 
-    /** The light i as a leaf of a {@link LightTree}. */
+    /** Light i as a leaf of a {@link LightTree}. */
     LightNode leaf(int i) {
         int k = STRIDE * i;
         Vec3 center = new Vec3(data[k], data[k + 1], data[k + 2]);
@@ -94,9 +94,9 @@ final class LightWeights {
     }
 
     /**
-     * The weight of the light i for a receiver with the unit normal n.
+     * The weight of light i for a receiver with the unit normal n.
      *
-     * @param nx 0, as the other components, for a receiver that takes light from all sides
+     * @param nx 0, as the other components, for a receiver that receives light from all sides
      */
     double weight(int i, double x, double y, double z, double nx, double ny, double nz, LightSample scratch) {
         int k = STRIDE * i;
@@ -160,7 +160,7 @@ final class LightWeights {
                 : SphereIrradiance.cut(s, Math.sqrt((distance - radius) * (distance + radius)) / distance, k);
     }
 
-    /** The mean over the ball's heights above the horizon, as far as they are positive, over the distance; at most 1. */
+    /** The mean of the ball's heights, 0 for those below the horizon, over the distance; at most 1. */
     private static double cosine(double height, double radius, double distance) {
         if (height >= radius) {
             return distance > 0 ? height / distance : 0;

@@ -12,10 +12,10 @@ record NormalCone(Vec3 axis, double angle) {
 
     private static final double MEASURE_OF_ALL = new NormalCone(ALL.axis, ALL.angle).measure();
 
-    /** More than what an angle between unit vectors is off by. */
+    /** A bound of the rounding of an angle between unit vectors, in radians. */
     static final double SLACK = 0x1p-24;
 
-    /** A cone around both, as small as they allow. */
+    /** A cone around both cones, as small as possible. */
     NormalCone union(NormalCone o) {
         if (this == ALL && o == ALL) {
             return ALL;
@@ -37,9 +37,9 @@ record NormalCone(Vec3 axis, double angle) {
         return new NormalCone(middle.normalized(), half);
     }
 
-    /** The measure of directions into which something with these normals shines, weighted by the cosine: Conty and Kulla, section 4.3. */
+    /** The measure of directions into which surfaces with these normals emit, weighted by the cosine: Conty and Kulla, section 4.3. */
     double measure() {
-        // Most lights shine to all sides, and a tree of many asks often.
+        // Most lights emit in all directions, and building a large tree calls this often.
         if (this == ALL) {
             return MEASURE_OF_ALL;
         }

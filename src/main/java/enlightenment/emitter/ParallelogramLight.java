@@ -5,18 +5,23 @@ import enlightenment.numeric.Products;
 import enlightenment.numeric.Scale;
 
 /**
- * A parallelogram. Near ones are sampled evenly over the solid angle that they cover, rectangles as a {@link SphericalRectangle}, others as
- * two {@link SphericalTriangle}s; far ones over the area. Its front is the side from which its edges {@code up} and {@code right} are
- * seen as they are named: the normal is up × right.
+ * A parallelogram. Near ones are sampled uniformly over solid angle, rectangles as a {@link SphericalRectangle}, others as two
+ * {@link SphericalTriangle}s; far ones uniformly over the area. The normal, up × right, is on the front: the side from which its edges
+ * {@code up} and {@code right} point as they are named.
  */
 public final class ParallelogramLight extends FlatLight {
-    /** Below this solid angle the density by area hardly varies over the light, unless it is seen at a grazing angle. */
+    /**
+     * Below this solid angle, in steradians, the density of samples by area is nearly constant over the light, except at grazing angles.
+     */
     static final double LEAST_SOLID_ANGLE = 1e-3;
 
-    /** Where the squared distances of a rectangle's points differ by less than this factor, the density by area hardly varies at all. */
+    /**
+     * Where the squared distances of a rectangle's points differ by less than this factor, the density of samples by area is nearly
+     * constant.
+     */
     private static final double EVEN = 1.25;
 
-    /** From here on the rounding of a half turn leaves the shares u of a spherical rectangle right to 2^-20. */
+    /** From this solid angle on, the rounding of an angle of 180° leaves the shares u of a spherical rectangle right to 2^-20. */
     private static final double LEAST_PRECISE = 1e-9;
 
     private static final double RIGHT_ANGLE_ERROR = Scale.gamma(64);
@@ -30,18 +35,18 @@ public final class ParallelogramLight extends FlatLight {
     private final double length;
     private final boolean rectangular;
 
-    /** A surface whose front shines, or both of its sides. */
+    /** Makes a surface that emits from its front, or from both sides. */
     public ParallelogramLight(Vec3 corner, Vec3 right, Vec3 up, boolean twoSided) {
         this(corner, right, up, LightSides.of(twoSided));
     }
 
     /**
-     * A parallelogram.
+     * Makes a parallelogram.
      *
      * @param corner its lower left corner
      * @param right the edge from there to the lower right one
      * @param up the edge to the upper left one
-     * @param sides those that shine
+     * @param sides that emit
      */
     public ParallelogramLight(Vec3 corner, Vec3 right, Vec3 up, LightSides sides) {
         this(corner, right, up, sides, up.cross(right));
@@ -198,7 +203,7 @@ public final class ParallelogramLight extends FlatLight {
         return irradianceOfPolygon(s, nx, ny, nz);
     }
 
-    /** The same of a rectangle above the horizon; else NaN. */
+    /** The irradiance of a rectangle above the horizon; NaN for others. */
     private double whole(LightSample s, double nx, double ny, double nz) {
         return LambertRectangle.irradiance(
                 least(unitRight, s),

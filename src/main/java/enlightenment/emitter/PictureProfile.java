@@ -4,14 +4,15 @@ import enlightenment.math.Vec3;
 import enlightenment.sampling.GridDistribution;
 
 /**
- * A projector: the intensity of a direction is the picture where the direction meets it, on a plane across the axis; dark elsewhere. Seen from the light along its axis the
- * picture is upright. Directions are sampled by cells of the picture: one of them by its brightness times its solid angle, a place in it uniformly.
+ * A projector: the intensity of a direction is the picture at the direction's intersection with a plane across the axis; 0 outside of the
+ * picture. Seen from the light along its axis the picture is upright. Directions are sampled by cells of the picture: a cell by its
+ * brightness times its solid angle, a place in it uniformly.
  */
 public final class PictureProfile implements IntensityProfile {
-    /** More cells than this are not worth their memory: texels are taken together then. */
+    /** The largest number of cells; of larger pictures a cell has several texels. */
     private static final int MOST_CELLS = 1 << 20;
 
-    /** At least this many points along each side take part in the integral. */
+    /** The least number of points along each side in the integral. */
     private static final int POINTS = 512;
 
     private final Picture picture;
@@ -25,7 +26,7 @@ public final class PictureProfile implements IntensityProfile {
 
     private final double halfHeight;
 
-    /** Texels along a side of a cell. */
+    /** The number of texels along a side of a cell. */
     private final int block;
 
     private final int columns;
@@ -48,12 +49,12 @@ public final class PictureProfile implements IntensityProfile {
          */
         void lookUp(double u, double v, double[] rgb);
 
-        /** Numbers that differ where pictures do. */
+        /** Numbers that differ between different pictures. */
         double[] identity();
     }
 
     /**
-     * A projector.
+     * Makes a projector.
      *
      * @param axis unit vector through the middle of the picture
      * @param up unit vector across the axis, to the upper edge of the picture
@@ -81,10 +82,13 @@ public final class PictureProfile implements IntensityProfile {
         return (texels + block - 1) / block;
     }
 
-    /** The mean brightness of the texels of each cell, and of a ring around them, which interpolation brings in, times its solid angle. */
+    /**
+     * The weight of each cell: mean brightness of its texels and of a ring around them, which interpolation mixes in, times its solid
+     * angle.
+     */
     private double[] weights() {
         double[] weights = new double[(columns + 1) * rows];
-        // The lines that a row of cells and its ring need; each is looked up once.
+        // The lines of texels of a row of cells and its ring; each is looked up once.
         double[][] lines = new double[block + 2][picture.width()];
         int known = 0;
         for (int row = 0; row < rows; row++) {
@@ -124,7 +128,7 @@ public final class PictureProfile implements IntensityProfile {
         return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
     }
 
-    /** The solid angle of a unit of area on the plane at distance 1. */
+    /** The solid angle per area on the plane at distance 1. */
     private double cubedCosine(double u, double v) {
         double x = (2 * u - 1) * halfWidth;
         double y = (1 - 2 * v) * halfHeight;
@@ -132,7 +136,7 @@ public final class PictureProfile implements IntensityProfile {
         return 1 / (square * Math.sqrt(square));
     }
 
-    /** By the midpoint rule, of whole numbers of points in each texel. */
+    /** The integral of luminance by the midpoint rule, with whole numbers of points in each texel. */
     private double integral() {
         int across = picture.width() * cells(POINTS, picture.width());
         int down = picture.height() * cells(POINTS, picture.height());
@@ -196,7 +200,7 @@ public final class PictureProfile implements IntensityProfile {
         return density(d.x(), d.y(), d.z());
     }
 
-    /** A place within a cell as a share of the picture's side. */
+    /** A position within a cell as a share of the picture's side. */
     private double place(int cell, double within, int texels) {
         int start = cell * block;
         int end = Math.min(start + block, texels);

@@ -2,7 +2,7 @@ package enlightenment.emitter;
 
 import enlightenment.math.Vec3;
 
-/** A light without extent. */
+/** A point light of classic shading. */
 public record PointEmitter(Vec3 position) implements Emitter {
     @Override
     public Vec3 ballCenter() {

@@ -3,7 +3,7 @@ package enlightenment.emitter;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
-/** A parallelogram that shines to both sides, sampled uniformly over its area. */
+/** A parallelogram that emits from both sides, sampled uniformly over its area. */
 public final class RectangleEmitter implements Emitter {
     private final Vec3 corner;
     private final Vec3 right;
@@ -13,7 +13,7 @@ public final class RectangleEmitter implements Emitter {
     private final Vec3 area;
 
     /**
-     * A parallelogram.
+     * Makes a parallelogram.
      *
      * @param corner its lower left corner
      * @param right the edge from there to the lower right one
@@ -57,7 +57,7 @@ public final class RectangleEmitter implements Emitter {
         return pdf(view.length, view.dx * area.x() + view.dy * area.y() + view.dz * area.z());
     }
 
-    /** Area to solid angle: distance² / (area · cosine at the emitter). */
+    /** Converts density per area to density per solid angle: distance² / (area · cosine at the emitter). */
     private static double pdf(double distance, double areaAlong) {
         return distance > 0 ? distance * distance / Math.abs(areaAlong) : 0;
     }
@@ -78,7 +78,7 @@ public final class RectangleEmitter implements Emitter {
         return u >= 0 && u <= 1 && v >= 0 && v <= 1 ? pdf(distance, areaAlong) : 0;
     }
 
-    /** No closed form above the horizon: Lambert's would be the mean over solid angle; what is sampled is the mean over the area. */
+    /** NaN above the horizon: Lambert's closed form would be the mean over solid angle; samples have the mean over the area. */
     @Override
     public double meanCosine(EmitterView view, double nx, double ny, double nz) {
         double there =

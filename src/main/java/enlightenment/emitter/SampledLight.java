@@ -1,11 +1,11 @@
 package enlightenment.emitter;
 
-/** A light that a {@link LightSampler} chose. A mutable work object, one per thread. */
+/** A light that a {@link LightSampler} has sampled. A mutable work object, one per thread. */
 public final class SampledLight {
-    /** The light's index in the picker's list; −1 if no light can contribute. */
+    /** The light's index in the sampler's list; −1 if no light can contribute. */
     public int light;
 
-    /** The probability of this choice. */
+    /** The probability with which this light was sampled. */
     public double probability;
 
     /** The random number that chose, rescaled within the chosen interval so that it is again uniform in [0, 1) and can be reused. */
@@ -13,18 +13,18 @@ public final class SampledLight {
 
     final double[] weights = new double[LightSampler.FEW];
 
-    /** The nodes of a {@link LightTree} that the weights belong to, and how many there are. */
+    /** The nodes of a {@link LightTree} that the weights belong to, and their number. */
     final int[] nodes = new int[LightSampler.FEW];
 
     int count;
 
-    /** For closed forms of lights that are near. */
+    /** Scratch for closed forms of near lights. */
     final LightSample near = new LightSample();
 
-    /** A choice to be made. */
+    /** Makes an object without a light. */
     public SampledLight() {}
 
-    /** Chooses one of the weights, of which this is the sum, and sets probability and rest; −1, and no light, if all are 0. */
+    /** Samples one of the weights, of which this is the sum, and sets probability and rest; −1, and no light, if all are 0. */
     int pick(double sum, double number) {
         if (!(sum > 0)) {
             none(number);

@@ -1,15 +1,17 @@
 package enlightenment.emitter;
 
-/** How a flat light is sampled from a receiver: a function of the two alone, so that samples and densities agree on it. */
+/**
+ * The technique by which a flat light is sampled from a receiver: a function of the two alone, so that samples and densities agree on it.
+ */
 enum SamplingChoice {
     UNDECIDED,
 
     /** The light is seen edge-on, or from behind. */
     ABSENT,
 
-    /** Evenly over its area: where it is far. */
+    /** Uniformly over its area, where it is far. */
     AREA,
 
-    /** Evenly over the solid angle that it covers. */
+    /** Uniformly over its solid angle. */
     SOLID_ANGLE
 }

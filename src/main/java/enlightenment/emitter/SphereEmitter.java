@@ -6,14 +6,14 @@ import enlightenment.math.Vec3;
 import enlightenment.sampling.Warp;
 
 /**
- * A ball, sampled uniformly over the solid angle that it subtends; from inside, over all directions. Its ball is itself, so the
- * view's cone is exactly that of the directions that meet it.
+ * A ball, sampled uniformly over the solid angle that it subtends; from inside, over all directions. It is its own bounding ball, so the
+ * view's cone is exactly that of the directions that hit it.
  */
 public final class SphereEmitter implements Emitter {
     private final Vec3 center;
     private final double radius;
 
-    /** A ball. */
+    /** Makes a ball. */
     public SphereEmitter(Vec3 center, double radius) {
         this.center = center;
         this.radius = radius;
@@ -65,7 +65,7 @@ public final class SphereEmitter implements Emitter {
     private void sampleCone(EmitterView view) {
         double down = view.disk[2] * view.cone.oneMinusCosine();
         double cos = 1 - down;
-        // sinθ over the distance from the disk's centre, so that the disk's x and y need not be divided by it.
+        // sinθ over the distance from the disk's centre: the disk's x and y need no division by it.
         double spread = Math.sqrt(view.cone.oneMinusCosine() * (2 - down));
         double s = view.disk[0] * spread;
         double t = view.disk[1] * spread;
@@ -151,7 +151,7 @@ public final class SphereEmitter implements Emitter {
         setOffset(view, along, s, t, s * s + t * t);
     }
 
-    /** Sets the direction that has the component cos along the cone's axis, s and t across it, and sin2 = s² + t². */
+    /** Sets the direction with the component cos along the cone's axis, s and t across it, and sin2 = s² + t². */
     private void setOffset(EmitterView view, double cos, double s, double t, double sin2) {
         BallCone cone = view.cone;
         Basis basis = view.basis();

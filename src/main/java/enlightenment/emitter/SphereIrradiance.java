@@ -4,14 +4,13 @@ import enlightenment.frame.BallCone;
 import enlightenment.numeric.Angles;
 
 /**
- * The irradiance under a ball of radiance 1 that nothing hides, whole or cut by the horizon (J. M. Snyder, "Area light sources for
- * real-time graphics", 1996), rearranged so that it keeps its digits far away and where the ball touches the horizon.
+ * Irradiance of an unoccluded ball of radiance 1, whole or cut by the horizon (J. M. Snyder, "Area light sources for real-time graphics",
+ * 1996), rearranged so that nothing cancels far away or where the ball touches the horizon.
  *
  * <p>With s, c the sine and cosine of the cone's half angle and k the cosine between normal and axis: π·k·s² where k ≥ s; for |k| &lt; s,
  * with T = √(s² − k²), A = atan2(T, −ck) and z = T/c, it is s²·k·A + s²·z − (z − atan z). For a far ball the last bracket is a series. If
- * little is above the horizon the terms cancel to the fifth order; with p = sin A = T/(s·σ), σ² = 1 − k², and
- * g(p) = p − √(1 − p²)·asin p = p³/3 + 2p⁵/15 + 8p⁷/105 + …, the same is (σ/c)·(s³·g(p) − g(sp)), of which the cubic terms vanish and all
- * others are positive.
+ * little is above the horizon the terms cancel to the fifth order; with p = sin A = T/(s·σ), σ² = 1 − k², and g(p) = p − √(1 − p²)·asin p =
+ * p³/3 + 2p⁵/15 + 8p⁷/105 + …, the same is (σ/c)·(s³·g(p) − g(sp)), of which the cubic terms vanish and all others are positive.
  */
 final class SphereIrradiance {
     /** Below this the series in p is used; p² = 1/4 loses 2 bits a term. */
@@ -22,7 +21,7 @@ final class SphereIrradiance {
 
     private SphereIrradiance() {}
 
-    /** For a receiver with this unit normal at the cone's apex, which is outside of the ball. */
+    /** The irradiance of a receiver with this unit normal at the cone's apex, outside of the ball. */
     static double of(BallCone cone, double nx, double ny, double nz) {
         double k = nx * cone.wx + ny * cone.wy + nz * cone.wz;
         double s = cone.sine;
@@ -32,7 +31,7 @@ final class SphereIrradiance {
         return k <= -s ? 0 : cut(s, cone.cosine, k);
     }
 
-    /** The ball is cut by the horizon: |k| &lt; s. */
+    /** The irradiance where the horizon cuts the ball: |k| &lt; s. */
     static double cut(double s, double c, double k) {
         double t = Math.sqrt((s - k) * (s + k));
         double across = Math.sqrt((1 - k) * (1 + k));

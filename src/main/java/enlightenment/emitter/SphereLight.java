@@ -4,8 +4,8 @@ import enlightenment.math.Vec3;
 import enlightenment.sampling.Warp;
 
 /**
- * A ball that shines outwards, sampled evenly over the solid angle that it subtends, or by the cosine at the receiver where all of it
- * is above the horizon. From inside it is absent: every direction meets it, so that choosing directions finds it as well.
+ * A ball that emits outwards, sampled uniformly over the solid angle that it subtends, or by the cosine at the receiver where all of it is
+ * above the horizon. From inside there are no samples: every direction hits it, so that BSDF samples find it as well.
  */
 public final class SphereLight implements AreaLight {
     private static final Vec3 NOT_FLAT = Vec3.ZERO;
@@ -17,7 +17,7 @@ public final class SphereLight implements AreaLight {
     private final double z;
     private final double radius;
 
-    /** A ball. */
+    /** Makes a ball. */
     public SphereLight(Vec3 center, double radius) {
         this.center = center;
         this.radius = radius;
@@ -68,10 +68,7 @@ public final class SphereLight implements AreaLight {
         return !s.cone.inside && nx * s.cone.wx + ny * s.cone.wy + nz * s.cone.wz >= s.cone.sine;
     }
 
-    /**
-     * Samples a direction and the distance by the cosine, and nothing else of the sample. Only where {@link #samplesByCosine} says that it
-     * can be done.
-     */
+    /** Samples direction and distance by the cosine, and nothing else of the sample. Only where {@link #samplesByCosine} allows it. */
     public void directByCosine(LightSample s, double nx, double ny, double nz, double u, double v) {
         ball.prepareByCosine(s, nx, ny, nz);
         ball.sampleByCosine(s, u, v);
@@ -99,7 +96,7 @@ public final class SphereLight implements AreaLight {
         return false;
     }
 
-    /** By Lambert's equal-area projection of the disk. */
+    /** Maps the disk to the ball by Lambert's equal-area projection. */
     @Override
     public void samplePoint(double u, double v, SurfacePoint point) {
         Warp.toDisk(u, v, point.disk);

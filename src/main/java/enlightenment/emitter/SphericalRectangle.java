@@ -4,23 +4,23 @@ import enlightenment.numeric.Angles;
 import enlightenment.numeric.Arcs;
 
 /**
- * A rectangle as it is seen from the origin of coordinates that are parallel to its edges, sampled evenly over its solid angle: C. Ureña,
- * M. Fajardo and A. King, "An area-preserving parametrization for spherical rectangles", EGSR 2013. Differences of nearly equal numbers
- * are written as products where that is possible. A mutable work object.
+ * A rectangle as seen from the origin of coordinates parallel to its edges, sampled uniformly over its solid angle: C. Ureña, M. Fajardo
+ * and A. King, "An area-preserving parametrization for spherical rectangles", EGSR 2013. Differences of nearly equal numbers are written as
+ * products where possible. A mutable work object.
  */
 final class SphericalRectangle {
     /**
-     * Where the height is at least this part of the farthest corner's distance, cosines of angles between corners are above −1 + 2^-11:
-     * the differences below that are left lose no more than 12 digits of 53 then. Elsewhere they are taken by {@link GrazingRectangle}.
+     * Where the height is at least this part of the farthest corner's distance, cosines of angles between corners are above −1 + 2^-11: the
+     * remaining differences below lose no more than 12 of 53 bits then. Other rectangles are sampled by {@link GrazingRectangle}.
      */
     private static final double LEAST_COSINE = 0x1p-6;
 
-    /** The last point chosen; its third coordinate is −{@link #height}. */
+    /** The last sampled point; its third coordinate is −{@link #height}. */
     double x;
 
     double y;
 
-    /** The solid angle, accurate at every distance; after {@link #measure}. */
+    /** The solid angle, accurate at every distance; valid after {@link #measure}. */
     double solidAngle;
 
     private double x0;
@@ -53,9 +53,10 @@ final class SphericalRectangle {
     private boolean isGrazing;
 
     /**
-     * Places the rectangle at the distance {@code height} &gt; 0 from the origin.
+     * Sets the rectangle at the distance {@code height} &gt; 0 from the origin.
      *
      * @param left its least coordinate along the first edge, whose length is {@code width}
+     * @param low its least coordinate along the second edge, whose length is {@code length}
      */
     void set(double left, double width, double low, double length, double height) {
         x0 = left;
@@ -86,8 +87,8 @@ final class SphericalRectangle {
     }
 
     /**
-     * Finds the solid angle: two triangles by A. van Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983. The angles are
-     * those of two complex numbers, and their sum that of the product.
+     * Computes the solid angle of two triangles by A. van Oosterom and J. Strackee, "The solid angle of a plane triangle", 1983. The angles
+     * are those of two complex numbers, and their sum that of the product.
      */
     void measure() {
         isGrazing = zz < LEAST_COSINE * LEAST_COSINE * farthest();
@@ -107,7 +108,7 @@ final class SphericalRectangle {
         solidAngle = 2 * Angles.atan2(numerator * (lower + upper), lower * upper - numerator * numerator);
     }
 
-    /** Prepares {@link #choose}; after {@link #measure}. */
+    /** Prepares {@link #choose}; call after {@link #measure}. */
     void prepare() {
         if (!isGrazing && solidAngle < ParallelogramLight.LEAST_SOLID_ANGLE) {
             isGrazing = true;
@@ -134,7 +135,7 @@ final class SphericalRectangle {
         startSine = -(sine1 * cosine0 + cosine1 * sine0);
     }
 
-    /** Chooses the point for (u, v) in the unit square. */
+    /** Samples the point for (u, v) in the unit square. */
     void choose(double u, double v) {
         x = isGrazing ? grazing.choose(u) : across(u);
         double dd = x * x + zz;
@@ -146,7 +147,7 @@ final class SphericalRectangle {
         y = Math.min(Math.max(0.5 * (more - less) * Math.sqrt(dd / (less * more)), y0), y1);
     }
 
-    /** The x up to which the share u of the solid angle lies. */
+    /** The x below which the share u of the solid angle lies. */
     private double across(double u) {
         double turn = u * solidAngle;
         double sine = Arcs.sine(turn);
@@ -155,7 +156,7 @@ final class SphericalRectangle {
                 Math.fma(cosine * startCosine - sine * startSine, b0, -b1) / (sine * startCosine + cosine * startSine);
         double edge = Math.sqrt(a0);
         double rest = (Math.abs(f) - edge) * (Math.abs(f) + edge);
-        // Rounding may leave nothing, or NaN, where the point is at infinity but for the rectangle's edge.
+        // Where rounding leaves 0 or NaN the point is at infinity, and is limited by the rectangle's edge.
         double along = rest > 0 ? Math.copySign(height / Math.sqrt(rest), f) : Math.copySign(Double.MAX_VALUE, f);
         return Math.min(Math.max(along, x0), x1);
     }

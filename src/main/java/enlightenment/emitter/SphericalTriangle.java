@@ -19,20 +19,20 @@ import enlightenment.numeric.Arcs;
  * corner's distance.
  */
 final class SphericalTriangle {
-    /** The last direction chosen, of length 1. */
+    /** The last sampled direction, of length 1. */
     double x;
 
     double y;
     double z;
 
-    /** The solid angle. */
+    /** The solid angle; valid after {@link #measure}. */
     double solidAngle;
 
     private final double[] a = new double[3];
     private final double[] b = new double[3];
     private final double[] c = new double[3];
 
-    /** The unit vector across a towards c. */
+    /** The unit vector perpendicular to a, towards c. */
     private final double[] acrossA = new double[3];
 
     /** The determinant of the unit corners, not negative. */
@@ -45,7 +45,7 @@ final class SphericalTriangle {
 
     private double sum;
 
-    /** Sets the corner k to the offset (x, y, z) from where it is seen, whose length is returned. */
+    /** Sets corner k to the offset (x, y, z) from the viewer; returns its length. */
     double corner(int k, double x, double y, double z) {
         double[] corner = k == 0 ? a : k == 1 ? b : c;
         double len = Math.sqrt(x * x + y * y + z * z);
@@ -57,9 +57,9 @@ final class SphericalTriangle {
     }
 
     /**
-     * Finds the solid angle, after all corners.
+     * Computes the solid angle, after all corners are set.
      *
-     * @param determinant the absolute value of that of the unit corners: height over the plane · 2 area / the product of the distances
+     * @param determinant of the unit corners, absolute: height over the plane · 2 area / the product of the distances
      */
     void measure(double determinant) {
         this.determinant = determinant;
@@ -91,7 +91,7 @@ final class SphericalTriangle {
         return dot;
     }
 
-    /** Prepares {@link #choose}; after {@link #measure}. */
+    /** Prepares {@link #choose}; call after {@link #measure}. */
     void prepare() {
         kappa = Angles.atan2(determinant, denominator(-1));
         chord = Math.sqrt(dotOfSums(a, b, -1, b, -1));
@@ -107,7 +107,7 @@ final class SphericalTriangle {
         }
     }
 
-    /** Chooses the direction for (u, v) in the unit square. */
+    /** Samples the direction for (u, v) in the unit square. */
     void choose(double u, double v) {
         double half = 0.5 * solidAngle;
         // tan(ad/2) is n/m.

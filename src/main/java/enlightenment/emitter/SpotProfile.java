@@ -10,7 +10,10 @@ import enlightenment.sampling.Warp;
  * its digits in narrow cones.
  */
 public final class SpotProfile implements IntensityProfile {
-    /** Newton's steps for the inverse of the smoothstep's integral, each within an interval that holds the root; they end earlier. */
+    /**
+     * The largest number of Newton steps for the inverse of the smoothstep's integral, each within an interval that contains the root; they
+     * end earlier.
+     */
     private static final int STEPS = 60;
 
     private final Vec3 axis;
@@ -27,7 +30,7 @@ public final class SpotProfile implements IntensityProfile {
     private final double innerShare;
 
     /**
-     * A spotlight.
+     * Makes a spotlight.
      *
      * @param axis unit vector
      * @param angle of the outer cone, between axis and side, in degrees: above 0, at most 180
@@ -51,7 +54,7 @@ public final class SpotProfile implements IntensityProfile {
 
     @Override
     public double luminance(double dx, double dy, double dz) {
-        // Half of the squared chord is 1 − cos, without a difference that cancels.
+        // Half of the squared chord is 1 − cos, without cancellation.
         double ex = dx - axis.x();
         double ey = dy - axis.y();
         double ez = dz - axis.z();

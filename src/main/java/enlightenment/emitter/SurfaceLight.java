@@ -2,9 +2,9 @@ package enlightenment.emitter;
 
 import enlightenment.math.Vec3;
 
-/** A light with an area of its own that may shine from one of its sides or from both, inside of a ball. */
+/** A light with a surface that may emit from one of its sides or from both, with a bounding ball. */
 abstract sealed class SurfaceLight implements AreaLight permits FlatLight, CurvedLight {
-    /** The centre of the ball. */
+    /** The centre of the bounding ball. */
     private final Vec3 ballCenter;
 
     private final double ballRadius;

@@ -1,12 +1,12 @@
 package enlightenment.emitter;
 
-/** A point on a light, chosen evenly over its area, with its unit normal. A mutable work object, one per thread. */
+/** A point on a light, sampled uniformly over its area, with its unit normal. A mutable work object, one per thread. */
 public final class SurfacePoint {
     public double x;
     public double y;
     public double z;
 
-    /** The unit normal: outward, or to the front of a flat light. */
+    /** The unit normal: outward, or on the front of a flat light. */
     public double nx;
 
     public double ny;
@@ -15,7 +15,7 @@ public final class SurfacePoint {
     /** Scratch for a point in the unit disk. */
     final double[] disk = new double[3];
 
-    /** A point to be set before use. */
+    /** Makes a point to be set before use. */
     public SurfacePoint() {}
 
     void set(double px, double py, double pz) {

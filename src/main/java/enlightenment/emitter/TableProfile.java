@@ -7,11 +7,11 @@ import enlightenment.sampling.GridDistribution;
 import java.util.Arrays;
 
 /**
- * The intensity of a luminaire by a table: {@link IntensityTable}, over its largest value. Directions are sampled by the patches of the table, cut into
- * rows of at most {@link #STEP} degrees: one of them by its mean intensity times its solid angle, a direction in it uniformly.
+ * The intensity of a luminaire by a table: {@link IntensityTable}, over its largest value. Directions are sampled by the patches of the
+ * table, cut into rows of at most {@link #STEP} degrees: a patch by its mean intensity times its solid angle, a direction in it uniformly.
  */
 public final class TableProfile implements IntensityProfile {
-    /** Degrees: the most that a row takes. */
+    /** The largest height of a row, in degrees. */
     private static final double STEP = 2;
 
     private final IntensityTable table;
@@ -22,7 +22,7 @@ public final class TableProfile implements IntensityProfile {
     private final Vec3 zero;
     private final Vec3 quarter;
 
-    /** In degrees from the nadir, ascending, where rows begin, and where the last one ends; and their 1 − cos. */
+    /** The beginnings of rows and the end of the last one, in degrees from the nadir, ascending; and their 1 − cos. */
     private final double[] rows;
 
     private final double[] heights;
@@ -32,11 +32,11 @@ public final class TableProfile implements IntensityProfile {
     private final double solidAngle;
 
     /**
-     * A luminaire of a table with an intensity above 0.
+     * Makes the profile of a table with an intensity above 0.
      *
      * @param nadir unit vector of the vertical angle 0
-     * @param rotation degrees by which the half plane of the horizontal angle 0 is turned around it, as horizontal angles grow; at 0 it holds what
-     *     becomes of the x axis where the least turn takes −y to the nadir
+     * @param rotation degrees by which the half plane of the horizontal angle 0 is rotated around the nadir, in the direction of growing
+     *     horizontal angles; at 0 that half plane contains the image of the x axis under the smallest rotation from −y to the nadir
      */
     public TableProfile(IntensityTable table, Vec3 nadir, double rotation) {
         this.table = table;
@@ -77,7 +77,10 @@ public final class TableProfile implements IntensityProfile {
         return Arrays.copyOf(rows, count);
     }
 
-    /** Of each patch, in the order of {@link GridDistribution}: mean intensity times solid angle, 0 only where the patch is dark, as it is bilinear. */
+    /**
+     * The weight of each patch, in the order of {@link GridDistribution}: mean intensity times solid angle, 0 only where the patch is dark,
+     * as it is bilinear.
+     */
     private double[] weights() {
         int count = rows.length - 1;
         double[] weights = new double[(columns + 1) * count];
@@ -123,7 +126,7 @@ public final class TableProfile implements IntensityProfile {
         return Math.min(table.candela(fromNadir(dx, dy, dz), around(dx, dy, dz)) / table.largest(), 1);
     }
 
-    /** In degrees, from the unit vectors' difference and sum: digits are kept near both ends. */
+    /** The angle from the nadir in degrees, from the unit vectors' difference and sum: nothing cancels near both ends. */
     private double fromNadir(double dx, double dy, double dz) {
         double ex = dx - nadir.x();
         double ey = dy - nadir.y();
@@ -136,7 +139,7 @@ public final class TableProfile implements IntensityProfile {
         return Math.min(StrictMath.toDegrees(2 * Angles.atan2(difference, sum)), 180);
     }
 
-    /** In degrees, 0..360. */
+    /** The angle around the nadir in degrees, 0..360. */
     private double around(double dx, double dy, double dz) {
         double a = dx * zero.x() + dy * zero.y() + dz * zero.z();
         double b = dx * quarter.x() + dy * quarter.y() + dz * quarter.z();

@@ -4,32 +4,32 @@ import enlightenment.frame.Basis;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
-/** A torus that shines outwards or inwards, sampled evenly over its area. */
+/** A torus that emits outwards or inwards, sampled uniformly over its area. */
 public final class TorusLight extends CurvedLight {
-    /** Halvings of the angle's interval before Newton's steps, which then converge from wherever they are. */
+    /** The largest number of steps of Newton's method within a bracketing interval, or of bisection where it fails. */
     private static final int MOST_STEPS = 64;
 
     private final Vec3 axis;
     private final double majorRadius;
     private final double minorRadius;
 
-    /** The ratio of the radii, at most 1. */
+    /** The ratio of the minor to the major radius, at most 1. */
     private final double thickness;
 
     private final Basis basis = new Basis();
 
-    /** A torus that shines outwards. */
+    /** Makes a torus that emits outwards. */
     public TorusLight(Vec3 center, Vec3 axis, double majorRadius, double minorRadius) {
         this(center, axis, majorRadius, minorRadius, LightSides.FRONT);
     }
 
     /**
-     * All points within {@code minorRadius} of a circle.
+     * Makes the torus of all points within {@code minorRadius} of a circle.
      *
-     * @param axis the unit vector that the circle's plane is perpendicular to
+     * @param axis the unit vector perpendicular to the circle's plane
      * @param majorRadius the circle's radius
      * @param minorRadius greater than 0, at most the major radius
-     * @param sides those that shine
+     * @param sides that emit
      */
     public TorusLight(Vec3 center, Vec3 axis, double majorRadius, double minorRadius, LightSides sides) {
         super(
@@ -66,8 +66,8 @@ public final class TorusLight extends CurvedLight {
     }
 
     /**
-     * The angle ψ around the tube, from the outer equator, with ψ + (r/R)·sin ψ = m for m in −π..π: the area up to ψ grows as the left
-     * side. Newton's steps within an interval that encloses the root; where one would leave it, it is halved.
+     * The angle ψ around the tube, from the outer equator, with ψ + (r/R)·sin ψ = m for m in −π..π: the area up to ψ is proportional to the
+     * left side. Newton's steps within a bracketing interval, which is bisected where a step would leave it.
      */
     private double tubeAngle(double m) {
         double lo = -Math.PI;

@@ -4,23 +4,23 @@ import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
 /**
- * A triangle, sampled evenly over the solid angle that it covers as a {@link SphericalTriangle}, or over its area if that is far.
- * Its normal, which points to its front, is (b − a) × (c − a).
+ * A triangle, sampled uniformly over its solid angle as a {@link SphericalTriangle}, or over its area if it is far. Its normal, on its
+ * front, is (b − a) × (c − a).
  */
 public final class TriangleLight extends FlatLight {
     private final Vec3 a;
     private final Vec3 toB;
     private final Vec3 toC;
 
-    /** A surface whose front shines, or both of its sides. */
+    /** Makes a surface that emits from its front, or from both sides. */
     public TriangleLight(Vec3 a, Vec3 b, Vec3 c, boolean twoSided) {
         this(a, b, c, LightSides.of(twoSided));
     }
 
     /**
-     * A triangle that spans an area.
+     * Makes a triangle with an area.
      *
-     * @param sides those that shine
+     * @param sides that emit
      */
     public TriangleLight(Vec3 a, Vec3 b, Vec3 c, LightSides sides) {
         this(a, b.minus(a), c.minus(a), b.minus(a).cross(c.minus(a)), sides);

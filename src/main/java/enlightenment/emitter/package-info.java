@@ -1,5 +1,5 @@
 /**
- * The forms of lights: points on them as seen from somewhere, the densities with which these are sampled, and what is known of a
- * light in closed form. One class for each form. Internal.
+ * The forms of lights: sampling of points on them, the densities of these samples, and closed forms of irradiance. A class for each form.
+ * Internal.
  */
 package enlightenment.emitter;

@@ -23,17 +23,17 @@ class LanguageTest {
     private static final Map<String, Integer> IN_SOURCES = Map.ofEntries(
             Map.entry("so many", 32),
             Map.entry("for who", 5),
-            Map.entry("whoever", 50),
+            Map.entry("whoever", 49),
             Map.entry("nobody", 69),
             Map.entry("nobodys", 0),
             Map.entry("business of", 0),
             Map.entry("left to chance", 0),
             Map.entry("is told", 43),
             Map.entry("are told", 14),
-            Map.entry("tells that", 1),
+            Map.entry("tells that", 0),
             Map.entry("dear", 0),
             Map.entry("as likely as", 0),
-            Map.entry("/\\*\\* (?:The same|As above)", 123));
+            Map.entry("/\\*\\* (?:The same|As above)", 119));
 
     /** By phrase: how often pages have it, the list of changes aside. */
     private static final Map<String, Integer> IN_PAGES = Map.ofEntries(

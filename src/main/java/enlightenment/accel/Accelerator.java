@@ -6,12 +6,12 @@ import enlightenment.primitive.MeshUnion;
 import enlightenment.primitive.Ray;
 
 /**
- * Answers questions about rays and a set of primitives. Whatever the structure, the answers are those of a loop over all
- * primitives, bit for bit. Immutable, safe for any number of threads, each with its own {@link Closest} and {@link BvhQuery};
- * a {@link PrimitiveList} that is refilled belongs to one thread.
+ * Ray queries on a set of primitives. Whatever the structure, the results are those of a loop over all primitives, bit for bit. Immutable,
+ * safe for any number of threads, each with its own {@link Closest} and {@link BvhQuery}; a {@link PrimitiveList} that is refilled belongs
+ * to one thread.
  */
 public interface Accelerator extends RaySearch {
-    /** What {@link #narrow} returns if one primitive blocks every segment. */
+    /** The result of {@link #narrow} if one primitive blocks every segment. */
     int BLOCKED = -1;
 
     /**
@@ -31,19 +31,19 @@ public interface Accelerator extends RaySearch {
     /**
      * Prepares {@link #occludedWithin} for rays from the cone's apex to its ball.
      *
-     * @param cone the cone
-     * @param judge says what single primitives are to the cone
-     * @param rays about how many rays there will be: for few of them it may not pay to look
-     * @param query receives what is left to be asked
-     * @return 0 if the judge let no primitive pass, {@link #BLOCKED} if one was found to block everything; else a positive number:
-     *     rays must be asked. A primitive that blocks everything may then exist all the same
+     * @param cone of the rays
+     * @param judge returns the verdict on single primitives
+     * @param rays roughly the number of rays to come: for few of them a search may not pay
+     * @param query receives the remaining candidates
+     * @return 0 if the judge cleared all primitives, {@link #BLOCKED} if one was found to block everything; else a positive number: rays
+     *     must be tested. A primitive that blocks everything may then still exist
      */
     int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query);
 
     /** As {@link #occluded}, for a ray from the apex of the cone that the query was narrowed to by {@link #narrow}, to its ball. */
     boolean occludedWithin(Ray ray, double tMax, BvhQuery query);
 
-    /** The meshes that are searched together; null if each is searched by itself. */
+    /** The meshes with a common hierarchy; null if each has its own. */
     default MeshUnion union() {
         return null;
     }

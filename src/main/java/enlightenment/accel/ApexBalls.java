@@ -4,13 +4,13 @@ import enlightenment.frame.BallCone;
 import enlightenment.primitive.Ray;
 
 /**
- * Balls that rays from one point, the apex of a cone, may meet: what depends on the apex is computed once for all rays. A mutable work
- * object, one per thread.
+ * Tests of rays from one point, the apex of a cone, against balls: terms that depend on the apex are computed once for all rays. A mutable
+ * work object, one per thread.
  *
- * <p>Let f be the vector from a ball's centre to the apex, r the radius, d a ray's direction: the ray's line misses the ball if
- * (f·d)² &lt; (f² − r²)·d². Here f² is taken for less and r² for more by 2^-40 of themselves, which covers all roundings, those of a
- * sphere's own test too: that computes the same f, and r²d² − (f × d)² with an error of a few units of 2^-53 of (f² + r²)·d². Where a
- * product could leave the range of doubles, nothing is said to be missed.
+ * <p>Let f be the vector from a ball's centre to the apex, r the radius, d a ray's direction: the ray's line misses the ball if (f·d)² &lt;
+ * (f² − r²)·d². Here f² is decreased and r² increased by 2^-40 of themselves, which covers all roundings, those of a sphere's own test too:
+ * that computes the same f, and r²d² − (f × d)² with an error of a few units of 2^-53 of (f² + r²)·d². Where a product could leave the
+ * range of doubles, the result is never a miss.
  */
 final class ApexBalls {
     private static final double LESS = 1 - 0x1p-40;
@@ -23,7 +23,7 @@ final class ApexBalls {
 
     private static final int NUMBERS = 4;
 
-    /** By ball: f and f² − r²; the last is not a number if the ball is never missed. */
+    /** By ball: f and f² − r²; NaN for the latter if the ball is never missed. */
     private final double[] b;
 
     private double x;
@@ -34,7 +34,7 @@ final class ApexBalls {
         b = new double[NUMBERS * most];
     }
 
-    /** Rays will start at this cone's apex. */
+    /** Sets the apex to that of a cone. */
     void startAt(BallCone cone) {
         x = cone.x;
         y = cone.y;
@@ -54,7 +54,7 @@ final class ApexBalls {
         b[at + 3] = ff >= NEAREST && ff <= FARTHEST ? LESS * ff - MORE * rr : Double.NaN;
     }
 
-    /** Sets what no ray is said to miss. */
+    /** Sets entry k to a ball that no ray misses. */
     void setAny(int k) {
         b[NUMBERS * k + 3] = Double.NaN;
     }

@@ -41,9 +41,9 @@ public abstract class Bvh implements Accelerator {
     }
 
     /**
-     * The same, which can be ended.
+     * Builds the hierarchy of these primitives, and can be cancelled.
      *
-     * @param poll called now and then; ends the building by what it throws
+     * @param poll called regularly; what it throws ends the building
      */
     public static Bvh build(Primitive[] primitives, Runnable poll) {
         MeshUnion union = MeshUnion.of(primitives, poll);
@@ -68,7 +68,9 @@ public abstract class Bvh implements Accelerator {
         return IntStream.range(0, n).filter(i -> !joined.get(i)).toArray();
     }
 
-    /** @param union what is not among the ids, as one item behind them; or null */
+    /**
+     * @param union meshes that are not among the ids, as one item after them; or null
+     */
     private static Bvh build(Primitive[] all, int[] ids, MeshUnion union, Runnable poll) {
         IntFunction<Bounds> boxes = i -> i < ids.length ? all[ids[i]].bounds() : union.bounds();
         BvhBuilder builder = new BvhBuilder(new ItemBoxes(ids.length + (union == null ? 0 : 1), boxes), poll);
@@ -88,7 +90,7 @@ public abstract class Bvh implements Accelerator {
         return child.length / 2;
     }
 
-    /** Where the ray enters a child's box (side 0 or 1 of the node), or infinity; see {@link SlabTest#entry}. */
+    /** The t at which the ray enters a child's box (side 0 or 1 of the node), or infinity; see {@link SlabTest#entry}. */
     abstract double entry(SlabTest slabs, int node, int side, double limit);
 
     /** A coordinate of a child's box, on an axis: the lower, or the upper one. */
@@ -120,7 +122,7 @@ public abstract class Bvh implements Accelerator {
                     }
                 }
             }
-            // A box entered exactly where the best crossing lies may hold one that wins the tie.
+            // A box entered exactly at the closest crossing may contain one that wins the tie.
             while (next == Nodes.EMPTY && depth > 0) {
                 depth--;
                 if (entries[depth] <= slabs.limit(state.t())) {
@@ -164,7 +166,7 @@ public abstract class Bvh implements Accelerator {
         return false;
     }
 
-    /** Without a front: every ray starts at the root. */
+    /** Sets no front: every ray starts at the root. */
     @Override
     public int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query) {
         query.startAtRoot();
@@ -172,8 +174,8 @@ public abstract class Bvh implements Accelerator {
     }
 
     /**
-     * Whether a primitive blocks every segment from the cone's apex to its ball, by the judge's verdict. Looks where the cone's axis leads:
-     * what blocks every segment blocks that one.
+     * Whether a primitive blocks every segment from the cone's apex to its ball, by the judge's verdict. Searches along the cone's axis
+     * only: a primitive that blocks every segment blocks that one.
      */
     final boolean blocksAll(BallCone cone, ConeJudge judge, BvhQuery query) {
         SlabTest slabs = query.slabs;

@@ -11,7 +11,8 @@ import java.util.Arrays;
 /**
  * A growing list of primitive ids, a front, and the scratch memory of a traversal. A mutable work object, one per thread.
  *
- * <p>A <em>front</em> is a cut of a hierarchy: links to nodes and leaves which, with the candidates, hold all that rays of a cone may meet.
+ * <p>A <em>front</em> is a cut of a hierarchy: links to nodes and leaves which, with the candidates, contain everything that rays of a cone
+ * may hit.
  */
 public final class BvhQuery {
     /** A front has at most this many links; a power of two. */
@@ -24,20 +25,20 @@ public final class BvhQuery {
     private final int[] kinds;
     private final long[] tests;
 
-    /** The ray, prepared for boxes. */
+    /** The current ray, prepared for box tests. */
     final SlabTest slabs = new SlabTest();
 
     final FloatSlabs floatSlabs = new FloatSlabs();
 
     final FloatShaft shaft = new FloatShaft();
 
-    /** A cone's axis. */
+    /** The axis of the current cone. */
     final Ray axis = new Ray();
 
-    /** Links that rays start with; expanding one may add one before the size is looked at. */
+    /** The links that rays start with; expanding one may add one before the size is checked. */
     final int[] front = new int[MAX_FRONT + 1];
 
-    /** Primitives that are asked before the front. */
+    /** Primitives tested before the front. */
     final ConeCandidates candidates = new ConeCandidates();
 
     /** By place in the front: the ball around a node's box. */
@@ -45,16 +46,16 @@ public final class BvhQuery {
 
     int frontSize;
 
-    /** Nodes to be opened, a ring. */
+    /** Nodes to be expanded, a ring buffer. */
     final int[] queue = new int[QUEUE_MASK + 1];
 
     private final int[] stack = new int[Nodes.MAX_DEPTH + MAX_FRONT + 2];
 
-    /** A box. */
+    /** A box, as scratch. */
     final double[] box = new double[ItemBoxes.BOX];
 
     /**
-     * An empty list.
+     * Makes an empty list.
      *
      * @param kinds by id: the kind of primitive
      * @param tests by kind: counts the tests
@@ -68,7 +69,7 @@ public final class BvhQuery {
         return stack;
     }
 
-    /** The front of a whole hierarchy. */
+    /** Sets the front to the root of the hierarchy. */
     void startAtRoot() {
         front[0] = 0;
         frontSize = 1;
@@ -76,7 +77,7 @@ public final class BvhQuery {
         candidates.close();
     }
 
-    /** Fills the stack with what the ray may meet of the front; returns its depth. */
+    /** Fills the stack with the links of the front whose balls the ray may hit; returns its depth. */
     int pushFront(Ray ray) {
         int depth = 0;
         for (int i = 0; i < frontSize; i++) {
@@ -93,7 +94,7 @@ public final class BvhQuery {
         return p.blocks(ray, tMax);
     }
 
-    /** Whether a mesh of several has a crossing with tMin ≤ t ≤ tMax. */
+    /** Whether any mesh of a union has a crossing with tMin ≤ t ≤ tMax. */
     boolean blocks(MeshUnion union, Ray ray, double tMax) {
         if (!union.suits(ray)) {
             for (int k = 0; k < union.size(); k++) {

@@ -8,9 +8,8 @@ import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 
 /**
- * The closest crossing so far, and the one rule for ties: at equal t a crossing that leaves a solid comes before one that
- * enters, then the lower id wins. So what is found does not depend on the order of tests. A mutable work object, one per
- * thread.
+ * The closest crossing so far, with the one rule for ties: at equal t a crossing that leaves a solid comes before one that enters, then the
+ * lower id wins. So the result does not depend on the order of tests. A mutable work object, one per thread.
  */
 public final class Closest {
     private double t;
@@ -22,7 +21,7 @@ public final class Closest {
 
     private final Hit scratch = new Hit();
 
-    /** The ray, prepared for boxes. */
+    /** The current ray, prepared for box tests. */
     final SlabTest slabs = new SlabTest();
 
     final FloatSlabs floatSlabs = new FloatSlabs();
@@ -33,11 +32,11 @@ public final class Closest {
     /** By place on the stack: the t at which the ray enters the box. */
     final double[] entries = new double[Nodes.MAX_DEPTH];
 
-    /** The same as bits of a float. */
+    /** By place on the stack: the t at which the ray enters the box, as bits of a float. */
     final int[] floatEntries = new int[Nodes.MAX_DEPTH];
 
     /**
-     * A search to be {@link #reset} before use.
+     * Makes a search, to be {@link #reset} before use.
      *
      * @param kinds by id: the kind of primitive
      * @param tests by kind: counts the tests
@@ -60,7 +59,7 @@ public final class Closest {
         offerCounted(ray, p, candidate);
     }
 
-    /** Tests meshes together and keeps their crossing if it is the closest. */
+    /** Tests a union of meshes and keeps its crossing if it is the closest. */
     void offer(Ray ray, MeshUnion union) {
         if (!union.suits(ray)) {
             for (int k = 0; k < union.size(); k++) {
@@ -80,7 +79,7 @@ public final class Closest {
         tests[kind] += number;
     }
 
-    /** As {@link #offer}, for who counts the tests himself. */
+    /** As {@link #offer}, for callers that count tests themselves. */
     void offerCounted(Ray ray, Primitive p, int candidate) {
         take(ray, p, candidate, p.nearest(ray, t));
     }

@@ -6,14 +6,14 @@ import enlightenment.primitive.Ray;
 import enlightenment.primitive.SpherePrimitive;
 
 /**
- * Primitives that may block rays from the apex of a cone; what blocked a ray is asked first about the next. A mutable work object, one per
- * thread.
+ * Primitives that may block rays from the apex of a cone; the one that blocked a ray is tested first for the next. A mutable work object,
+ * one per thread.
  */
 final class ConeCandidates {
-    /** When there are so many, no more are looked for. */
+    /** The number of candidates at which the search for more ends. */
     static final int MAX = 16;
 
-    /** A visit to a node adds two leaves at most; and blockers that were found later are added. */
+    /** The capacity: a visit to a node adds at most two leaves; and blockers found later are added. */
     private static final int CAPACITY = MAX + 32;
 
     private final Primitive[] primitives = new Primitive[CAPACITY];
@@ -62,7 +62,7 @@ final class ConeCandidates {
     boolean block(Ray ray, double tMax, BvhQuery query) {
         for (int k = 0; k < size; k++) {
             Primitive p = primitives[k];
-            // A ray that starts on a primitive may meet it where its line, as rounded, passes.
+            // A ray that starts on a primitive may cross it beside its line, by rounding.
             if (balls.misses(k, ray) && !ray.extreme && ray.sideOf(p) == 0) {
                 continue;
             }

@@ -1,14 +1,14 @@
 package enlightenment.accel;
 
-/** Says what a primitive is to the segments from a cone's apex to its ball. */
+/** Returns verdicts on primitives for the segments from a cone's apex to its ball. */
 public interface ConeJudge {
-    /** It certainly blocks every segment. */
+    /** The primitive certainly blocks every segment. */
     int BLOCKS_ALL = -1;
 
-    /** It certainly blocks none. */
+    /** The primitive certainly blocks no segment. */
     int CLEAR = 0;
 
-    /** It may block some. */
+    /** The primitive may block some segments. */
     int MAY_BLOCK = 1;
 
     /** The verdict on the primitive with an id: {@link #BLOCKS_ALL}, {@link #CLEAR} or {@link #MAY_BLOCK}. */

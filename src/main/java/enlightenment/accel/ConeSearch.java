@@ -6,11 +6,11 @@ import enlightenment.frame.BallCone;
 import enlightenment.numeric.Scale;
 
 /**
- * Decides whether primitives of a hierarchy reach into a cone, always with the same verdict: it depends on the cone, the judge and the
- * tree's boxes as they are, without the roundings to floats and whatever else is asked. A primitive reaches into the cone if the judge says
- * so and the balls around all boxes that it lies in do.
+ * Decides whether primitives of a hierarchy reach into a cone, always with the same verdict: it depends only on the cone, the judge and the
+ * tree's boxes without their roundings to floats. A primitive reaches into the cone if the judge says so and the balls around all boxes
+ * that contain it do.
  *
- * <p>What the cluster method learns depends on this verdict. For pictures {@link Accelerator#narrow} is enough, and faster. Immutable.
+ * <p>The surveys of the cluster method depend on this verdict. For pictures {@link Accelerator#narrow} suffices, and is faster. Immutable.
  */
 public final class ConeSearch {
     /** Bounds the rounding of half a box's diagonal. */
@@ -24,7 +24,7 @@ public final class ConeSearch {
         boxes = bvh.exactBoxes();
     }
 
-    /** For this accelerator; null if its {@link Accelerator#narrow} is as definite. */
+    /** Makes the search of an accelerator; null if its {@link Accelerator#narrow} is as definite. */
     public static ConeSearch of(Accelerator accelerator) {
         return accelerator instanceof Bvh bvh ? new ConeSearch(bvh) : null;
     }

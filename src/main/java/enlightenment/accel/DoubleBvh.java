@@ -3,7 +3,10 @@ package enlightenment.accel;
 import enlightenment.bvh.ItemBoxes;
 import enlightenment.bvh.Nodes;
 
-/** A hierarchy with boxes of doubles: for scenes whose primitives are so small, seen from their distance, that floats would blur them. */
+/**
+ * A hierarchy with boxes of doubles: for scenes with primitives so small, relative to their distance, that boxes of floats would be too
+ * coarse.
+ */
 final class DoubleBvh extends Bvh {
     /** By node: the lower and the upper corner of the left child's box, then of the right one's. */
     private final double[] boxes;

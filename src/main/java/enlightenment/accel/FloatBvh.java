@@ -12,8 +12,8 @@ import enlightenment.primitive.Ray;
  */
 final class FloatBvh extends Bvh {
     /**
-     * With fewer rays than this, fewer links may be pending: opening more costs more than it saves. Measured on one flake of spheres and
-     * tried on no other scene; has no influence on any answer.
+     * With fewer rays than this, fewer links are expanded: it costs more than it saves. Measured on one flake of spheres and tried on no
+     * other scene; has no influence on any result.
      */
     private static final int MANY_RAYS = 12;
 
@@ -50,7 +50,7 @@ final class FloatBvh extends Bvh {
         return slabs.set(ray.ox, ray.oy, ray.oz, ray.dx, ray.dy, ray.dz, ray.dd, ray.tMin, reach);
     }
 
-    /** Follows links from the root. */
+    /** Traverses from the root. */
     private void follow(Ray ray, Closest state) {
         FloatSlabs slabs = state.floatSlabs;
         int[] stack = state.stack;
@@ -60,7 +60,7 @@ final class FloatBvh extends Bvh {
         stack[0] = 0;
         entries[0] = 0;
         while (depth > 0) {
-            // A box entered exactly where the best crossing lies may hold one that wins the tie.
+            // A box entered exactly at the closest crossing may contain one that wins the tie.
             if (entries[--depth] > limit) {
                 continue;
             }
@@ -130,9 +130,9 @@ final class FloatBvh extends Bvh {
     }
 
     /**
-     * Opens nodes breadth first until as many links are pending as pay for so many rays, {@link ConeCandidates#MAX} primitives are found or
-     * no node is left. What the judge lets pass of leaves becomes candidates; nodes that are left are asked last, each by the ball around
-     * its box first.
+     * Expands nodes breadth first until the number of pending links pays for the number of rays, {@link ConeCandidates#MAX} primitives are
+     * found or no node is left. Primitives of leaves that the judge does not clear become candidates; the remaining nodes are tested last,
+     * each first by the ball around its box.
      */
     @Override
     public int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query) {
@@ -180,7 +180,7 @@ final class FloatBvh extends Bvh {
         return kept + query.candidates.size();
     }
 
-    /** Sets the ball around a box, whose widening covers what is rounded here. */
+    /** Sets the ball around a box, widened by more than the roundings here. */
     private void setBall(ApexBalls balls, int k, int slot) {
         int at = Nodes.NODE * (slot >> 1) + (slot & 1);
         double hx = boxes[at + 6];

@@ -6,9 +6,9 @@ import enlightenment.primitive.MeshUnion;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 
-/** Leaves of primitives, of which meshes that are searched together take one place. */
+/** Leaves of primitives; a union of meshes takes one place. */
 final class PrimitiveLeaves extends Leaves {
-    /** By place; null for the union. */
+    /** By place: the primitive; null for the union. */
     private final Primitive[] primitives;
 
     private final int[] ids;
@@ -17,7 +17,7 @@ final class PrimitiveLeaves extends Leaves {
     /**
      * @param all the scene's primitives
      * @param items by item: the id
-     * @param union the item behind those, or null
+     * @param union the item after those, or null
      * @param order by place: the item
      */
     PrimitiveLeaves(Primitive[] all, int[] items, MeshUnion union, int[] order) {
@@ -71,7 +71,7 @@ final class PrimitiveLeaves extends Leaves {
         return strongest;
     }
 
-    /** The verdict on the union: no mesh blocks everything. */
+    /** The verdict on the union: that of the first member that is not clear; no mesh blocks everything. */
     private int judge(ConeJudge judge) {
         for (int k = 0; k < union.size(); k++) {
             int verdict = judge.judge(union.id(k));
@@ -82,7 +82,7 @@ final class PrimitiveLeaves extends Leaves {
         return ConeJudge.CLEAR;
     }
 
-    /** The union is not judged: asking all its members would take longer than a ray. */
+    /** The union is not judged: judging all its members would take longer than a ray. */
     @Override
     int gather(int from, int to, ConeJudge judge, BvhQuery query) {
         int left = ConeJudge.CLEAR;

@@ -6,14 +6,14 @@ import enlightenment.math.Vec3;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 
-/** A few primitives, of which each is tested: faster than a hierarchy up to some two dozen. */
+/** A list of primitives, each of which is tested: faster than a hierarchy up to about two dozen. */
 public final class PrimitiveList implements Accelerator {
     private final Primitive[] primitives;
     private final int[] kinds;
     private final int[] members;
     private int size;
 
-    /** Which kinds of primitives the members are of, and how many of each: a search tests all of them, so they are counted together. */
+    /** The kinds of the members, and the number of each: a search tests all of them, so they are counted together. */
     private final int[] kindsThere;
 
     private final int[] numberOfKind;
@@ -52,7 +52,7 @@ public final class PrimitiveList implements Accelerator {
         return members;
     }
 
-    /** Sets how many of {@link #members} count. */
+    /** Sets the number of {@link #members} in use. */
     public void size(int count) {
         size = count;
         kindCount = 0;

@@ -12,13 +12,13 @@ import enlightenment.primitive.SpherePrimitive;
 import enlightenment.primitive.TrianglePrimitive;
 
 /**
- * Searches a few primitives, with their numbers side by side: a ray misses most of them by so much that a few operations and a single
- * branch tell. What they do not tell is asked of the primitive itself, so that the answer is its own, bit for bit.
+ * Tests a few primitives in structures of arrays: a ray misses most of them by so much that a few operations and a single branch decide.
+ * Undecided ones are tested by the primitive itself, so that the result is its own, bit for bit.
  *
- * <p>All signs that refuse a primitive are collected first: a branch for each would be guessed wrong half of the time.
+ * <p>All conditions of a miss are combined before the branch: a branch for each would be mispredicted half of the time.
  */
 final class QuickTests {
-    /** More than the roundings of a quick test and of the primitive's own test together. */
+    /** A bound of the roundings of a quick test and of the primitive's own test together. */
     private static final double ERROR = Scale.gamma(128);
 
     private static final int BALL = 4;
@@ -27,7 +27,7 @@ final class QuickTests {
     private final SpherePrimitive[] spheres;
     private final int[] sphereIds;
 
-    /** Of each sphere: the centre, and the squared radius rounded up. */
+    /** By sphere: the centre, and the squared radius rounded up. */
     private final double[] balls;
 
     private int sphereCount;
@@ -37,23 +37,23 @@ final class QuickTests {
 
     private final int[] rectangleIds;
 
-    /** Of each of them: the coordinate on the axis that it is across, and its extent on the others in order. */
+    /** By rectangle: the coordinate on the axis that it is perpendicular to, and its extent on the others in order. */
     private final double[] walls;
 
-    /** Where the rectangles across each axis begin, and the last end. */
+    /** By axis, the index of the first rectangle perpendicular to it, then the end of the last. */
     private final int[] firstAcross = new int[4];
 
-    /** The size of their largest coordinate. */
+    /** The largest absolute coordinate of the rectangles. */
     private double reach;
 
-    /** All others, those with flat faces in balls around them. */
+    /** All other primitives; those with flat faces have bounding balls. */
     private final Primitive[] others;
 
     private final double[] ballsAround;
     private final int[] otherIds;
     private int otherCount;
 
-    /** Room for so many primitives. */
+    /** Makes room for this number of primitives. */
     QuickTests(int room) {
         spheres = new SpherePrimitive[room];
         sphereIds = new int[room];
@@ -110,7 +110,10 @@ final class QuickTests {
         balls[BALL * k + 3] = radius * radius * (1 + ERROR);
     }
 
-    /** Primitives with curved faces, whose tests have errors of another kind, and extreme ones are asked always. */
+    /**
+     * Sets the bounding ball of a primitive. Those with curved faces, whose tests have errors of another kind, and extreme ones are always
+     * tested.
+     */
     private void setBallAround(int k, Primitive p) {
         boolean isFlatSided = p instanceof BoxPrimitive
                 || p instanceof CubePrimitive
@@ -139,9 +142,9 @@ final class QuickTests {
     }
 
     /**
-     * Offers all that the ray may meet.
+     * Offers all primitives that the ray may hit.
      *
-     * @return false, having offered nothing, for a ray that needs more care
+     * @return false, having offered nothing, for a ray that needs the general search
      */
     boolean search(Ray ray, Closest state) {
         double inverseX = 1 / ray.dx;
@@ -160,7 +163,7 @@ final class QuickTests {
         return true;
     }
 
-    /** What is in a ball is refused if the ray's line stays outside of that, or if the ray starts outside and leads away. */
+    /** Skips a primitive if the ray's line misses its ball, or if the ray starts outside of the ball and leads away. */
     private static void searchBalls(double[] b, Primitive[] inBalls, int[] ids, int n, Ray ray, Closest state) {
         double ox = ray.ox;
         double oy = ray.oy;
@@ -188,8 +191,9 @@ final class QuickTests {
     }
 
     /**
-     * Rectangles across an axis: one is refused if the ray meets its plane before its start, farther than what was found, or beside the
-     * rectangle. A ray that meets it well inside meets it where it meets the plane ({@link RectanglePrimitive} decides likewise).
+     * Tests rectangles perpendicular to an axis: one is skipped if the ray meets its plane before its start, beyond the closest crossing,
+     * or beside the rectangle. A ray that meets the plane well inside the rectangle hits it there ({@link RectanglePrimitive} decides
+     * likewise).
      */
     private void searchAcross(
             int axis,
@@ -233,7 +237,7 @@ final class QuickTests {
         }
     }
 
-    /** Bits of which the first is set if the number is less than 0. */
+    /** A number whose sign bit is set if the argument is less than 0. */
     private static long sign(double v) {
         return Double.doubleToRawLongBits(v);
     }

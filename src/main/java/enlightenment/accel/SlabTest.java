@@ -42,7 +42,6 @@ final class SlabTest {
     /**
      * Prepares the test.
      *
-     * @param ray the ray
      * @param reach the largest absolute coordinate of any box
      */
     void set(Ray ray, double reach) {
@@ -101,7 +100,10 @@ final class SlabTest {
         return near <= far ? near : Double.POSITIVE_INFINITY;
     }
 
-    /** The same for a box of floats whose numbers (centre and half extents) begin at b[at] and lie two apart. */
+    /**
+     * The t at which the ray enters a box of floats, as {@link #entry(double[], int, double)}, whose numbers (centre and half extents)
+     * begin at b[at] and lie two apart.
+     */
     double entry(float[] b, int at, double limit) {
         double lx = ((double) b[at] - b[at + 6] - lowerX) * invX;
         double ux = ((double) b[at] + b[at + 6] - upperX) * invX;

@@ -19,7 +19,7 @@ final class BinnedSplit {
         this.items = items;
     }
 
-    /** Measures the range start..end−1, which the other methods are about; box takes the box of its items. */
+    /** Measures the range start..end−1, for the other methods; box receives the box of its items. */
     void measure(int start, int end, double[] box) {
         items.measure(start, end, range);
         System.arraycopy(range, 0, box, 0, ItemBoxes.BOX);
@@ -89,7 +89,7 @@ final class BinnedSplit {
         }
     }
 
-    /** Partitions start..end−1 by the split that was found; returns where the second part begins. */
+    /** Partitions start..end−1 by the split that was found; returns the start of the second part. */
     int partition(int start, int end) {
         double lowest = range[ItemBoxes.BOX + axis];
         int border = bins[axis].border();

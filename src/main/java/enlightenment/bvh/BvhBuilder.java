@@ -16,15 +16,15 @@ public final class BvhBuilder {
     /** From this depth on, ranges are split at the median: 2^28 primitives then end before {@link Bvh#MAX_DEPTH}. */
     private static final int MEDIAN_DEPTH = Nodes.MAX_DEPTH - 32;
 
-    /** The cost of visiting a node, in tests of primitives. */
+    /** The cost of visiting a node, in units of a primitive's test. */
     private static final double NODE_COST = 2;
 
-    /** A leaf smaller than this share of the reach is blurred by floats, whose widening is 2^-20 of it. */
+    /** A leaf smaller than this share of the reach is too coarse in floats, whose widening is 2^-20 of the reach. */
     private static final double COARSE = 0x1p-14;
 
     private static final int NO_PARENT = -1;
 
-    /** Who waits for the end of the building is asked before ranges of so many items: smaller ones take far less than a millisecond. */
+    /** Cancellation is checked before ranges of at least this number of items: smaller ones take far less than a millisecond. */
     private static final int POLLED = 1024;
 
     private final ItemBoxes items;
@@ -37,7 +37,9 @@ public final class BvhBuilder {
     private int leaves;
     private int smallLeaves;
 
-    /** @param poll called now and then; ends the building by what it throws */
+    /**
+     * @param poll called regularly; what it throws ends the building
+     */
     public BvhBuilder(ItemBoxes items, Runnable poll) {
         int n = items.size();
         if (n >= Nodes.MOST_ITEMS) {
@@ -122,7 +124,7 @@ public final class BvhBuilder {
         int at = Nodes.NODE * (slot / 2) + slot % 2;
         for (int k = 0; k < 3; k++) {
             boolean empty = !(box[k] <= box[3 + k]);
-            // The box of nothing is a point, not infinite: no search may compute with infinities.
+            // The box of an empty child is a point, not infinite: no search may compute with infinities.
             float center = empty ? 0 : (float) (0.5 * box[k] + 0.5 * box[3 + k]);
             double half = empty ? 0 : Math.max(box[3 + k] - center, center - box[k]);
             boxes[at + 2 * k] = center;
@@ -130,7 +132,7 @@ public final class BvhBuilder {
         }
     }
 
-    /** Splits a range and partitions its items; returns where the second part begins, -1 if the range becomes a leaf. */
+    /** Splits a range and partitions its items; returns the start of the second part, -1 if the range becomes a leaf. */
     private int split(int start, int end, int depth) {
         int n = end - start;
         if (n <= NODE_COST) {
@@ -151,7 +153,7 @@ public final class BvhBuilder {
         return middle;
     }
 
-    /** Whether boxes of floats are fine enough: more than half of the leaves are large beside the roundings. */
+    /** Whether boxes of floats are fine enough: more than half of the leaves are large compared to the roundings. */
     public boolean fitsFloats() {
         return items.size() == 0 || FloatSlabs.suits(items.reach()) && 2 * smallLeaves <= leaves;
     }
@@ -170,7 +172,7 @@ public final class BvhBuilder {
         return boxes;
     }
 
-    /** Two links for each node. */
+    /** The links to children, two for each node. */
     public int[] child() {
         return child;
     }

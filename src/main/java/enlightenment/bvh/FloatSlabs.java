@@ -20,7 +20,7 @@ package enlightenment.bvh;
  * instruction where {@link Math#max(float, float)} takes five.
  */
 public final class FloatSlabs {
-    /** What {@link #entry} returns for a box that the ray misses: more than the bits of infinity. */
+    /** The result of {@link #entry} for a box that the ray misses: more than the bits of infinity. */
     public static final int MISS = Integer.MAX_VALUE;
 
     /** Squared lengths of directions, and coordinates, for which nothing leaves the range of floats. */
@@ -28,7 +28,7 @@ public final class FloatSlabs {
 
     private static final double SMALLEST = 0x1p-40;
 
-    /** w relative to m. */
+    /** The widening w relative to m. */
     private static final double WIDENING = 0x1p-19;
 
     private static final double STEEPEST = 0x1p60;
@@ -52,8 +52,8 @@ public final class FloatSlabs {
      * @param ox the ray's origin: ox, oy, oz
      * @param dx its direction: dx, dy, dz
      * @param dd the squared length of the direction
-     * @param from the least t that counts
-     * @param reach the largest absolute coordinate of any box, in the range that {@link #suits} asks for
+     * @param from the least t of a crossing
+     * @param reach the largest absolute coordinate of any box, in the range that {@link #suits} accepts
      * @return whether this test is right for the ray
      */
     public boolean set(
@@ -84,14 +84,15 @@ public final class FloatSlabs {
         return reach <= LARGEST && reach >= SMALLEST;
     }
 
-    /** What half extents of boxes are widened by. */
+    /** The margin by which half extents of boxes are widened. */
     public static double widening(double reach) {
         return WIDENING * reach;
     }
 
     /**
-     * Where the ray enters the box whose numbers (x, y, z of centre and half extents) begin at b[k] and lie two apart, at least tMin, as
-     * bits of a float; {@link #MISS} if it misses the box or enters it beyond the limit, which is the bits of a float too.
+     * The t at which the ray enters a box, at least tMin, as bits of a float; the box's numbers (x, y, z of centre and half extents) begin
+     * at b[k] and lie two apart. {@link #MISS} if the ray misses the box or enters it beyond the limit, which is also given as the bits of
+     * a float.
      */
     public int entry(float[] b, int k, int limit) {
         float mx = Math.fma(b[k], invX, offsetX);
@@ -116,13 +117,13 @@ public final class FloatSlabs {
         return Float.floatToRawIntBits(up(t) + 0f);
     }
 
-    /** The largest float that is not greater. */
+    /** The largest float that is not greater than the double. */
     public static float down(double v) {
         float f = (float) v;
         return f > v ? Math.nextDown(f) : f;
     }
 
-    /** The smallest float that is not less; infinity beyond the range. */
+    /** The smallest float that is not less than the double; infinity beyond the range. */
     public static float up(double v) {
         float f = (float) v;
         return f < v ? Math.nextUp(f) : f;

@@ -13,7 +13,7 @@ public final class ItemBoxes {
     private final double[] b;
     private final int[] ids;
 
-    /** A power of two that extents are multiplied by before areas are computed, so that these stay in range. */
+    /** The power of two that extents are multiplied by before areas are computed, so that areas stay in range. */
     private final double unit;
 
     private final double reach;
@@ -65,12 +65,12 @@ public final class ItemBoxes {
         return ids;
     }
 
-    /** The centroid of item i on an axis, without overflow. */
+    /** The centroid of item i on an axis, computed without overflow. */
     double center(int i, int axis) {
         return 0.5 * b[6 * i + axis] + 0.5 * b[6 * i + 3 + axis];
     }
 
-    /** The boxes themselves, {@link #BOX} numbers each, in the order of the items now; for this package and for reading only. */
+    /** The boxes, {@link #BOX} numbers each, in the current order of the items; for this package, not to be changed. */
     double[] numbers() {
         return b;
     }
@@ -78,7 +78,7 @@ public final class ItemBoxes {
     /**
      * Measures items start..end−1 in one pass.
      *
-     * @param out takes the box that encloses them, and behind it the box of their centroids
+     * @param out receives the box that encloses them, then the box of their centroids
      */
     void measure(int start, int end, double[] out) {
         double x0 = Double.POSITIVE_INFINITY;

@@ -6,10 +6,10 @@ package enlightenment.bvh;
  * Nodes lie in depth-first order, node 0 is the root.
  */
 public final class Nodes {
-    /** The depth of a tree is at most this. */
+    /** The largest depth of a tree. */
     public static final int MAX_DEPTH = 64;
 
-    /** Numbers of a node: two boxes. */
+    /** The numbers of a node: two boxes. */
     public static final int NODE = 12;
 
     /** A leaf without places: the link of a child that does not exist. */

@@ -1,2 +1,2 @@
-/** Binary trees of boxes, whatever lies in the boxes: how they are built and how rays are tested against them. */
+/** Binary trees of boxes around any items: how they are built and how rays are tested against them. */
 package enlightenment.bvh;

@@ -3,16 +3,16 @@ package enlightenment.frame;
 import enlightenment.numeric.Scale;
 
 /**
- * The cone of directions in which a ball is seen from a point. A mutable work object, one per thread.
+ * The cone of directions from a point to a ball. A mutable work object, one per thread.
  *
- * <p>With radius r, distance D and s = r/D: cosθmax = √((D − r)(D + r))/D and 1 − cosθmax = s²/(1 + cosθmax), which are accurate
- * to a few units in the last place at every distance (numerics, "Sphere light").
+ * <p>With radius r, distance D and s = r/D: cosθmax = √((D − r)(D + r))/D and 1 − cosθmax = s²/(1 + cosθmax), which are accurate to a few
+ * units in the last place at every distance (numerics, "Sphere light").
  */
 public class BallCone {
     /** A generous bound of the roundings in {@link #misses} and {@link #isHiddenBy}. */
     private static final double TEST_ERROR = Scale.gamma(64);
 
-    /** The apex: where the ball is seen from. */
+    /** The apex: the point that the ball is seen from. */
     public double x;
 
     public double y;
@@ -30,7 +30,7 @@ public class BallCone {
     /** The ball's radius. */
     public double radius;
 
-    /** Sine and cosine of the cone's half angle. Meaningless where {@link #inside} holds. */
+    /** Sine and cosine of the cone's half angle. Undefined if {@link #inside}. */
     public double sine;
 
     public double cosine;
@@ -64,7 +64,7 @@ public class BallCone {
         }
     }
 
-    /** 1 − {@link #cosine}, to its own last places. */
+    /** 1 − {@link #cosine}, accurate to its last digits. */
     public final double oneMinusCosine() {
         return sine * sine / (1 + cosine);
     }

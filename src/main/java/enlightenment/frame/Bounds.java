@@ -41,7 +41,7 @@ public record Bounds(Vec3 min, Vec3 max) {
                         Math.nextUp(center.z() + halfExtents.z())));
     }
 
-    /** The smallest box around both. */
+    /** The smallest box around this and another box. */
     public Bounds union(Bounds o) {
         return of(min, max, o.min, o.max);
     }
@@ -56,7 +56,7 @@ public record Bounds(Vec3 min, Vec3 max) {
         return max.minus(min);
     }
 
-    /** One of its corners, by a number 0 to 7: bit 0 says whether x is the greatest rather than the least, bit 1 y, bit 2 z. */
+    /** A corner of the box, by a number 0 to 7: bit 0 is set for the greatest x, bit 1 for y, bit 2 for z. */
     public Vec3 corner(int k) {
         return new Vec3(
                 (k & 1) == 0 ? min.x() : max.x(), (k & 2) == 0 ? min.y() : max.y(), (k & 4) == 0 ? min.z() : max.z());

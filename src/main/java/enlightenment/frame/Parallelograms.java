@@ -4,16 +4,16 @@ import enlightenment.check.Check;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 
-/** Vertices of triangles and parallelograms that must span an area. */
+/** Checks and normals of triangles and parallelograms, whose vertices must span an area. */
 public final class Parallelograms {
-    /** A fourth corner may be off by this fraction of the longer edge: what decimals rounded by hand are off by. */
+    /** The tolerance of a fourth corner as a fraction of the longer edge: the error of decimals rounded by hand. */
     private static final double CORNER_TOLERANCE = 0x1p-26;
 
     private Parallelograms() {}
 
     /**
-     * The exact unit normal of a triangle, (b − a) × (c − a) normalised, if rounding to the frame makes its vertices collinear;
-     * null if it does not. What is left of such a triangle is a line, which still closes the gap between its neighbours.
+     * The exact unit normal of a triangle, (b − a) × (c − a) normalised, if rounding to the frame makes its vertices collinear; null if it
+     * does not. Such a triangle degenerates to a line, which still closes the gap between its neighbours.
      */
     public static Vec3 normalIfDegenerate(ExactPoint a, ExactPoint b, ExactPoint c, SceneFrame frame) {
         Vec3 from = frame.toFrame(a);

@@ -10,15 +10,15 @@ import java.util.Objects;
 /**
  * The frame that a scene is rendered in: an exact origin (the eye) and a power of two.
  *
- * <p>A position p becomes (p − origin)·2^-exponent: the difference is exact, is rounded once, and the power of two is
- * exact. So the compiled numbers, and with them the picture, do not depend on where the scene's origin lies, nor on a
- * unit that differs by a power of two (numerics: "exact frame").
+ * <p>A position p becomes (p − origin)·2^-exponent: the difference is exact, is rounded once, and the power of two is exact. So the
+ * compiled numbers, and with them the picture, do not depend on where the scene's origin lies, nor on a unit that differs by a power of two
+ * (numerics: "exact frame").
  *
- * @param origin what becomes (0, 0, 0)
+ * @param origin the position that becomes (0, 0, 0)
  * @param exponent e such that lengths are divided by 2^e
  */
 public record SceneFrame(ExactPoint origin, int exponent) {
-    /** The frame that only rounds: its origin is the scene's, its unit 1. */
+    /** The frame of the scene's own coordinates, which are only rounded. */
     public static final SceneFrame WORLD = new SceneFrame(ExactPoint.ORIGIN, 0);
 
     /** Beyond this exponent a double is scaled as an exact decimal, so that it is never rounded twice. */

@@ -1,5 +1,5 @@
 /**
- * The frame that a scene is rendered in, and what is measured there: boxes, rotations, the cone in which a ball is seen. Exact
- * points become doubles here, once and with one rounding.
+ * The frame that a scene is rendered in, and geometry in it: boxes, rotations, the cone around a ball. Exact points become doubles here,
+ * once and with one rounding.
  */
 package enlightenment.frame;

@@ -24,7 +24,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     /** The face that closes the base. */
     public static final int BASE = 1;
 
-    /** The face that closes the other end. */
+    /** The face that closes the end opposite to the base. */
     public static final int TOP = 2;
 
     /** Bounds the roundings of a squared reach and of what is compared with it. */
@@ -54,16 +54,16 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
     /** The length of the axis with that power of two. */
     final double length;
 
-    /** The axis without the power of two times the axis with it: F·A of a point at the wider end. */
+    /** The axis without the power of two, dotted with the axis with it: F·A of a point at the wider end. */
     final double extent;
 
     final double narrowRadius;
     final double wideRadius;
 
-    /** What the radius gains per unit of length along the axis: at least 0. */
+    /** The growth of the radius per unit of length along the axis: at least 0. */
     final double slope;
 
-    /** No point is farther than the root of this from the reference point. */
+    /** The squared distance of the farthest point from the reference point, as an upper bound. */
     final double reachSquared;
 
     final boolean narrowIsTop;
@@ -155,7 +155,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
      */
     abstract double crossing(Ray ray, double tMax, Hit hit);
 
-    /** Whether the ray starts here on the outside: it never returns, because the primitive is convex. */
+    /** Whether the ray starts on the outside of this primitive: then it never returns, as the primitive is convex. */
     final boolean leavesOutside(Ray ray) {
         return ray.start == this && ray.startSide == Ray.OUTSIDE;
     }
@@ -218,7 +218,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         return MISS;
     }
 
-    /** Where the ray meets an end's plane; for an axis-aligned plane by the same expression as every other primitive's. */
+    /** The t at which the ray meets an end's plane; for an axis-aligned plane by the same expression as in every other primitive. */
     private double planeParameter(Ray ray, double t, boolean narrow) {
         return switch (aligned) {
             case 0 -> ((narrow ? cx : wide().x()) - ray.ox) / ray.dx;
@@ -308,7 +308,7 @@ public abstract sealed class AxialPrimitive extends Primitive permits CylinderPr
         return capped ? 3 : 1;
     }
 
-    /** The numbers of a subclass for code on another device: whether it is a cone, and four that cylinders and cones have of their own. */
+    /** The numbers of a subclass for code on another device: whether it is a cone, and four that differ between cylinders and cones. */
     abstract double[] flatNumbers();
 
     @Override

@@ -126,7 +126,7 @@ final class AxialSurface {
         hit.v = Watertight.clamp01(solid.narrowIsTop ? fraction : 1 - fraction);
     }
 
-    /** Its own numbers for code on another device. */
+    /** The numbers of the surface for code on another device. */
     double[] flatForm() {
         return new double[] {tiltAcross, tiltAlong, seam.x(), seam.y(), seam.z(), east.x(), east.y(), east.z()};
     }

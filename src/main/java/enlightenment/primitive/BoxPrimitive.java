@@ -33,7 +33,7 @@ public final class BoxPrimitive extends Primitive {
         return nearest(ray, tMax, ray.start == this);
     }
 
-    /** {@link #nearest}, for a ray of which the caller knows whether it starts on this box. */
+    /** As {@link #nearest}, for a caller that knows whether the ray starts on this box. */
     double nearest(Ray ray, double tMax, boolean own) {
         if (own && ray.startSide == Ray.OUTSIDE) {
             return MISS;
@@ -66,7 +66,7 @@ public final class BoxPrimitive extends Primitive {
         complete(ray, t, hit, ray.start == this);
     }
 
-    /** {@link #complete}, for a ray of which the caller knows whether it starts on this box. */
+    /** As {@link #complete}, for a caller that knows whether the ray starts on this box. */
     void complete(Ray ray, double t, Hit hit, boolean own) {
         boolean entering = !own && entry(ray) >= ray.tMin;
         int axis = entering
@@ -97,7 +97,7 @@ public final class BoxPrimitive extends Primitive {
         Slabs.textureCoordinates(hit, fractionX(hit), fractionY(hit), fractionZ(hit));
     }
 
-    /** Where the hit lies between the faces -x and +x, 0..1. */
+    /** The position of the hit between the faces -x and +x, 0..1. */
     double fractionX(Hit hit) {
         return fraction(hit.px, x0, x1);
     }

@@ -11,17 +11,17 @@ record CornerUv(double au, double av, double bu, double bv, double cu, double cv
         return (1 - s - t) * au + s * bu + t * cu;
     }
 
-    /** The v of that point, upwards. */
+    /** The v, upwards, of the point a + s (b − a) + t (c − a). */
     double v(double s, double t) {
         return (1 - s - t) * av + s * bv + t * cv;
     }
 
     /**
-     * The directions in which u and v grow, as long as a unit of them.
+     * The vectors in which u and v grow by 1.
      *
      * @param b from the first corner to the second
      * @param c from the first corner to the third
-     * @return null if the corners' texture coordinates lie in one line, or nearly so
+     * @return null if the corners' texture coordinates are collinear, or nearly so
      */
     Vec3[] directions(Vec3 b, Vec3 c) {
         double determinant = Products.difference(bu - au, cv - av, bv - av, cu - au);
@@ -33,7 +33,7 @@ record CornerUv(double au, double av, double bu, double bv, double cu, double cv
         return u.isFinite() && v.isFinite() ? new Vec3[] {u, v} : null;
     }
 
-    /** These numbers behind others. */
+    /** Appends these numbers to others. */
     double[] appendTo(double[] numbers) {
         double[] all = Arrays.copyOf(numbers, numbers.length + 6);
         int n = numbers.length;

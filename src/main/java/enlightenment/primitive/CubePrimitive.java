@@ -30,7 +30,7 @@ public final class CubePrimitive extends Primitive {
     private final Vec3 axisZ;
     private final Rotation rotation;
 
-    /** The same cube as a box, or null if it is not parallel to the axes. */
+    /** The cube as a box; null if it is not parallel to the axes. */
     private final BoxPrimitive box;
 
     CubePrimitive(Vec3 center, double half, Rotation rotation) {
@@ -177,7 +177,7 @@ public final class CubePrimitive extends Primitive {
         Slabs.textureCoordinates(hit, fraction(hit, axisX), fraction(hit, axisY), fraction(hit, axisZ));
     }
 
-    /** Where the hit lies between the two faces across one of the cube's axes, 0..1. */
+    /** The position of the hit between the two faces perpendicular to one of the cube's axes, 0..1. */
     private double fraction(Hit hit, Vec3 axis) {
         if (box == null) {
             double along = Products.dot(

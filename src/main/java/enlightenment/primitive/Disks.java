@@ -4,7 +4,7 @@ import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
 
-/** What disks have in common, whether they are shapes or the ends of a cylinder. */
+/** Forms that disks share, whether they are shapes or the ends of a cylinder. */
 final class Disks {
     /** Bounds the roundings of a disk's extent and of a point on its rim. */
     private static final double PADDING = 1 + Scale.gamma(16);

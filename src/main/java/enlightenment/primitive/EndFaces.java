@@ -4,19 +4,18 @@ import enlightenment.math.Vec3;
 import java.util.Arrays;
 
 /**
- * The faces that a light lies on: a lamp in the plane of a ceiling, a bulb on a wall. A shadow ray that ends on the light ends on
- * them too, and they do not occlude it there, just as the surface it starts on does not: whether rounding puts their crossing
- * before the light or behind it means nothing. A crossing anywhere else occludes. Faces are added while a scene is compiled;
- * later it is read only.
+ * The faces that a light lies on: a lamp in the plane of a ceiling, a bulb on a wall. A shadow ray that ends on the light ends on them too,
+ * and they do not occlude it there, just as the surface it starts on does not: whether rounding puts their crossing before the light or
+ * behind it means nothing. A crossing anywhere else occludes. Faces are added while a scene is compiled; later it is read only.
  *
- * <p>Some faces are borders of solids that light enters. A light that lies on a border is outside of the solid, as if a hair of air were
- * between: what comes from within crosses the border first, wherever rounding puts it, and what the light sends inwards enters there.
+ * <p>Some faces are interfaces of solids that light enters. A light that lies on one is outside of the solid, as if there were a thin gap
+ * between them: a ray from within crosses the interface first, wherever rounding puts it, and light sent inwards enters the solid there.
  *
- * <p>And some cover the light on one side or on both, as a small lamp does that lies on a large one: what comes from that side crosses the
- * face first, and what the light sends there is lost.
+ * <p>Other faces cover the light on one side or on both, as a small lamp does that lies on a large one: a ray from that side hits the face
+ * first, and light sent to that side is lost.
  */
 public final class EndFaces {
-    /** How far to search for a face, in tolerances: enough never to miss it. */
+    /** The distance, in tolerances, within which a face is searched for: enough never to miss it. */
     public static final double REACH = 4;
 
     private Primitive[] primitives = {};
@@ -26,25 +25,25 @@ public final class EndFaces {
     private double[] tolerances = {};
     private boolean[] isBorder = {};
 
-    /** The sides of each face, as {@link #bit}s, from which the light is not seen there. */
+    /** The sides of each face, as {@link #bit}s, from which the light is hidden. */
     private int[] hiding = {};
 
     private boolean hasBorders;
     private boolean hides;
     private boolean hasCovers;
 
-    /** No faces yet. */
+    /** Makes an empty set. */
     public EndFaces() {}
 
     /**
      * Adds a face while a scene is compiled.
      *
      * @param primitive the face's primitive
-     * @param id its number
-     * @param face which of its faces
+     * @param id the primitive's number
+     * @param face of the primitive
      * @param tolerance bounds the distance between face and light that rounding may cause: a length in the frame
      * @param border whether light enters the primitive there
-     * @param covered the sides of the face, as {@link #bit}s, on which it covers the light; 0 for a border
+     * @param covered the sides of the face, as {@link #bit}s, on which it covers the light; 0 for an interface
      */
     public void add(Primitive primitive, int id, int face, double tolerance, boolean border, int covered) {
         int n = ids.length;
@@ -86,22 +85,22 @@ public final class EndFaces {
         return isOnly ? tolerances[0] : -1;
     }
 
-    /** Whether there are none. */
+    /** Whether the light lies on no face. */
     public boolean isEmpty() {
         return ids.length == 0;
     }
 
-    /** Whether any of them is the border of a solid. */
+    /** Whether any face is the interface of a solid. */
     public boolean hasBorders() {
         return hasBorders;
     }
 
-    /** Whether some of them cover the light, or a part of it, on a side. */
+    /** Whether some face covers the light, or a part of it, on a side. */
     public boolean hasCovers() {
         return hasCovers;
     }
 
-    /** Whether one of them is the border of this solid. */
+    /** Whether a face is the interface of this solid. */
     public boolean hasBorderOf(int id) {
         for (int k = 0; k < ids.length; k++) {
             if (ids[k] == id && isBorder[k]) {
@@ -111,7 +110,7 @@ public final class EndFaces {
         return false;
     }
 
-    /** Whether a face of a primitive is one of these. */
+    /** Whether the light lies on this face of a primitive. */
     public boolean has(int id, int face) {
         for (int k = 0; k < ids.length; k++) {
             if (ids[k] == id && faces[k] == face) {
@@ -122,7 +121,7 @@ public final class EndFaces {
     }
 
     /**
-     * Lets a ray that leaves the light start on these faces as well, but for borders that it crosses to the inside. It is inside of an
+     * Lets a ray that leaves the light start on these faces as well, except for interfaces that it crosses inwards. It starts inside of an
      * opaque solid only where the face covers the light.
      *
      * @param side the side of the light's own surface that it travels on
@@ -147,7 +146,7 @@ public final class EndFaces {
         return side;
     }
 
-    /** Whether a face is where the ray starts. A light may be larger than what it lies on. */
+    /** Whether a face covers the ray's origin; a light may be larger than the face it lies on. */
     private boolean covers(int k, Ray ray, double nx, double ny, double nz, Ray scratch) {
         if (!primitives[k].isSolid()) {
             return true;
@@ -173,7 +172,7 @@ public final class EndFaces {
     }
 
     /**
-     * Whether the light is covered where a ray leaves it.
+     * Whether a face covers the light where a ray leaves it.
      *
      * @param side the side of the light's own surface that it travels on
      * @param nx the light's unit normal there: nx, ny, nz
@@ -188,7 +187,7 @@ public final class EndFaces {
         return false;
     }
 
-    /** Whether any face of the primitive is one of these. */
+    /** Whether the light lies on any face of the primitive. */
     boolean concerns(Primitive p) {
         for (Primitive q : primitives) {
             if (q == p) {
@@ -220,19 +219,19 @@ public final class EndFaces {
     /**
      * Whether a crossing of a face that coincides with the end of a segment is that end.
      *
-     * @param left how far behind the crossing the segment ends, in lengths of its direction
-     * @param isFlat whether the face is
+     * @param left the distance of the end behind the crossing, in lengths of the ray's direction
+     * @param isFlat whether the face is flat
      * @param tolerance bounds the distance between the face and the end that rounding may cause
      */
     public static boolean isAtEnd(Ray ray, Hit hit, double left, boolean isFlat, double tolerance) {
-        // A line meets a plane once, and this one in the end; it may meet a curved face earlier as well.
+        // A line crosses a plane once, and this one at the end; it may cross a curved face earlier as well.
         double across = Math.abs(hit.nx * ray.dx + hit.ny * ray.dy + hit.nz * ray.dz);
         return isFlat || left * across <= tolerance;
     }
 
     /**
-     * Whether a ray crosses a face that coincides with its end from one of some sides: the border of a solid that it comes out of, or what
-     * covers a light. Then that is before its end.
+     * Whether a ray crosses a face that coincides with its end from one of some sides: the interface of a solid that it leaves, or a face
+     * that covers a light. Such a crossing comes before the end.
      *
      * @param tEnd the t at which the ray ends
      * @param sides as {@link #bit}s
@@ -247,7 +246,7 @@ public final class EndFaces {
     }
 
     /**
-     * Whether a ray comes to the light out of a solid that this lies on, or where it is covered.
+     * Whether a ray reaches the light out of a solid that the light lies on, or where the light is covered.
      *
      * @param tMax the t at which the ray ends on the light
      * @param scratch is overwritten
@@ -264,10 +263,10 @@ public final class EndFaces {
     }
 
     /**
-     * Whether a hit is where a ray that goes to the light ends.
+     * Whether a hit is the end of a ray that goes to the light.
      *
      * @param id the number of the primitive that it hits
-     * @param left how far behind the hit the light is, in lengths of the ray's direction
+     * @param left the distance of the light behind the hit, in lengths of the ray's direction
      */
     public boolean isEnd(Ray ray, int id, Hit hit, double left) {
         for (int k = 0; k < ids.length; k++) {

@@ -3,13 +3,13 @@ package enlightenment.primitive;
 import enlightenment.mesh.TriangleMesh;
 
 /**
- * A primitive as plain numbers, for code on another device that computes what the primitive does, operation by operation. Which number is
- * what stands beside that code.
+ * A primitive as plain numbers, for code on another device that repeats the primitive's computation operation by operation. The order of
+ * the numbers is documented in that code.
  *
  * @param mesh of which it is an instance, or null
  */
 public record FlatForm(Kind kind, double[] numbers, TriangleMesh mesh) {
-    /** What such code knows. */
+    /** The kinds of primitives that such code supports. */
     public enum Kind {
         SPHERE,
         RECTANGLE,

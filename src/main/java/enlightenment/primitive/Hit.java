@@ -3,8 +3,8 @@ package enlightenment.primitive;
 import enlightenment.math.Vec3;
 
 /**
- * Where a ray meets a surface. A mutable result object: it is filled in once the closest crossing is known, never for a
- * surface that was merely tested, and hot loops reuse one instance.
+ * The crossing of a ray and a surface. A mutable result object: it is filled in once the closest crossing is known, never for a surface
+ * that was merely tested, and hot loops reuse one instance.
  */
 public final class Hit {
     /** The ray parameter of the crossing. */
@@ -25,10 +25,10 @@ public final class Hit {
     /** The side that the ray arrives on: {@link Ray#OUTSIDE} where it enters a solid, {@link Ray#INSIDE} where it leaves. */
     public int side;
 
-    /** Which face of the primitive; its meaning is the primitive's. */
+    /** The face of the primitive, numbered by the primitive. */
     public int face;
 
-    /** Which element of a primitive that has many, such as a triangle of a mesh; of others it means nothing. */
+    /** The element of a primitive that has many, such as a triangle of a mesh; undefined for others. */
     public int element;
 
     /** Of a triangle of a mesh, the weights of its second and third corner at the crossing. */
@@ -36,13 +36,16 @@ public final class Hit {
 
     double weightC;
 
-    /** The unit normal that surfaces are shaded by, which points to {@link Ray#OUTSIDE}; set by {@link Primitive#shadingNormal}. */
+    /** The shading normal, of length 1, which points to {@link Ray#OUTSIDE}; set by {@link Primitive#shadingNormal}. */
     public double sx;
 
     public double sy;
     public double sz;
 
-    /** The directions of the texture, as long as a unit of its coordinates: u to the right, v upwards; set by {@link Primitive#textureDirections}. */
+    /**
+     * The vectors of the texture along which its coordinates grow by 1: u to the right, v upwards; set by
+     * {@link Primitive#textureDirections}.
+     */
     double ux;
 
     double uy;
@@ -59,10 +62,10 @@ public final class Hit {
 
     public double v;
 
-    /** Scratch that a primitive sets when it finds its crossing and reads when it completes the hit. */
+    /** Scratch of the primitive, between finding a crossing and completing the hit. */
     double along;
 
-    /** An empty result. */
+    /** Makes an empty result. */
     public Hit() {}
 
     /** Copies another result. */
@@ -121,9 +124,9 @@ public final class Hit {
     }
 
     /**
-     * Turns the shading normal to a direction: of its coordinates, x is along the texture's u, y along its v, and z along the normal as it is.
+     * Turns the shading normal to a direction given in the basis of the texture's u, its v, and the normal so far.
      *
-     * @return whether there is such a direction on the outside of the surface; else nothing is changed
+     * @return whether the direction exists and is on the outside of the surface; if not, nothing is changed
      */
     public boolean turnShadingNormal(double x, double y, double z) {
         double along = sx * ux + sy * uy + sz * uz;
@@ -140,11 +143,12 @@ public final class Hit {
     }
 
     /**
-     * Turns the shading normal to that of a surface whose height grows along the texture's directions, which need not be at right angles.
+     * Turns the shading normal to that of a surface displaced along it by a height that grows along the texture's directions, which need
+     * not be at right angles.
      *
-     * @param du how much it grows in a unit of u
-     * @param dv how much it grows in a unit of v
-     * @return whether there is such a direction on the outside of the surface; else nothing is changed
+     * @param du growth of the height per unit of u
+     * @param dv growth of the height per unit of v
+     * @return whether the direction exists and is on the outside of the surface; if not, nothing is changed
      */
     public boolean tiltShadingNormal(double du, double dv) {
         double u = sx * ux + sy * uy + sz * uz;

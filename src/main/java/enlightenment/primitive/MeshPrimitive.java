@@ -10,18 +10,18 @@ import enlightenment.numeric.Scale;
 import java.util.Arrays;
 
 /**
- * An instance of a mesh: rays are mapped to its coordinates and follow its tree. It is one surface, curved as far as others need to know, of
- * which {@link Hit#element} says the triangle. Where its normals are smooth, {@link Hit} has the shading normal.
+ * An instance of a mesh: rays are mapped to its coordinates and traverse its tree. To other classes it is one curved surface;
+ * {@link Hit#element} is the triangle. Where the mesh has vertex normals, {@link Hit} has the shading normal.
  */
 public final class MeshPrimitive extends Primitive {
-    /** Directions that {@link #contains} looks along: one that no edge of a modelled mesh is likely to be parallel to. */
+    /** The direction in which {@link #contains} searches: one that no edge of a modelled mesh is likely to be parallel to. */
     private static final double[] ASIDE = {0.5773, 0.2911, 0.7631};
 
     private final TriangleMesh mesh;
     private final Placing placing;
     private final Bounds bounds;
 
-    /** Its number in the {@link MeshUnion} that it was joined to last, by which that finds it; −1 if there is none. */
+    /** Its number in the {@link MeshUnion} that it was joined to last, a cache of that union's search; −1 if there is none. */
     int likelyMember = -1;
 
     MeshPrimitive(TriangleMesh mesh, Placing placing) {
@@ -75,7 +75,7 @@ public final class MeshPrimitive extends Primitive {
         return local;
     }
 
-    /** Sets a ray of a mesh that is placed so. */
+    /** Transforms a ray to the coordinates of a mesh with this placing. */
     static void place(MeshRay local, TriangleMesh of, Placing placing, Ray ray) {
         double x = ray.ox - placing.offset(0);
         double y = ray.oy - placing.offset(1);
@@ -96,16 +96,16 @@ public final class MeshPrimitive extends Primitive {
     }
 
     /**
-     * Lets a placed ray, which starts on this mesh, start on a triangle.
+     * Lets a transformed ray, which starts on this mesh, start on a triangle.
      *
-     * @param of how the triangle's mesh is placed, this one or one that holds its triangles too
+     * @param of the placing of the mesh whose tree is traversed: this one's, or that of a union
      */
     void startOn(MeshRay local, int triangle, Placing of, Ray ray) {
         double size = ray.maxAbsOrigin() + placing.maxOffset();
         local.startOn(triangle, ray.startSide, Scale.gamma(16) * size * of.largestInverse());
     }
 
-    /** How it is placed. */
+    /** The placing of the mesh in the frame. */
     Placing placing() {
         return placing;
     }
@@ -166,7 +166,10 @@ public final class MeshPrimitive extends Primitive {
         return true;
     }
 
-    /** The sum over the corners of how far the hit is below the plane across the corner's normal, along that, by their weights. */
+    /**
+     * The sum over the corners of the hit's depth below the plane perpendicular to the corner's normal, along that normal, by barycentric
+     * weights.
+     */
     @Override
     public boolean bulge(Hit hit, double[] offset) {
         if (!mesh.hasNormals()) {
@@ -195,7 +198,7 @@ public final class MeshPrimitive extends Primitive {
         return true;
     }
 
-    /** Those of the vertices, interpolated; without any, the triangle's corners are (0, 0), (1, 0) and (0, 1). */
+    /** The interpolated coordinates of the vertices; without any, the triangle's corners are (0, 0), (1, 0) and (0, 1). */
     @Override
     public void textureCoordinates(Hit hit) {
         if (!mesh.hasUv()) {
@@ -211,7 +214,7 @@ public final class MeshPrimitive extends Primitive {
         hit.v = 1 - between(mesh.uv(p, 1), mesh.uv(q, 1), mesh.uv(r, 1), a, hit.weightB, hit.weightC);
     }
 
-    /** By the triangle's corners; where their texture coordinates lie in one line, there are none. */
+    /** Computed from the triangle's corners; false if their texture coordinates are collinear. */
     @Override
     public boolean textureDirections(Hit hit) {
         int p = mesh.vertex(hit.element, 0);
@@ -278,7 +281,7 @@ public final class MeshPrimitive extends Primitive {
         return true;
     }
 
-    /** Whether the closest triangle along some direction is met from its inside. */
+    /** Whether the closest triangle in some direction is hit from its inside. */
     @Override
     public boolean contains(double x, double y, double z) {
         if (!isSolid()) {
@@ -304,7 +307,7 @@ public final class MeshPrimitive extends Primitive {
         return new MeshPrimitive(mesh, placing.scaledBy(k));
     }
 
-    /** Where it is, and which mesh: by the digest. */
+    /** The placing, and the digest of the mesh. */
     @Override
     public double[] parameters() {
         double[] placed = placing.numbers();

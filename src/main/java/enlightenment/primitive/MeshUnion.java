@@ -9,9 +9,9 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Meshes with one hierarchy of all their triangles: rays need not be prepared for each of them, and boxes do not overlap. Either they are placed alike;
- * or they are small and each is placed once, and the hierarchy has their triangles as they are placed. What a ray meets is a triangle of a member, with
- * the t that the member itself would give, but for the rounding of placed vertices. Immutable.
+ * Meshes with one hierarchy of all their triangles: rays need not be transformed for each of them, and boxes do not overlap. Either all
+ * have the same placing; or they are small and each is placed once, and the hierarchy has their placed triangles. The result of a query is
+ * a triangle of a member, with the t that the member itself would return, up to the rounding of placed vertices. Immutable.
  */
 public final class MeshUnion {
     private final MeshPrimitive[] members;
@@ -20,7 +20,7 @@ public final class MeshUnion {
     /** By member: the number of its first triangle in the hierarchy; then the number of all. */
     private final int[] first;
 
-    /** How the coordinates of the hierarchy are placed. */
+    /** The placing of the hierarchy's coordinates in the frame. */
     private final Placing placing;
 
     private final TriangleTree tree;
@@ -42,9 +42,9 @@ public final class MeshUnion {
     }
 
     /**
-     * The union of meshes that are placed alike, or of small ones that are placed once: of what is the most meshes, and at least two.
+     * Makes the union of meshes with the same placing, or of small ones that are placed once: of the larger set, of at least two.
      *
-     * @param poll called now and then; ends the building by what it throws
+     * @param poll called regularly; what it throws ends the building
      * @return null if there is none
      */
     public static MeshUnion of(Primitive[] primitives, Runnable poll) {
@@ -60,7 +60,10 @@ public final class MeshUnion {
         return new MeshUnion(members, ids, members[0].placing(), TriangleTree.of(joined, poll));
     }
 
-    /** In the coordinates of the frame; null if rounding takes the area of a triangle away, since places in the leaves count triangles. */
+    /**
+     * Makes the union in the coordinates of the frame; null if rounding makes a triangle degenerate, since places in the leaves count
+     * triangles.
+     */
     private static MeshUnion ofLone(Primitive[] primitives, int[] ids, Runnable poll) {
         MeshPrimitive[] members = members(primitives, ids);
         List<TriangleMesh> meshes = meshes(members);
@@ -90,12 +93,12 @@ public final class MeshUnion {
         return ids[member];
     }
 
-    /** A member. */
+    /** The mesh of a member. */
     public MeshPrimitive member(int member) {
         return members[member];
     }
 
-    /** It as one mesh for code on another device. */
+    /** The union as one mesh for code on another device. */
     public FlatForm flatForm() {
         return new FlatForm(FlatForm.Kind.MESH, placing.flatForm(), tree.mesh());
     }
@@ -105,19 +108,19 @@ public final class MeshUnion {
         return first.clone();
     }
 
-    /** The ids of the members. */
+    /** By member: the id of its primitive. */
     public int[] ids() {
         return ids.clone();
     }
 
-    /** A box around all. */
+    /** The box around all members. */
     public Bounds bounds() {
         return bounds;
     }
 
     /**
-     * The t of the nearest crossing with tMin ≤ t ≤ tMax, or {@link Primitive#MISS}; {@link Ray#element} is the triangle then, and {@link
-     * Ray#member} the member. For rays that it {@link #suits}.
+     * The t of the nearest crossing with tMin ≤ t ≤ tMax, or {@link Primitive#MISS}; {@link Ray#element} is the triangle then, and
+     * {@link Ray#member} the member. Only for rays that the union {@link #suits}.
      */
     public double nearest(Ray ray, double tMax) {
         MeshRay local = local(ray);
@@ -130,12 +133,12 @@ public final class MeshUnion {
         return local.t;
     }
 
-    /** Whether there is a crossing with tMin ≤ t ≤ tMax. For such rays, too. */
+    /** Whether there is a crossing with tMin ≤ t ≤ tMax. Only for rays that the union {@link #suits}. */
     public boolean blocks(Ray ray, double tMax) {
         return local(ray).isBlocked(tMax);
     }
 
-    /** Whether a ray may be asked about: it is not extreme, and starts on two meshes at most. */
+    /** Whether the union can be queried with a ray: it is not extreme, and starts on at most two meshes. */
     public boolean suits(Ray ray) {
         return !ray.extreme && ray.otherMesh() > -2;
     }
@@ -169,7 +172,7 @@ public final class MeshUnion {
         if (likely < 0 || likely < members.length && members[likely] == m) {
             return likely;
         }
-        // It was joined to another union since.
+        // It has been joined to another union since.
         return Arrays.asList(members).indexOf(m);
     }
 }

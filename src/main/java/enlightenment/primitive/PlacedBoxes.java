@@ -4,7 +4,7 @@ import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.tree.TriangleTree;
 
-/** The box around boxes of a mesh that have been placed. */
+/** The box around a mesh's boxes after placing. */
 final class PlacedBoxes implements TriangleTree.Boxes {
     private final Placing placing;
     private final double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
@@ -22,7 +22,9 @@ final class PlacedBoxes implements TriangleTree.Boxes {
         }
     }
 
-    /** @param slack what is rounded, by axis */
+    /**
+     * @param slack bound of the roundings, by axis
+     */
     Bounds bounds(Vec3 slack) {
         return new Bounds(
                 new Vec3(low[0], low[1], low[2]).minus(slack), new Vec3(high[0], high[1], high[2]).plus(slack));

@@ -13,7 +13,7 @@ import java.util.Arrays;
  * the t of a ray is the same number on both sides. Powers of two commute with it.
  */
 final class Placing implements PlacedVertices {
-    /** What leaves everything where it is. */
+    /** The placing that changes nothing. */
     static final Placing IDENTITY = new Placing(Vec3.X, Vec3.Y, Vec3.Z, Vec3.ZERO);
 
     /** Where the rows of the inverse begin in {@link #numbers}. */
@@ -92,7 +92,7 @@ final class Placing implements PlacedVertices {
         return Products.dot(numbers[at], numbers[at + 1], numbers[at + 2], x, y, z);
     }
 
-    /** Whether each axis goes along itself. */
+    /** Whether each axis of the mesh is mapped to the same axis of the frame. */
     boolean keepsAxes() {
         for (int k = 3; k < INVERSE; k++) {
             if (numbers[k] != 0 && (k - 3) % 4 != 0) {
@@ -102,17 +102,17 @@ final class Placing implements PlacedVertices {
         return true;
     }
 
-    /** Where the mesh's origin is. */
+    /** The image of the mesh's origin, on an axis. */
     double offset(int axis) {
         return numbers[axis];
     }
 
-    /** The largest absolute coordinate of where the mesh's origin is. */
+    /** The largest absolute coordinate of the image of the mesh's origin. */
     double maxOffset() {
         return Math.max(Math.abs(numbers[0]), Math.max(Math.abs(numbers[1]), Math.abs(numbers[2])));
     }
 
-    /** Where a point of the mesh is. */
+    /** The image of a point of the mesh. */
     Vec3 point(double x, double y, double z) {
         return new Vec3(coordinate(0, x, y, z), coordinate(1, x, y, z), coordinate(2, x, y, z));
     }
@@ -129,19 +129,19 @@ final class Placing implements PlacedVertices {
                 axis, numbers[at] < 0 ? x1 : x0, numbers[at + 1] < 0 ? y1 : y0, numbers[at + 2] < 0 ? z1 : z0);
     }
 
-    /** A vector of the mesh in the frame. */
+    /** The image of a vector of the mesh. */
     Vec3 vector(Vec3 v) {
         return isMove
                 ? v
                 : new Vec3(dot(3, v.x(), v.y(), v.z()), dot(6, v.x(), v.y(), v.z()), dot(9, v.x(), v.y(), v.z()));
     }
 
-    /** A vector of the frame as the mesh has it: axis 0, 1 or 2 of M⁻¹·v. */
+    /** A vector of the frame in the mesh's coordinates: axis 0, 1 or 2 of M⁻¹·v. */
     double local(int axis, double x, double y, double z) {
         return dot(INVERSE + 3 * axis, x, y, z);
     }
 
-    /** A normal of the mesh in the frame, of any length: M⁻ᵀ·n. */
+    /** The image of a normal of the mesh, of any length: M⁻ᵀ·n. */
     Vec3 normal(double x, double y, double z) {
         return new Vec3(column(0, x, y, z), column(1, x, y, z), column(2, x, y, z));
     }
@@ -151,12 +151,12 @@ final class Placing implements PlacedVertices {
         return Products.dot(numbers[at], numbers[at + 3], numbers[at + 6], x, y, z);
     }
 
-    /** What a length of the frame is in the mesh at most: the largest sum of absolute values in a row of M⁻¹. */
+    /** An upper bound of a unit length of the frame in the mesh's coordinates: the largest sum of absolute values in a row of M⁻¹. */
     double largestInverse() {
         return Math.max(sum(INVERSE), Math.max(sum(INVERSE + 3), sum(INVERSE + 6)));
     }
 
-    /** Bounds how far the placed point is off, by axis, for points up to a size in the mesh's coordinates. */
+    /** Bounds the error of a placed point, by axis, for points up to a size in the mesh's coordinates. */
     Vec3 slack(double size) {
         double g = Scale.gamma(8);
         return new Vec3(
@@ -193,7 +193,7 @@ final class Placing implements PlacedVertices {
         return Arrays.hashCode(numbers);
     }
 
-    /** Its numbers for code on another device: offset, matrix and inverse, whether it only moves, and two bounds. */
+    /** The numbers for code on another device: offset, matrix and inverse, whether it is a translation, and two bounds. */
     double[] flatForm() {
         double[] all = Arrays.copyOf(numbers, numbers.length + 3);
         all[numbers.length] = isMove ? 1 : 0;
@@ -202,7 +202,7 @@ final class Placing implements PlacedVertices {
         return all;
     }
 
-    /** Its numbers: where it puts the origin, then the matrix. */
+    /** The offset, then the matrix. */
     double[] numbers() {
         return Arrays.copyOf(numbers, INVERSE);
     }

@@ -3,7 +3,7 @@ package enlightenment.primitive;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Products;
 
-/** The plane of a flat primitive: where a ray meets it, and the point, normal and texture coordinates of a hit. */
+/** The plane of a flat primitive: its crossing with a ray, and the point, normal and texture coordinates of a hit. */
 final class Plane {
     private final Vec3 a;
 
@@ -13,10 +13,10 @@ final class Plane {
     /** The normal, with a largest component in [1, 2) or near it. */
     final Vec3 n;
 
-    /** Its squared length. */
+    /** The squared length of {@link #n}. */
     final double nn;
 
-    /** Their dot products with an offset from a are its coordinates along {@code right} and {@code up}. */
+    /** Dual vectors of the edges: their dot products with an offset from a are its coordinates along {@code right} and {@code up}. */
     private final Vec3 toU;
 
     private final Vec3 toV;
@@ -24,7 +24,7 @@ final class Plane {
     /** The axis that the plane is perpendicular to, or -1. */
     final int axis;
 
-    /** The unit normal of such a plane; else not used. */
+    /** The unit normal of a plane perpendicular to an axis; else not used. */
     private final double unitX;
 
     private final double unitY;
@@ -139,7 +139,7 @@ final class Plane {
         hit.v = Watertight.clamp01(1 - Products.dot(toV.x(), toV.y(), toV.z(), x, y, z));
     }
 
-    /** Its numbers for code on another device. */
+    /** The numbers of the plane for code on another device. */
     double[] flatForm() {
         return new double[] {
             a.x(),

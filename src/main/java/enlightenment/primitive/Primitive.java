@@ -41,7 +41,7 @@ public abstract sealed class Primitive
         extreme = Scale.exponent(reach) >= Ray.ORDINARY_EXPONENT || Scale.exponent(size) <= -Ray.ORDINARY_EXPONENT;
     }
 
-    /** Whether it is so large or so small that tests rescale it. */
+    /** Whether the primitive is so large or so small that tests rescale it. */
     public final boolean isExtreme() {
         return extreme;
     }
@@ -85,25 +85,26 @@ public abstract sealed class Primitive
 
     /** Whether there is a crossing with tMin ≤ t ≤ tMax that is not the end of the ray. */
     public final boolean blocks(Ray ray, double tMax) {
-        // What has elements finds those that the ray starts on by itself, and is no end of a ray: any crossing counts.
+        // A primitive with elements finds those that the ray starts on itself, and no ray ends on it: any crossing
+        // counts.
         boolean isOrdinary = !isSpecial(ray) || hasElements() && !extreme && !ray.extreme;
         return isOrdinary ? blocksOrdinary(ray, tMax) : nearestSpecial(ray, tMax) <= tMax;
     }
 
-    /** Whether the ray or this is extreme, or the ray starts or ends on several primitives, of which this is one. */
+    /** Whether the ray or this primitive is extreme, or the ray starts or ends on several primitives, this one among them. */
     private boolean isSpecial(Ray ray) {
         return extreme || ray.special && (ray.extreme || ray.concerns(this));
     }
 
-    /** {@link #blocks} for ordinary magnitudes. */
+    /** As {@link #blocks}, for ordinary magnitudes. */
     boolean blocksOrdinary(Ray ray, double tMax) {
         return nearestOrdinary(ray, tMax) <= tMax;
     }
 
-    /** {@link #nearest} for ordinary magnitudes. */
+    /** As {@link #nearest}, for ordinary magnitudes. */
     abstract double nearestOrdinary(Ray ray, double tMax);
 
-    /** {@link #complete} for ordinary magnitudes: point, normal, side and face. */
+    /** As {@link #complete}, for ordinary magnitudes: point, normal, side and face. */
     abstract void completeOrdinary(Ray ray, double t, Hit hit);
 
     /** Sets the texture coordinates of a hit on this primitive. */
@@ -121,20 +122,20 @@ public abstract sealed class Primitive
     /**
      * Sets the directions in which texture coordinates grow at a hit.
      *
-     * @return false if the primitive has none that are known
+     * @return false if the primitive has none there
      */
     public boolean textureDirections(Hit hit) {
         return false;
     }
 
-    /** Whether normals can be turned by textures: {@link #textureDirections} are known wherever textures have some. */
+    /** Whether textures can turn normals: {@link #textureDirections} exist wherever textures have coordinates. */
     public boolean hasTextureDirections() {
         return false;
     }
 
     /**
-     * Writes the offset from a hit to where the surface would be if it were as smooth as its shading normals say, on the side that the ray
-     * arrived on (J. Hanika, "Hacking the shadow terminator", Ray Tracing Gems II, 2021, chapter 4).
+     * Writes the offset from a hit to the surface that the shading normals suggest, on the side that the ray arrived on (J. Hanika,
+     * "Hacking the shadow terminator", Ray Tracing Gems II, 2021, chapter 4).
      *
      * @return false if there is none
      */
@@ -150,7 +151,7 @@ public abstract sealed class Primitive
     /** A box that encloses the primitive, rounded outwards. */
     public abstract Bounds bounds();
 
-    /** How often a line meets it at most; a torus is of the fourth degree. */
+    /** The largest number of crossings of a line; a torus is of the fourth degree. */
     public int crossings() {
         return 4;
     }
@@ -161,8 +162,8 @@ public abstract sealed class Primitive
     }
 
     /**
-     * The volume that the primitive encloses, however it is turned: 0 if none. Rounded, and 0 or infinite where it is no ordinary number;
-     * equal for equal lengths.
+     * The volume that the primitive encloses, independent of rotation: 0 if none. Rounded, and 0 or infinite where it is no ordinary
+     * number; equal for equal lengths.
      */
     public double volume() {
         return 0;
@@ -178,7 +179,7 @@ public abstract sealed class Primitive
         return false;
     }
 
-    /** Whether it has many elements, such as triangles, of which rays know the one that they start on ({@link Hit#element}). */
+    /** Whether it has many elements, such as triangles, of which rays carry the one that they start on ({@link Hit#element}). */
     public boolean hasElements() {
         return false;
     }
@@ -204,7 +205,7 @@ public abstract sealed class Primitive
     /** This primitive with every coordinate and length times 2^k. */
     abstract Primitive scaledBy(int k);
 
-    /** The primitive for code on another device; null if that does not know it. */
+    /** The primitive for code on another device; null if that does not support it. */
     public FlatForm flatForm() {
         return null;
     }
@@ -223,7 +224,7 @@ public abstract sealed class Primitive
         return true;
     }
 
-    /** {@link #nearest} for an extreme ray or primitive, and for a ray that starts or ends on several primitives. */
+    /** As {@link #nearest}, for an extreme ray or primitive, and for a ray that starts or ends on several primitives. */
     private double nearestSpecial(Ray ray, double tMax) {
         Primitive start = ray.start;
         int element = ray.startElement;

@@ -18,7 +18,7 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.TriangleMesh;
 import java.util.List;
 
-/** Places shapes, which are exact descriptions, in a frame, where they are primitives that rays can intersect. */
+/** Places shapes, which are exact descriptions, in a frame: makes primitives that rays can intersect. */
 public final class Primitives {
     private static final CornerUv WITHOUT_UV = new CornerUv(0, 0, 1, 0, 0, 1);
 
@@ -31,7 +31,7 @@ public final class Primitives {
         return List.of(place(shape, frame));
     }
 
-    /** A shape that is one primitive, ready to be intersected. Every such kind has its line here; a test tries them all. */
+    /** The primitive of a shape that is a single one. Every such kind has its line here, as a test checks. */
     public static Primitive place(Shape shape, SceneFrame frame) {
         if (shape instanceof Sphere s) {
             return sphere(s, frame);
@@ -58,7 +58,7 @@ public final class Primitives {
         throw new AssertionError("no primitive for the shape " + shape.type());
     }
 
-    /** The triangles of a mesh, each a primitive of its own: lights are sampled by them. */
+    /** The triangles of a mesh, each as a primitive of its own, for sampling of lights. */
     public static List<Primitive> triangles(Mesh shape, SceneFrame frame) {
         TriangleMesh mesh = shape.triangles();
         Placing placing = Placing.of(shape.transform(), frame);

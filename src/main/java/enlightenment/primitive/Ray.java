@@ -6,12 +6,11 @@ import enlightenment.numeric.Scale;
 import java.util.Arrays;
 
 /**
- * A ray o + t·d with t in [tMin, ∞), and what is known of where it starts.
+ * A ray o + t·d with t in [tMin, ∞), with the surfaces that it starts on.
  *
- * <p>A mutable work object: hot loops reuse one instance and read its fields directly. The direction may have any
- * length; t is measured in multiples of it. The origin of a ray that leaves a surface is never moved away from it:
- * instead the ray carries the primitive that it starts on and the side that it travels on (numerics: "leaving a surface
- * without an offset").
+ * <p>A mutable work object: hot loops reuse one instance and read its fields directly. The direction may have any length; t is measured in
+ * multiples of it. The origin of a ray that leaves a surface is never moved away from it: instead the ray carries the primitive that it
+ * starts on and the side that it travels on (numerics: "leaving a surface without an offset").
  */
 public final class Ray {
     /** The side of a surface that its outward normal points to. */
@@ -20,10 +19,10 @@ public final class Ray {
     /** The side of a surface that its outward normal points away from. */
     public static final int INSIDE = -1;
 
-    /** Beyond this binary exponent of a direction or a coordinate the slow, rescaling path is taken. */
+    /** Beyond this binary exponent of a direction or a coordinate the slow, rescaling tests are used. */
     static final int ORDINARY_EXPONENT = 120;
 
-    /** The same for squared lengths. */
+    /** The largest squared length for the fast tests. */
     private static final double ORDINARY_MAX = 0x1p240;
 
     static final double ORDINARY_MIN = 0x1p-240;
@@ -103,7 +102,7 @@ public final class Ray {
 
     private MeshRay meshRay;
 
-    /** A ray to be {@link #set} before use. */
+    /** Makes a ray, to be {@link #set} before use. */
     public Ray() {}
 
     /** A ray from o along d that starts on no surface. */
@@ -157,7 +156,7 @@ public final class Ray {
         return this;
     }
 
-    /** Adds a surface that the ray starts on as well, or ends on: that of a hit. */
+    /** Adds the surface of a hit that the ray starts on as well, or ends on. */
     public void alsoFrom(Hit hit, int side) {
         alsoFrom(hit.primitive, hit.element, side);
     }
@@ -206,8 +205,8 @@ public final class Ray {
     }
 
     /**
-     * Which of the other surfaces that the ray starts on is a mesh: its number for {@link #alsoStart} and {@link #alsoElement}, −1 if none is, −2
-     * if several are.
+     * The number, for {@link #alsoStart} and {@link #alsoElement}, of the mesh among the other surfaces that the ray starts on; −1 if none
+     * is a mesh, −2 if several are.
      */
     int otherMesh() {
         int found = -1;

@@ -61,7 +61,7 @@ public final class RectanglePrimitive extends Primitive {
         edgeMagnitude = box.maxAbs();
     }
 
-    /** The axis that the rectangle is across if its edges are parallel to the other two, so that it is its own box; else -1. */
+    /** The axis that the rectangle is perpendicular to if its edges are parallel to the other two, so that it is its own box; else -1. */
     public int alignedAxis() {
         return axis;
     }
@@ -97,7 +97,7 @@ public final class RectanglePrimitive extends Primitive {
         return nearestByEdges(ray, plane.distance(ray), tMax);
     }
 
-    /** Decides by the point where the ray meets the plane, unless rounding could put it on the other side of an edge. */
+    /** Decides by the crossing with the plane, unless rounding could put it on the other side of an edge. */
     private double nearestAligned(
             Ray ray, double o1, double d1, double o2, double d2, double gap, double across, double tMax) {
         double slope = Math.abs(across);
@@ -105,8 +105,8 @@ public final class RectanglePrimitive extends Primitive {
             return MISS;
         }
         double width = QUICK_TEST_ERROR * (Math.abs(ray.ox) + Math.abs(ray.oy) + Math.abs(ray.oz) + edgeMagnitude);
-        // Far behind or too far ahead is known before the division; closer to the limits the next test says the same as
-        // ever.
+        // Crossings far behind or too far ahead are rejected before the division; closer to the limits the following
+        // test decides as usual.
         double ahead = across > 0 ? gap : -gap;
         double behind = ray.tMin < 0 ? ray.tMin * slope * (1 + QUICK_TEST_ERROR) : 0;
         if (ahead < behind - 2 * width || ahead > Math.fma(tMax, slope * (1 + QUICK_TEST_ERROR), 2 * width)) {
@@ -131,7 +131,7 @@ public final class RectanglePrimitive extends Primitive {
         return nearestByEdges(ray, t, tMax);
     }
 
-    /** The larger of two numbers; {@link Math#max} also orders zeros and keeps NaN, which costs twice as much. */
+    /** The larger of two numbers; unlike {@link Math#max} it does not order zeros and may drop NaN, at half the cost. */
     private static double max(double a, double b) {
         return a > b ? a : b;
     }

@@ -81,8 +81,8 @@ public final class SpherePrimitive extends Primitive {
         }
         double b = -(fx * ray.dx + fy * ray.dy + fz * ray.dz);
         double s = Math.sqrt(discriminant);
-        // The body of near(), repeated: it makes this method too long to be inlined at each of its many call sites,
-        // which
+        // The body of near(), repeated: it makes this method too long for the JIT compiler to inline at each of its
+        // many call sites, which
         // saves a third of the compilation time of a short render (docs/notes/benchmarks.md).
         double near = b > 0 && s > b * SAFE_RATIO
                 ? Products.distanceSquaredMinus(fx, fy, fz, radius) / (b + s)
@@ -143,7 +143,7 @@ public final class SpherePrimitive extends Primitive {
         hit.v = Angles.atan2(Math.sqrt(hit.nx * hit.nx + hit.nz * hit.nz), hit.ny) / Math.PI;
     }
 
-    /** At the poles there are none. */
+    /** False at the poles, where there are none. */
     @Override
     public boolean textureDirections(Hit hit) {
         double level = Math.sqrt(hit.nx * hit.nx + hit.nz * hit.nz);
@@ -161,7 +161,7 @@ public final class SpherePrimitive extends Primitive {
         return true;
     }
 
-    /** Around the axis. */
+    /** True: u runs around the axis. */
     @Override
     public boolean repeatsTextures() {
         return true;

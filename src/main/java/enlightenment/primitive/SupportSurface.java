@@ -245,7 +245,7 @@ public interface SupportSurface {
                     && Arrays.equals(o.numbers, 3, numbers.length, numbers, 3, numbers.length);
         }
 
-        /** A point on a mesh is not looked for: lamps lie beside meshes, not on them. */
+        /** Points on a mesh are not supported: lamps lie beside meshes, not on them. */
         @Override
         public boolean passes(Vec3 point, double tolerance) {
             return false;

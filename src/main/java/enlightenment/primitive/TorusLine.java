@@ -304,7 +304,7 @@ final class TorusLine {
         return value;
     }
 
-    /** Sets value and slope to F and its derivative, or to those of (F(s) − F(0))/s. */
+    /** Sets value and slope to F and its derivative, or to those of (F(s) − F(0))/s for a start on the surface. */
     private void evaluate(double place) {
         double x = Math.fma(place, ex, bx);
         double y = Math.fma(place, ey, by);

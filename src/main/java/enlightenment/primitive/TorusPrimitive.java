@@ -120,7 +120,7 @@ public final class TorusPrimitive extends Primitive {
         return line.fromSurface(ray.startSide, ray.tMin, tMax);
     }
 
-    /** The ray's scratch, with its direction in this torus's frame. */
+    /** The ray's scratch object, with its direction in this torus's frame. */
     private TorusLine lineOf(Ray ray) {
         TorusLine line = ray.torusLine;
         if (line == null) {

@@ -71,8 +71,8 @@ public final class TrianglePrimitive extends Primitive {
     }
 
     /**
-     * Those of the corners, interpolated, if it has some; else the first vertex is the texture's lower left corner, the second its upper
-     * left, the third its lower right.
+     * The interpolated coordinates of the corners, if it has some; else the first vertex is the texture's lower left corner, the second its
+     * upper left, the third its lower right.
      */
     @Override
     public void textureCoordinates(Hit hit) {
@@ -85,7 +85,7 @@ public final class TrianglePrimitive extends Primitive {
         }
     }
 
-    /** Where the corners' texture coordinates lie in one line, there are none. */
+    /** False where the corners' texture coordinates are collinear. */
     @Override
     public boolean textureDirections(Hit hit) {
         if (uv != null) {
@@ -99,7 +99,7 @@ public final class TrianglePrimitive extends Primitive {
         return true;
     }
 
-    /** Coordinates that were given for corners go on beyond 0..1, as those of a mesh. */
+    /** True for coordinates given at corners, which continue beyond 0..1 as those of a mesh. */
     @Override
     public boolean repeatsTextures() {
         return uv != null;

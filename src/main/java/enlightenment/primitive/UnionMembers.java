@@ -11,20 +11,26 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
-/** Which meshes may be searched together: see {@link MeshUnion}. */
+/** Selects the meshes that may share a hierarchy: see {@link MeshUnion}. */
 final class UnionMembers {
-    /** A mesh of more triangles keeps a hierarchy of its own: that of placed triangles is made again for each frame of a film. */
+    /** A mesh with more triangles keeps a hierarchy of its own: that of placed triangles is rebuilt for each frame of a film. */
     private static final int MOST_TRIANGLES = 1 << 16;
 
-    /** The most triangles of all such meshes together. */
+    /** The largest number of triangles of all such meshes together. */
     private static final int MOST_OF_ALL = 1 << 18;
 
-    /** How many times its size a placed mesh may be away from the frame's origin: its vertices lose that many units in the last place. */
+    /**
+     * The largest distance of a placed mesh from the frame's origin, in multiples of its size: its vertices lose that many units in the
+     * last place.
+     */
     private static final double FARTHEST = 0x1p10;
 
     private UnionMembers() {}
 
-    /** The indices of meshes that are placed alike, in ascending order: of several such sets that with the most triangles; empty if there is none. */
+    /**
+     * The indices of meshes with the same placing, in ascending order: of several such sets that with the most triangles; empty if there is
+     * none.
+     */
     static int[] alike(Primitive[] primitives) {
         int[] best = {};
         long most = 0;
@@ -39,7 +45,7 @@ final class UnionMembers {
         return best;
     }
 
-    /** The indices of small meshes of which no other primitive is made, in ascending order; empty if they are too many. */
+    /** The indices of small meshes with a single instance, in ascending order; empty if there are too many. */
     static int[] lone(Primitive[] primitives) {
         Map<TriangleMesh, Integer> uses = new IdentityHashMap<>();
         for (Primitive p : primitives) {
@@ -66,9 +72,9 @@ final class UnionMembers {
                 .sum();
     }
 
-    /** The indices of meshes that are placed alike, of each such set of at least two in ascending order. */
+    /** The indices of meshes with the same placing, for each such set of at least two, in ascending order. */
     private static List<int[]> setsOfAlike(Primitive[] primitives) {
-        // Sorted by the hash of how they are placed: there may be a million instances, of which nearly all stand alone.
+        // Sorted by the hash of the placing: there may be a million instances, nearly all with a placing of their own.
         long[] order = IntStream.range(0, primitives.length)
                 .filter(i -> primitives[i] instanceof MeshPrimitive m && !m.isExtreme())
                 .mapToLong(i -> (long) placing(primitives, i).hashCode() << Integer.SIZE | i)

@@ -51,8 +51,7 @@ final class Watertight {
         double hi = ta > tb ? ta : tb;
         hi = tc > hi ? tc : hi;
         double m = Math.max(distance(ray, a), Math.max(distance(ray, b), distance(ray, c)));
-        // Away from the edges the ray meets the triangle however it is rounded, and only the plane's distance is
-        // accurate.
+        // Away from the edges the ray hits the triangle for any rounding, and only the plane's distance is accurate.
         double edge = Math.min(Math.abs(e0), Math.min(Math.abs(e1), Math.abs(e2)));
         boolean central = edge > EdgeFunctions.ERROR * m * m;
         if (central && (t >= lo && t <= hi || t < ray.tMin && lo < ray.tMin)) {

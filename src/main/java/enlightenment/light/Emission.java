@@ -7,30 +7,30 @@ import java.util.Locale;
 import java.util.Objects;
 
 /**
- * How much light a light gives, for physical shading: what arrives is this times the light's linear colour. Units are relative
- * (only ratios are visible); whoever takes the scene unit for a metre may take these for watts.
+ * The amount of light that a light emits, for physical shading; it is multiplied by the light's linear colour. Units are relative (only
+ * ratios are visible); if the scene unit is a metre, they may be read as watts.
  *
- * @param quantity what the number measures
+ * @param quantity the radiometric quantity of the value
  * @param value the number, for each band
- * @param ultraviolet the same quantity of the band of the near ultraviolet (300 to 400 nm), without the light's colour; only fluorescent
- *     surfaces show it
+ * @param ultraviolet the same quantity of the near ultraviolet (300 to 400 nm), without the light's colour; only fluorescent surfaces show
+ *     it
  */
 public record Emission(Quantity quantity, Rgb value, double ultraviolet) {
-    /** What the number measures. */
+    /** Radiometric quantities. */
     public enum Quantity {
-        /** Radiance, W/(m² sr): how bright the surface looks from everywhere it shines to. */
+        /** Radiance, W/(m² sr): the brightness of the surface as seen from its emitting sides. */
         RADIANCE,
 
-        /** Power, W: all that leaves the light. */
+        /** Power, W: the total emission of the light. */
         POWER,
 
-        /** Intensity, W/sr: what a light without extent sends into each direction. */
+        /** Intensity, W/sr: the emission of a light without extent in each direction. */
         INTENSITY,
 
-        /** Irradiance, W/m²: what a distant light sends to a surface perpendicular to its direction that nothing hides it from. */
+        /** Irradiance, W/m²: of a distant light, at an unoccluded surface perpendicular to its direction. */
         IRRADIANCE;
 
-        /** Its key in the scene format. */
+        /** The quantity's key in the scene format. */
         public String key() {
             return name().toLowerCase(Locale.ROOT);
         }
@@ -55,38 +55,38 @@ public record Emission(Quantity quantity, Rgb value, double ultraviolet) {
         Objects.requireNonNull(quantity, "quantity");
         Objects.requireNonNull(value, "value");
         Check.notNegative("ultraviolet", ultraviolet);
-        // How bright power and intensity are is a matter of the scene's size.
+        // The brightness of power and intensity depends on the scene's size.
         if (quantity == Quantity.RADIANCE) {
             Radiance.check("ultraviolet", ultraviolet);
         }
     }
 
-    /** Visible light alone. */
+    /** Emission of visible light alone. */
     public Emission(Quantity quantity, Rgb value) {
         this(quantity, value, 0);
     }
 
-    /** The same with as much ultraviolet light. */
+    /** This emission with another amount of ultraviolet, in the same quantity. */
     public Emission withUltraviolet(double amount) {
         return new Emission(quantity, value, amount);
     }
 
-    /** This radiance. */
+    /** Emission of this radiance, by band. */
     public static Emission radiance(Rgb value) {
         return new Emission(Quantity.RADIANCE, value);
     }
 
-    /** This power. */
+    /** Emission of this power, by band. */
     public static Emission power(Rgb value) {
         return new Emission(Quantity.POWER, value);
     }
 
-    /** This intensity. */
+    /** Emission of this intensity, by band. */
     public static Emission intensity(Rgb value) {
         return new Emission(Quantity.INTENSITY, value);
     }
 
-    /** This irradiance. */
+    /** Emission of this irradiance, by band. */
     public static Emission irradiance(Rgb value) {
         return new Emission(Quantity.IRRADIANCE, value);
     }

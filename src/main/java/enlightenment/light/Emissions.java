@@ -6,11 +6,11 @@ import enlightenment.color.Color;
 import enlightenment.color.Rgb;
 import java.util.Objects;
 
-/** Which quantities which lights have. */
+/** Checks the emission of each kind of light. */
 final class Emissions {
     private Emissions() {}
 
-    /** Of a light with a surface. */
+    /** Checks the emission of a light with a surface: radiance or power. */
     static void checkSurface(String type, Color color, Emission emission) {
         check(color, emission);
         Check.that(
@@ -20,7 +20,7 @@ final class Emissions {
         checkNear(type, "radiance", emission);
     }
 
-    /** Of a light without extent. */
+    /** Checks the emission of a light without extent: intensity or power. */
     static void checkPoint(String type, Color color, Emission emission) {
         check(color, emission);
         Check.that(
@@ -30,7 +30,7 @@ final class Emissions {
         checkNear(type, "intensity", emission);
     }
 
-    /** Of a light at infinity, whose disk has {@code perIrradiance} times the irradiance as its radiance. */
+    /** Checks the emission of a light at infinity: irradiance; the radiance of its disk is {@code perIrradiance} times that. */
     static void checkDistant(Color color, Emission emission, double perIrradiance) {
         check(color, emission);
         Check.that(
@@ -59,7 +59,7 @@ final class Emissions {
         double most = Math.max(light.r() * value.r(), Math.max(light.g() * value.g(), light.b() * value.b()));
         String key = emission.quantity().key();
         Check.that(most < Double.POSITIVE_INFINITY, key, "times the light's colour is beyond the range of doubles");
-        // How bright power and intensity are is a matter of the scene's size.
+        // The brightness of power and intensity depends on the scene's size.
         boolean isRadiance = emission.quantity() == Emission.Quantity.RADIANCE;
         Check.that(!isRadiance || most <= Radiance.LARGEST, key, "times the light's colour must be at most 1e100");
     }

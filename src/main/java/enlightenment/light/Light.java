@@ -13,38 +13,37 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * A light of a scene, such as a sphere that glows or a spotlight: an immutable description in scene coordinates, validated when it is made. In
- * classic shading a light never occludes another light, and its colour is all that counts; in physical shading its surface is black and opaque, and
- * how much it emits counts.
+ * A light of a scene, such as an emitting sphere or a spotlight: an immutable description in scene coordinates, validated when it is made.
+ * In classic shading a light never occludes another light, and only its colour is used; in physical shading its surface is black and
+ * opaque, and its emission is used.
  *
- * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out
- * of range or a degenerate light, and {@link NullPointerException} for a missing value.
- *
+ * <p>The constructors throw {@link enlightenment.math.InvalidValueException}, with the key of the scene format, for a value out of range or
+ * a degenerate light, and {@link NullPointerException} for a missing value.
  */
 public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromPoint, Light.Distant {
 
     /** The light's colour: in classic shading, what a viewer looking straight at it sees. */
     Color color();
 
-    /** How much light of this colour it gives. */
+    /** The emission that the colour is multiplied by. */
     Emission emission();
 
-    /** What it gives: its linear colour times the value of its {@link #emission}, in that one's quantity. */
+    /** The emitted light: linear colour times the value of {@link #emission}, in its quantity. */
     default Rgb emitted() {
         return color().linear().times(emission().value());
     }
 
-    /** What it gives in the near ultraviolet (300 to 400 nm), in the quantity of its {@link #emission}, whatever its colour is. */
+    /** The emitted near ultraviolet (300 to 400 nm), in the quantity of {@link #emission}, independent of colour. */
     default double ultraviolet() {
         return emission().ultraviolet();
     }
 
-    /** Whether it has a surface; the others shine from one point, or from infinity. */
+    /** Whether the light has a surface; others emit from one point, or from infinity. */
     default boolean hasSurface() {
         return true;
     }
 
-    /** Whether classic shading has this kind of light. */
+    /** Whether the light can be used in classic shading. */
     default boolean isForClassicShading() {
         return true;
     }
@@ -59,7 +58,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromP
     double reach();
 
     /**
-     * A glowing ball.
+     * An emitting ball.
      *
      * @param center its centre
      * @param radius greater than 0
@@ -96,16 +95,15 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromP
     }
 
     /**
-     * A glowing parallelogram. The corners are given in order around it.
+     * An emitting parallelogram. The corners are given in order around it.
      *
      * @param lowerLeft first corner
      * @param upperLeft next corner
-     * @param upperRight the corner opposite to the first: {@code upperLeft + (lowerRight − lowerLeft)}, up to rounding of the
-     *     decimals
+     * @param upperRight the corner opposite to the first: {@code upperLeft + (lowerRight − lowerLeft)}, up to rounding of the decimals
      * @param lowerRight last corner; not collinear with the first two
      * @param color its colour
-     * @param twoSided whether it shines to both sides, or only to its front: the side that (upperLeft − lowerLeft) ×
-     *     (lowerRight − lowerLeft) points to, from which the corners look as they are named. In classic shading it shines to both
+     * @param twoSided whether it emits from both sides, or only from its front: the side that (upperLeft − lowerLeft) × (lowerRight −
+     *     lowerLeft) points to, from which the corners look as they are named. In classic shading it emits from both
      * @param emission radiance or power; radiance = power / (π area), or with both sides power / (2 π area)
      */
     record Rectangle(
@@ -123,7 +121,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromP
             Emissions.checkSurface("rectangle", color, emission);
         }
 
-        /** A parallelogram of this colour that shines to both sides with radiance 1. */
+        /** A parallelogram of this colour that emits radiance 1 from both sides. */
         public Rectangle(
                 ExactPoint lowerLeft, ExactPoint upperLeft, ExactPoint upperRight, ExactPoint lowerRight, Color color) {
             this(lowerLeft, upperLeft, upperRight, lowerRight, color, true, Emission.RADIANCE_1);
@@ -147,7 +145,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromP
 
     /** A light without extent. */
     sealed interface FromPoint extends Light permits Point, Spot, Projector, Ies {
-        /** Where it is. */
+        /** The position of the light. */
         ExactPoint position();
 
         @Override
@@ -167,9 +165,9 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromP
     }
 
     /**
-     * A light without extent; it cannot be seen.
+     * A light without extent, which cannot be seen.
      *
-     * @param position where it is
+     * @param position of the light
      * @param color its colour
      * @param emission intensity or power; intensity = power / (4 π)
      */
@@ -180,7 +178,7 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromP
             Emissions.checkPoint("point", color, emission);
         }
 
-        /** A light of this colour and intensity 1. */
+        /** A point light of this colour and intensity 1. */
         public Point(ExactPoint position, Color color) {
             this(position, color, Emission.INTENSITY_1);
         }
@@ -192,10 +190,10 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromP
     }
 
     /**
-     * A point that shines into a cone; it cannot be seen. Up to {@code innerAngle} from the direction its intensity is the full one, at
-     * {@code angle} it is 0, and between them it falls by the cubic smoothstep of the cosine. For physical shading.
+     * A spotlight, which cannot be seen. Up to {@code innerAngle} from the direction its intensity is the full one, at {@code angle} it is
+     * 0, and between them it falls by the cubic smoothstep of the cosine. For physical shading.
      *
-     * @param position where it is
+     * @param position of the light
      * @param direction the axis of the cone, of any length
      * @param angle between the axis and where it is dark, in degrees: above 0, at most 180
      * @param innerAngle between the axis and where the intensity begins to fall, in degrees: 0..{@code angle}
@@ -229,17 +227,17 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromP
     }
 
     /**
-     * A point whose intensity by direction stands in an IES file; it cannot be seen. For physical shading. The file is read when a scene is
-     * rendered.
+     * A point light whose intensity by direction is in an IES file; it cannot be seen. For physical shading. The file is read when a scene
+     * is rendered.
      *
-     * @param position where it is
+     * @param position of the light
      * @param file the path of the file
      * @param direction the nadir axis, from which the file's vertical angles are counted, of any length
-     * @param rotation degrees by which the luminaire is turned around that axis, in the sense in which horizontal angles grow; at 0 the horizontal angle 0
-     *     is the direction that the x axis becomes where the least turn takes −y to {@code direction}. Seen against that, horizontal angles
-     *     grow clockwise: with −y from +x towards −z
+     * @param rotation degrees by which the luminaire is rotated around that axis, in the direction of growing horizontal angles; at 0 the
+     *     horizontal angle 0 is the image of the x axis under the smallest rotation from −y to {@code direction}. Seen against that,
+     *     horizontal angles grow clockwise: with −y from +x towards −z
      * @param color its colour
-     * @param emission intensity: what the file's candelas are multiplied by; or power
+     * @param emission intensity: the factor of the file's candelas; or power
      */
     record Ies(ExactPoint position, Path file, Vec3 direction, double rotation, Color color, Emission emission)
             implements FromPoint {
@@ -265,10 +263,10 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromP
     }
 
     /**
-     * A point that projects a picture; it cannot be seen. Where a direction meets the picture its intensity is multiplied by that, as linear light;
-     * elsewhere it is 0. Seen along {@code direction} the picture is upright and not mirrored. For physical shading.
+     * A point light that projects a picture; it cannot be seen. Its intensity in a direction is multiplied by the picture there, as linear
+     * light; outside of the picture it is 0. Seen along {@code direction} the picture is upright and not mirrored. For physical shading.
      *
-     * @param position where it is
+     * @param position of the light
      * @param picture the picture; white is the full intensity
      * @param direction through the middle of the picture, of any length
      * @param up points to the picture's upper edge; not parallel to {@code direction}
@@ -316,23 +314,24 @@ public sealed interface Light permits Light.Sphere, Light.Rectangle, Light.FromP
     }
 
     /**
-     * A disk at infinity of the same radiance all over, such as the sun's: seen where nothing hides it, and reflected. For physical shading.
+     * A disk at infinity of constant radiance, such as the sun's: visible where nothing occludes it, and in reflections. For physical
+     * shading.
      *
      * @param direction the direction in which its light travels, of any length
-     * @param angle the angle that the disk is seen under, from edge to edge, in degrees: {@link #LEAST_ANGLE}..{@link #GREATEST_ANGLE}. At
-     *     the least one the shadow of an edge a metre away is 0.2 mm wide
+     * @param angle the angular diameter of the disk, in degrees: {@link #LEAST_ANGLE}..{@link #GREATEST_ANGLE}. At the least one the shadow
+     *     of an edge a metre away is 0.2 mm wide
      * @param color its colour
      * @param emission irradiance on a surface perpendicular to {@code direction}; radiance = irradiance / (π sin² ({@code angle} / 2)). No
      *     ultraviolet
      */
     record Distant(Vec3 direction, double angle, Color color, Emission emission) implements Light {
-        /** The least angle: paths still meet such a disk by chance, so that every method finds all of its light in the end. */
+        /** The least angle: BSDF samples still hit such a disk, so that every method converges to all of its light. */
         public static final double LEAST_ANGLE = 0.01;
 
-        /** The greatest angle: what is wider is for pictures of all directions. */
+        /** The greatest angle: wider sources are for environment maps. */
         public static final double GREATEST_ANGLE = 20;
 
-        /** The sun's, seen from the earth. */
+        /** The angular diameter of the sun as seen from the earth, in degrees. */
         public static final double USUAL_ANGLE = 0.53;
 
         /** Validates the components, as {@link Light} states. */

@@ -14,22 +14,22 @@ import java.util.Arrays;
  * difference: what is kept is only a memory of what was worked out.
  */
 public final class ChainSampler implements Sampler {
-    /** The shortest small step over the longest one, and that one: Kelemen's. */
+    /** The ratio of the shortest to the longest small step, and the longest: Kelemen's. */
     private static final double SHORTEST = Math.scalb(1.0, -10);
 
     private static final double LONGEST = Math.scalb(1.0, -6);
     private static final double LOG_OF_RATIO = StrictMath.log(LONGEST / SHORTEST);
 
-    /** Binary logarithm of how many times as far the place on the film is moved. */
+    /** Binary logarithm of the ratio of the length of small steps on the film to that of others. */
     private static final int FURTHER_ON_FILM = 2;
 
-    /** The bit of a step's hash that says whether it moves the place on the film alone, if it is a small one. */
+    /** The bit of a step's hash that decides whether a small step changes the film position alone. */
     private static final long ONLY_ON_FILM = 1;
 
     private static final int BITS = 53;
     private static final long MASK = (1L << BITS) - 1;
 
-    /** Addresses: of the film, of what is asked for at bounces; those of light points and of flights are hashes. */
+    /** Addresses of the film position and of numbers at bounces; those of light points and of flights are hashes. */
     private static final long FILM_X = 0;
 
     private static final long FILM_Y = 1;
@@ -37,7 +37,7 @@ public final class ChainSampler implements Sampler {
     private static final int PER_PURPOSE = 3;
     private static final int PER_BOUNCE = PER_PURPOSE * Purpose.FLIGHT.ordinal();
 
-    /** Instead of an address: for whether a step is large, and for whether it is made. */
+    /** Addresses of numbers that belong to no path: for the kind of a step, and for its acceptance. */
     private static final long SIZE_OF_STEP = -1;
 
     private static final long DECISION = -2;
@@ -47,7 +47,7 @@ public final class ChainSampler implements Sampler {
 
     private final double largeShare;
 
-    /** What the numbers of step 0 are drawn by, and what all later steps depend on. */
+    /** The seed of the numbers of step 0, and that of all later steps. */
     private long start;
 
     private long chain;
@@ -56,23 +56,23 @@ public final class ChainSampler implements Sampler {
     private boolean proposing;
     private boolean large;
 
-    /** Of the last large step that was accepted, and of the small ones since, in order. */
+    /** The number of the last accepted large step, and the hashes of the accepted small steps since, in order. */
     private long lastLarge;
 
     private long[] small = new long[64];
     private int smallCount;
 
-    /** Grows with each accepted large step: numbers remembered from before it are worth nothing. */
+    /** Counts accepted large steps: numbers stored before the last one are invalid. */
     private int epoch;
 
-    /** By slot, found by open addressing: address, epoch, number, and how many of the small steps it has made. */
+    /** By slot of an open-addressing table: address, epoch, number, and how many of the small steps are applied to it. */
     private long[] addresses = new long[FEWEST_SLOTS];
 
     private int[] epochs = new int[FEWEST_SLOTS];
     private long[] numbers = new long[FEWEST_SLOTS];
     private int[] made = new int[FEWEST_SLOTS];
 
-    /** What the number would be after the small step with this hash: worked out once, if the step is accepted. */
+    /** The number after the small step with this hash, to be stored if the step is accepted. */
     private long[] proposed = new long[FEWEST_SLOTS];
 
     private long[] proposedBy = new long[FEWEST_SLOTS];
@@ -81,9 +81,9 @@ public final class ChainSampler implements Sampler {
     private long lightPlace;
 
     /**
-     * A sampler to {@link #begin} a chain with.
+     * Makes a sampler; {@link #begin} starts a chain.
      *
-     * @param largeShare the share of large steps, above 0 and at most 1
+     * @param largeShare the probability of large steps, above 0 and at most 1
      */
     public ChainSampler(double largeShare) {
         if (!(largeShare > 0 && largeShare <= 1)) {
@@ -92,15 +92,15 @@ public final class ChainSampler implements Sampler {
         this.largeShare = largeShare;
     }
 
-    /** Begins a chain at its step 0, whose numbers are drawn as by a large step. */
+    /** Begins a chain at its step 0, whose numbers are those of a large step. */
     public void begin(long seed, long number) {
         begin(seed, number, 0);
     }
 
     /**
-     * The same for one of several chains with the same step 0, which go different ways from there.
+     * Begins one of several chains that have the same step 0 and are independent from there on.
      *
-     * @param copy which of them
+     * @param copy which of the chains
      */
     public void begin(long seed, long number, int copy) {
         start = Hash.of(seed, number);
@@ -112,7 +112,7 @@ public final class ChainSampler implements Sampler {
         proposing = false;
     }
 
-    /** Sets the place on the film that step 0 has: for who draws these two numbers better than at random. Before any other step. */
+    /** Sets the film position of step 0, for callers that stratify it. Must precede any other step. */
     public void at(double x, double y) {
         put(FILM_X, (long) Math.scalb(x, BITS));
         put(FILM_Y, (long) Math.scalb(y, BITS));
@@ -138,17 +138,17 @@ public final class ChainSampler implements Sampler {
         large = Hash.unit(hash(stepHash, SIZE_OF_STEP)) < largeShare;
     }
 
-    /** Whether the last step proposed is a large one. */
+    /** Whether the last proposal is a large step. */
     public boolean isLarge() {
         return large;
     }
 
-    /** A number in [0, 1) by which to decide whether the step that is proposed is made: no number of any path. */
+    /** A number in [0, 1) for the acceptance of the proposal; no path uses it. */
     public double decision() {
         return Hash.unit(hash(stepHash, DECISION));
     }
 
-    /** Makes the proposed state that of the chain. */
+    /** Accepts the proposal as the state of the chain. */
     public void accept() {
         proposing = false;
         if (large) {
@@ -161,7 +161,7 @@ public final class ChainSampler implements Sampler {
         small[smallCount++] = stepHash;
     }
 
-    /** Returns to the state before the step. */
+    /** Rejects the proposal: numbers are those of the state before it. */
     public void reject() {
         proposing = false;
     }
@@ -189,7 +189,7 @@ public final class ChainSampler implements Sampler {
     }
 
     private static long place(int bounce, Purpose purpose) {
-        // What few scenes ask for has a place of its own, so that it moves no other numbers.
+        // Purposes that few scenes use have addresses of their own, so that they do not shift other numbers.
         return purpose.ordinal() < Purpose.FLIGHT.ordinal()
                 ? FIRST_PURPOSE + (long) PER_BOUNCE * bounce + PER_PURPOSE * purpose.ordinal()
                 : Hash.of(-purpose.ordinal(), bounce);
@@ -226,7 +226,7 @@ public final class ChainSampler implements Sampler {
         return Math.scalb((double) n, -BITS);
     }
 
-    /** Brings the chain's own number up to date, before what is proposed; returns where it is. */
+    /** Applies accepted steps to the chain's number at an address, without the proposal; returns its slot. */
     private int current(long address) {
         if (2 * used >= addresses.length) {
             grow();
@@ -238,7 +238,7 @@ public final class ChainSampler implements Sampler {
             addresses[slot] = address;
             numbers[slot] = drawn(address, lastLarge);
             made[slot] = 0;
-            // A hash of a step is as good as never 0.
+            // A step's hash is practically never 0.
             proposedBy[slot] = 0;
         }
         if (made[slot] < smallCount) {
@@ -275,11 +275,11 @@ public final class ChainSampler implements Sampler {
         if (isOnFilm) {
             d <<= FURTHER_ON_FILM;
         }
-        // The bit of the sign is not among those of the distance.
+        // The sign bit is not among the bits of the distance.
         return (n + ((h & 1) == 0 ? d : -d)) & MASK;
     }
 
-    /** Where an address is, or goes: the first slot from its own on that holds it, or nothing of this epoch. */
+    /** The slot of an address, used or free: the first from its own on that has this address, or none of this epoch. */
     private int slot(long address) {
         int mask = addresses.length - 1;
         int slot = (int) address & mask;

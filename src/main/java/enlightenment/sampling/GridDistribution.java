@@ -1,19 +1,19 @@
 package enlightenment.sampling;
 
-/** Samples cells of a grid in proportion to their weights, and a place in the cell uniformly. Immutable. */
+/** Samples cells of a grid in proportion to their weights, and a position within the cell uniformly. Immutable. */
 public final class GridDistribution {
     private final int columns;
     private final int rows;
 
-    /** The probabilities of rows, added up; and those of cells within each row, each row beginning with 0. */
+    /** Cumulative probabilities of rows; and those of cells within each row, each row beginning with 0. */
     private final double[] byRow;
 
     private final double[] byCell;
 
     /**
-     * The distribution of these weights.
+     * Makes the distribution of these weights.
      *
-     * @param weights row by row, each row beginning with 0, then the weights of its cells, finite and at least 0; becomes a part of the distribution
+     * @param weights row by row, each row beginning with 0, then the weights of its cells, finite and at least 0; kept and changed
      */
     public GridDistribution(int columns, int rows, double[] weights) {
         this.columns = columns;
@@ -39,11 +39,11 @@ public final class GridDistribution {
     }
 
     /**
-     * Samples a place.
+     * Samples a position.
      *
      * @param u uniform in [0, 1)
      * @param v uniform in [0, 1), independent of u
-     * @param out receives column and row, each with the place within the cell as its fraction
+     * @param out receives column and row, each with the position within the cell as its fraction
      */
     public void sample(double u, double v, double[] out) {
         int row = row(v);
@@ -52,22 +52,22 @@ public final class GridDistribution {
         out[1] = row + Math.min(withinRow(row, v), Math.nextDown(1.0));
     }
 
-    /** The row that a uniform number in [0, 1) chooses. */
+    /** The row that a uniform number in [0, 1) selects. */
     public int row(double number) {
         return find(byRow, 0, rows, number);
     }
 
-    /** Where in its row the number lies, 0..1. */
+    /** The position of the number within the interval of its row, 0..1: uniform again. */
     public double withinRow(int row, double number) {
         return (number - byRow[row]) / (byRow[row + 1] - byRow[row]);
     }
 
-    /** The column that a uniform number in [0, 1) chooses in a row. */
+    /** The column that a uniform number in [0, 1) selects in a row. */
     public int column(int row, double number) {
         return find(byCell, row * (columns + 1), columns, number);
     }
 
-    /** Where in its cell the number lies, 0..1. */
+    /** The position of the number within the interval of its cell, 0..1: uniform again. */
     public double withinCell(int column, int row, double number) {
         int i = row * (columns + 1) + column;
         return (number - byCell[i]) / (byCell[i + 1] - byCell[i]);

@@ -23,7 +23,7 @@ public final class Hash {
         return mix(mix(a + GOLDEN_GAMMA) + b * GOLDEN_GAMMA + 1);
     }
 
-    /** The hash that comes so many steps after a hash: for many numbers that belong to one, at half of the cost of {@link #of}. */
+    /** The hash that follows another by this number of steps: for many numbers of one sequence, at half of the cost of {@link #of}. */
     public static long next(long hash, long steps) {
         return mix(hash + steps * GOLDEN_GAMMA);
     }

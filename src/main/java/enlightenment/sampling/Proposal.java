@@ -29,7 +29,7 @@ public final class Proposal {
     private double lowOffset;
     private double highOffset;
 
-    /** The origin of the truncated density's positions, the same as an offset from the mean, and their signed unit. */
+    /** The origin of the truncated density's positions, its offset from the mean, and the signed unit of positions. */
     private double origin;
 
     private double originOffset;
@@ -38,14 +38,14 @@ public final class Proposal {
     private double perDeviation;
     private boolean uniform;
 
-    /** A proposal of this family, standardised and not truncated until {@link #set} is called. */
+    /** Makes a proposal of this family, standardised and not truncated until {@link #set} is called. */
     public Proposal(Distribution family) {
         this.family = family;
         truncated = Truncated.of(family);
         set(0, 1, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
-    /** The family. */
+    /** The family of the density. */
     public Distribution family() {
         return family;
     }

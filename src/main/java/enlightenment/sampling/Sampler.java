@@ -1,26 +1,26 @@
 package enlightenment.sampling;
 
 /**
- * Where a path's random numbers come from. Every number has an address: the place on the film, or what it is for at which bounce.
- * Asked twice for the same address, a sampler gives the same number; in which order, and whether others are asked for, changes
- * nothing. All numbers lie in [0, 1), and over all samples each is uniform and independent of the others.
+ * The source of a path's random numbers. Every number has an address: the film position, or a purpose at a bounce. For the same address a
+ * sampler always returns the same number; neither the order of calls nor other calls change it. All numbers lie in [0, 1), and over all
+ * samples each is uniform and independent of the others.
  *
- * <p>Whoever makes paths sets the sampler to the next one; whoever follows a path only asks. One per thread.
+ * <p>The code that starts paths sets the sampler to the next sample; code that traces them only reads numbers. One per thread.
  */
 public interface Sampler {
-    /** What a number is for. */
+    /** The purpose of a number. */
     enum Purpose {
-        /** The direction in which a path goes on. */
+        /** Direction sampling of the path's next segment. */
         DIRECTION,
-        /** Which of several lobes, lights or ways to go on is chosen. */
+        /** Selects one of several lobes, lights or other alternatives. */
         CHOICE,
-        /** Whether a path goes on at all. */
+        /** Russian roulette. */
         ROULETTE,
-        /** The point of the one light that is sampled. */
+        /** The point on the single sampled light. */
         LIGHT,
         /** The point of a light's image in a mirror. */
         MIRROR,
-        /** Where on which light, and in which direction, a path from a light begins. */
+        /** The light, point and direction at which a light path begins. */
         EMISSION,
         /** {@link #DIRECTION} of a path from a light. */
         LIGHT_DIRECTION,
@@ -28,24 +28,26 @@ public interface Sampler {
         LIGHT_CHOICE,
         /** {@link #ROULETTE} of a path from a light. */
         LIGHT_ROULETTE,
-        /** How far a path goes in a medium that scatters light; counted by such ways, not by bounces. */
+        /** The length of a free flight in a medium; the address counts flights in place of bounces. */
         FLIGHT,
         /** The wavelength of a path, the first of a pair; at bounce 0. */
         WAVELENGTH,
         /** {@link #FLIGHT} of a path from a light. */
         LIGHT_FLIGHT,
-        /** Which vertices of two paths are connected, where there are too many. */
+        /** The vertices of two subpaths to connect, where there are too many. */
         CONNECTION,
-        /** Which lamp a flight in a medium gathers light of, and at which of its points; counted as {@link #FLIGHT}. */
+        /**
+         * The lamp, and the point of a flight in a medium, for equiangular sampling; the address counts flights, as for {@link #FLIGHT}.
+         */
         FLIGHT_LAMP,
-        /** {@link #LIGHT} of that lamp. */
+        /** The point on that lamp. */
         FLIGHT_LIGHT,
-        /** Where on the lens a path from the eye begins; at bounce 0. */
+        /** The point of the lens at which a path from the eye begins; at bounce 0. */
         LENS,
         /** Where on the lens, or at which of two eyes, a vertex of a path from a light is connected to the eye. */
         LIGHT_LENS,
-        /** Which moment a path sees while the shutter is open; at bounce 0. */
-        TIME
+            /** The point of the lens, or one of two eyes, to which a vertex of a light path is connected. */
+        LIGHT_LENS
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */
@@ -61,8 +63,8 @@ public interface Sampler {
     void pair(int bounce, Purpose purpose, double[] out);
 
     /**
-     * Turns to the points of a light, until it is turned to others: {@code count} points of the unit square, which are well
-     * distributed together with those of the pixel's other samples that take as many.
+     * Sets the points of a light that {@link #lightX} and {@link #lightY} return until the next call: {@code count} points of the unit
+     * square, which are well distributed together with those of the pixel's other samples with the same count.
      *
      * @param light the light's index
      * @param bounce the number of surfaces before on the path

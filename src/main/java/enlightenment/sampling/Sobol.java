@@ -20,7 +20,7 @@ public final class Sobol {
         return toUnit(scramble(index, (int) seed));
     }
 
-    /** Second coordinate, in [0, 1). */
+    /** Second coordinate, in [0, 1), of the point with this index under the scrambling chosen by the seed. */
     public static double y(int index, long seed) {
         return toUnit(scramble(reversedY(index), (int) (seed >>> 32)));
     }

@@ -1,20 +1,20 @@
 package enlightenment.sampling;
 
 /**
- * The samples of pixels: numbers as pure functions of (seed, pixel, sample, address). Where they have to be well distributed, they
- * are points of an Owen-scrambled Sobol sequence that runs through the samples of the pixel; each address has a scrambling and an
- * order of its own, so that addresses are independent (T. Kollig and A. Keller, "Efficient multidimensional sampling", 2002).
+ * The random numbers of pixel samples: pure functions of (seed, pixel, sample, address). Early dimensions are points of an Owen-scrambled
+ * Sobol sequence over the samples of the pixel; each address has its own scrambling and order, so that addresses are independent (T. Kollig
+ * and A. Keller, "Efficient multidimensional sampling", 2002).
  */
 public final class SobolSampler implements Sampler {
     private static final long FILM = 0;
     private static final long FIRST_LIGHT = 1;
 
-    /** Later bounces gain little by being stratified, and a hash costs less (docs/notes/path-tracing.md). */
+    /** The number of stratified bounces: later ones gain little, and a hash costs less (docs/notes/path-tracing.md). */
     private static final int STRATIFIED_BOUNCES = 2;
 
     private static final int SEQUENCES = STRATIFIED_BOUNCES * Purpose.values().length;
 
-    /** Tells a single number from a pair with the same address. */
+    /** Distinguishes a single number from a pair with the same address. */
     private static final long SINGLE = 1L << 40;
 
     private int column;
@@ -26,12 +26,12 @@ public final class SobolSampler implements Sampler {
     /** By bounce and purpose: the seed of a sequence, and that of its order. */
     private final long[] seeds = new long[2 * SEQUENCES];
 
-    /** By bounce and purpose: the number of the pixel that these are of. */
+    /** By bounce and purpose: the number of the pixel that {@link #seeds} belong to. */
     private final int[] seedsOf = new int[SEQUENCES];
 
     private int pixels;
 
-    /** What the sample's hashes have in common. */
+    /** The common part of the sample's hashes. */
     private long sampleHash;
 
     private long lightSeed;
@@ -47,22 +47,22 @@ public final class SobolSampler implements Sampler {
         sample(sample);
     }
 
-    /** The column of the pixel that it is set to. */
+    /** The column of the current pixel in the whole picture. */
     public int column() {
         return column;
     }
 
-    /** The row of that pixel. */
+    /** The row of the current pixel in the whole picture. */
     public int row() {
         return row;
     }
 
-    /** The sample that it is set to, counted from 0 in each pixel. */
+    /** The index of the current sample, counted from 0 in each pixel. */
     public int sample() {
         return sample;
     }
 
-    /** Sets the sample of the pixel. */
+    /** Sets the sample of the current pixel. */
     public void sample(int index) {
         sample = index;
         sampleHash = Hash.of(~pixelHash, index);
@@ -107,12 +107,12 @@ public final class SobolSampler implements Sampler {
         seedsOf[k] = pixels;
     }
 
-    /** From 2³² on, so that it is not that of the film. */
+    /** The address of a purpose at a bounce: from 2³² on, so that it is not that of the film. */
     private static long address(int bounce, Purpose purpose) {
         return (purpose.ordinal() + 1L) << Integer.SIZE | bounce;
     }
 
-    /** A hash of what the sampler is set to and an address: one step of SplitMix64 from a state of the sample's own. */
+    /** The hash of the current sample and an address: one step of SplitMix64 from a state of the sample's own. */
     private long late(long address) {
         return Hash.next(sampleHash, address);
     }

@@ -1,11 +1,11 @@
 package enlightenment.sampling;
 
 /**
- * A standardised density truncated to an interval: what {@link Proposal} needs of a family. Mutable, allocation free.
+ * A standardised density truncated to an interval, as {@link Proposal} uses it. Mutable, allocation free.
  *
- * <p>Two forms, so that nothing cancels. If the mean lies within the interval, positions t are relative to the mean. If it
- * lies outside or on an end, the interval is reflected to the positive side and positions are relative to the end nearer to
- * the mean, 0 ≤ t ≤ h: far out in a tail, doubles could not distinguish them otherwise.
+ * <p>Two forms, so that nothing cancels. If the mean lies within the interval, positions t are relative to the mean. If it lies outside or
+ * on an end, the interval is reflected to the positive side and positions are relative to the end nearer to the mean, 0 ≤ t ≤ h: far out in
+ * a tail, doubles could not distinguish them otherwise.
  */
 abstract sealed class Truncated permits TruncatedNormal, TruncatedZeta, TruncatedLinear {
     /** Below this product of steepness and width, where differences of integrals lose digits, the density is a polynomial. */

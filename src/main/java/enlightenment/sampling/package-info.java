@@ -1,6 +1,6 @@
 /**
- * Random numbers as pure functions of what is sampled, low-discrepancy sequences, the proposal distributions of ray clusters,
- * and running statistics. What a path gets is a {@link enlightenment.sampling.Sampler}'s answer to an address; nothing keeps a state
- * that the order of questions or the number of threads could change.
+ * Random numbers as pure functions of their address, low-discrepancy sequences, the proposal distributions of ray clusters, and running
+ * statistics. A path reads its numbers from a {@link enlightenment.sampling.Sampler} by address; no state depends on the order of calls or
+ * the number of threads.
  */
 package enlightenment.sampling;

@@ -13,7 +13,7 @@ import java.util.Arrays;
 public final class BvhBuilder {
     private static final int MAX_LEAF = 4;
 
-    /** From this depth on, ranges are split at the median: 2^28 primitives then end before {@link Bvh#MAX_DEPTH}. */
+    /** From this depth on, ranges are split at the median: 2^28 primitives then end before {@link Nodes#MAX_DEPTH}. */
     private static final int MEDIAN_DEPTH = Nodes.MAX_DEPTH - 32;
 
     /** The cost of visiting a node, in units of a primitive's test. */

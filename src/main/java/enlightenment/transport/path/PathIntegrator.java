@@ -202,7 +202,7 @@ public final class PathIntegrator extends EyePathTracer {
         }
     }
 
-    /** The MIS weight of emission that the path hits: the product of those of all other strategies ({@link PathStrategy#weightOfHit}). */
+    /** The MIS weight of emission that the path hits: the product of the weights of all other strategies. */
     private double weightOfHit(Ray ray) {
         int light = path.at.light;
         double weight = causticPass == null ? 1 : causticPass.weightOfHit(state, ray, light);

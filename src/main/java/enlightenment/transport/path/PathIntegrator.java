@@ -61,7 +61,7 @@ public final class PathIntegrator extends EyePathTracer {
         this(scene, counters, part, scene.physical.hasCausticPass());
     }
 
-    /** Makes the caustic pass's light be left out, and what it cannot sample be sampled in another way, if hasCausticPass. */
+    /** If hasCausticPass, leaves out caustics that the caustic pass samples, and samples those that it cannot in other ways. */
     public PathIntegrator(CompiledScene scene, RayCounters counters, boolean hasCausticPass) {
         this(scene, counters, PathPart.WHOLE, hasCausticPass);
     }
@@ -92,7 +92,7 @@ public final class PathIntegrator extends EyePathTracer {
         value.get(out);
     }
 
-    /** Follows a path up to its first random decision: {@link #certain} then returns the same as after {@link #shade}. */
+    /** Follows a path up to its first random decision; {@link #certain} is then the same as after {@link #shade}. Overwrites the ray. */
     public void glimpse(Ray ray, Sampler sampler) {
         begin(ray, sampler);
         while (step(ray, sampler) && value.certain) {}

@@ -273,7 +273,12 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
                 return one.film.image();
             }
         }
-        return latest == null ? frames.empty(0).image() : latest;
+        if (latest == null) {
+            FilmAssembly empty = frames.empty(0);
+            latest = empty.image();
+            empty.film().release();
+        }
+        return latest;
     }
 
     /** False: each picture has one of its own. */
@@ -289,7 +294,10 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
 
     @Override
     public synchronized void close() {
-        open.values().forEach(FrameAssemblies::close);
+        for (Open one : open.values()) {
+            close(one);
+            one.film.film().release();
+        }
         open.clear();
     }
 }

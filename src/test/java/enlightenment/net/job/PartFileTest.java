@@ -3,10 +3,15 @@ package enlightenment.net.job;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import enlightenment.color.DisplayCurve;
+import enlightenment.engine.RenderOutline;
 import enlightenment.file.ContentHash;
+import enlightenment.file.ScratchFile;
 import enlightenment.net.parts.RenderParts;
 import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderRequest;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
@@ -154,6 +159,29 @@ class PartFileTest {
         }
         byte[] longer = Arrays.copyOf(content(), good.length - ContentHash.BYTES + 7);
         assertTrue(isRefused(withHash(longer), "longer"));
+    }
+
+    /** A size that neither memory nor disk can have takes nothing of either. */
+    @Test
+    void aSizeThatFitsNowhereIsRefusedBeforeAnythingIsTaken() throws IOException {
+        int side = 1 << 16;
+        PartFile.Head head;
+        try (PartFile part = PartFile.open(file)) {
+            head = part.head();
+        }
+        RenderOutline o = head.outline();
+        RenderOutline huge = new RenderOutline(
+                        o.sceneName(), o.settings().withSize(side, side), o.plan(), o.features(), o.kinds())
+                .withDisplay(DisplayCurve.SRGB);
+        PartFile.write(file, new PartFile.Head(head.job(), huge, head.text(), 1, 1), new int[0], tile -> new byte[0]);
+        for (long memory : new long[] {Long.MAX_VALUE, 0}) {
+            assumeTrue(memory > 0 || ScratchFile.usableSpace(folder) < 100L * side * side, "the disk is larger");
+            Optional<RenderRequest.ScratchFolder> scratch =
+                    Optional.of(new RenderRequest.ScratchFolder(folder, memory));
+            IOException e = assertThrows(IOException.class, () -> RenderParts.merge(List.of(file), scratch));
+            assertTrue(e.getMessage().startsWith(file + ": "), e.getMessage());
+            assertTrue(e.getMessage().contains(" needs "), e.getMessage());
+        }
     }
 
     /** Two parts of one picture that tell of it in two ways are not both whole. */

@@ -44,10 +44,10 @@ public interface Sampler {
         FLIGHT_LIGHT,
         /** The point of the lens at which a path from the eye begins; at bounce 0. */
         LENS,
-        /** Where on the lens, or at which of two eyes, a vertex of a path from a light is connected to the eye. */
+        /** The point of the lens, or one of two eyes, to which a vertex of a light path is connected. */
         LIGHT_LENS,
-            /** The point of the lens, or one of two eyes, to which a vertex of a light path is connected. */
-        LIGHT_LENS
+        /** The moment that a path sees while the shutter is open; at bounce 0. */
+        TIME
     }
 
     /** Horizontal position within the pixel, or whatever part of the film is sampled: 0 is its left side. */

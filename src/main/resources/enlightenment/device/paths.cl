@@ -7,9 +7,9 @@
 
 // transport.state.PathEvent
 #define NO_EVENT 0
-#define SPECULAR 1
-#define NARROW 2
-#define WIDE 3
+#define SPECULAR_EVENT 1
+#define NARROW_EVENT 2
+#define WIDE_EVENT 3
 
 typedef struct {
     Sampler sampler;
@@ -81,13 +81,13 @@ void appendEvent(Path *path, int event) {
     if (path->first == NO_EVENT) {
         path->first = event;
     }
-    if (event != SPECULAR && path->firstScattering == NO_EVENT) {
+    if (event != SPECULAR_EVENT && path->firstScattering == NO_EVENT) {
         path->firstScattering = event;
     }
 }
 
 void extendSpecular(Path *path) {
-    appendEvent(path, SPECULAR);
+    appendEvent(path, SPECULAR_EVENT);
     path->hasDirect = false;
 }
 
@@ -100,7 +100,7 @@ void extend(Path *path, int event, double pdf, bool leavesSmall) {
 
 // Whether the caustic pass samples such paths if their last event is specular and a light comes next.
 bool isOfCausticPass(const Path *path) {
-    return path->firstScattering != NO_EVENT && path->first != SPECULAR;
+    return path->firstScattering != NO_EVENT && path->first != SPECULAR_EVENT;
 }
 
 // The weight of emission that the path hits.
@@ -178,7 +178,7 @@ bool reflect(Scene *s, Path *path, Scattering *by) {
 
 // Whether images of lamps in mirror balls are sampled at the vertex (transport.image.MirrorCaustics): those are left to the host.
 bool seesMirroredLamps(const Scene *s, const Path *path) {
-    return s->i[HAS_MIRROR_BALLS] != 0 && path->first == SPECULAR && path->bounces <= s->i[MAX_BOUNCES] - 2
+    return s->i[HAS_MIRROR_BALLS] != 0 && path->first == SPECULAR_EVENT && path->bounces <= s->i[MAX_BOUNCES] - 2
             && mediumOf(s, &path->solids) == NOTHING;
 }
 
@@ -190,7 +190,7 @@ bool scatter(Scene *s, Path *path, __global const int *material, Scattering *by)
     }
     bool isMatte = by->kind == MATTE && !by->isSmooth;
     bool isNarrow = material[IS_NARROW] != 0;
-    bool leaves = isNarrow && isOfCausticPass(path) && path->firstScattering != NARROW;
+    bool leaves = isNarrow && isOfCausticPass(path) && path->firstScattering != NARROW_EVENT;
     setVertex(s, path, isMatte, leaves);
     Vec light = directLight(s, &path->vertex, path->hit.face, by, &path->sampler, path->address);
     double2 u = pairOf(&path->sampler, path->address, DIRECTION);
@@ -209,7 +209,7 @@ bool scatter(Scene *s, Path *path, __global const int *material, Scattering *by)
     if (by->delta && !isNarrow) {
         extendSpecular(path);
     } else {
-        extend(path, isNarrow ? NARROW : WIDE, by->pdf, leaves);
+        extend(path, isNarrow ? NARROW_EVENT : WIDE_EVENT, by->pdf, leaves);
     }
     return by->pdf > 0 && survives(path, by->value) && goesOn(s, path);
 }

@@ -107,6 +107,8 @@ class FloatingLiteralsTest {
                     "transport/image/MirrorImage.java", "0x1p-3", "Newton's method: an error over the radius, a ratio"),
             new Explained(
                     "transport/image/MirrorImage.java", "0x1p-6", "an image is so much wider than it need be: a ratio"),
+            new Explained(
+                    "transport/image/EyeImages.java", "0x1p-20", "pixels: what samples near the next one may show"),
             new Explained("world/light/LightOutline.java", "0x1p-9", "pixels: how fine a polygon in the picture is"),
             new Explained(
                     "world/light/LightOutline.java", "0x1p30", "pixels: where a double tells no thousandth of one"),

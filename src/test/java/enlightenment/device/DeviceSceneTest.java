@@ -11,10 +11,15 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class DeviceSceneTest {
@@ -64,6 +69,16 @@ class DeviceSceneTest {
         assertEquals(first.kind().ordinal(), flat.ints()[record]);
         for (int k = 0; k < first.numbers().length; k++) {
             assertEquals(first.numbers()[k], flat.doubles()[flat.ints()[record + 1] + k]);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(DeviceScene.Program.class)
+    void noNameOfAProgramStandsForTwoNumbers(DeviceScene.Program program) {
+        Set<String> names = new HashSet<>();
+        Matcher defined = Pattern.compile("(?m)^#define (\\w+)").matcher(KernelSource.text(program));
+        while (defined.find()) {
+            assertTrue(names.add(defined.group(1)), defined.group(1));
         }
     }
 

@@ -30,8 +30,8 @@ final class LightWriter {
             writeClassic(records);
             set(DeviceScene.Int.LIGHT_COUNT, scene.lights.length);
         } else {
-            for (PhysicalLight light : scene.physical.lights) {
-                write(light, records);
+            for (int index = 0; index < scene.physical.lights.length; index++) {
+                write(index, records);
             }
             set(DeviceScene.Int.LIGHT_COUNT, scene.physical.lights.length);
             boolean hasPass = scene.physical.hasCausticPass();
@@ -61,7 +61,8 @@ final class LightWriter {
         }
     }
 
-    private void write(PhysicalLight light, NumberList.Ints records) {
+    private void write(int index, NumberList.Ints records) {
+        PhysicalLight light = scene.physical.lights[index];
         int place = doubles.add(light.r, light.g, light.b, light.ballX, light.ballY, light.ballZ, light.ballRadius);
         int sides = 0;
         DeviceScene.Form kind = light.isPoint ? DeviceScene.Form.POINT_LIGHT : DeviceScene.Form.BALL_LIGHT;
@@ -82,16 +83,11 @@ final class LightWriter {
                 light.pyramid == null ? NONE : doubles.add(light.pyramid.flatForm()),
                 light.hidesNothingOfItself ? 1 : 0,
                 tolerance >= 0 ? 1 : 0,
-                takesNarrow(light) ? 1 : 0);
+                takesNarrow(index) ? 1 : 0);
     }
 
-    private boolean takesNarrow(PhysicalLight light) {
-        PhysicalLight[] all = scene.physical.lights;
-        int index = 0;
-        while (all[index] != light) {
-            index++;
-        }
-        return scene.physical.hasCausticPass() && scene.physical.caustics.takesNarrow(index);
+    private boolean takesNarrow(int light) {
+        return scene.physical.hasCausticPass() && scene.physical.caustics.takesNarrow(light);
     }
 
     private int writeOccluders(PhysicalLight light, PrimitiveList some) {

@@ -1,9 +1,9 @@
 // Lights as they are seen from a point: emitter.SphereEmitter, RectangleEmitter and PointEmitter. A light among the integers: what it is, the
 // primitive that is seen of it (or -1), where its numbers are, and the hierarchy that is searched for what is in the way; in physical shading
 // also the face, the sides that shine, where the primitives are that may occlude it and how many (or -1: all may), its pyramid (or -1),
-// whether its primitive hides none of it, whether rays end on that face, and whether the caustic pass takes its light from narrow lobes. Numbers of a light: colour, centre and radius of the ball around
-// it; then corner, right and up of a rectangle; in physical shading also the two edges as unit vectors, normal, width, length and area, and
-// the tolerance of a face that rays end on.
+// whether its primitive hides none of it, whether rays end on that face, and whether the caustic pass takes its light from narrow lobes.
+// Numbers of a light: colour, centre and radius of the ball around it; then corner, right and up of a rectangle; in physical shading also the
+// two edges as unit vectors, normal, width, length and area, and the tolerance of a face that rays end on.
 #define LIGHT_SIZE 12
 #define LIGHT_KIND 0
 #define LIGHT_SURFACE 1

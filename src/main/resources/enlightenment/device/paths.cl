@@ -236,7 +236,24 @@ bool goesOnStraight(const Scene *s, Path *path) {
     return ++path->straight <= s->i[MAX_STRAIGHT];
 }
 
-// Crosses a border of smooth glass or is reflected there: transport.ray.GlassTracer and GlassScattering.
+// Lets the ray leave a border of two media, refracted or reflected (transport.ray.GlassScattering); whether any light is left.
+bool turnAtBorder(Scene *s, Path *path, __global const int *material, double eta, double choice, bool *through) {
+    const Hit *hit = &path->hit;
+    Scattering by;
+    arrive(path, material, s, vec(1, 1, 1), &by);
+    by.eta = eta;
+    if (!sampleBorder(&by, choice)) {
+        return false;
+    }
+    *through = by.transmitted;
+    setRay(s, &path->ray, hit->p.x, hit->p.y, hit->p.z, by.i.x, by.i.y, by.i.z, 0);
+    startOn(&path->ray, hit, by.transmitted ? -hit->side : hit->side);
+    s->refractedRays += by.transmitted ? 1 : 0;
+    s->mirrorRays += by.transmitted ? 0 : 1;
+    return true;
+}
+
+// Crosses a border of smooth glass or is reflected there: transport.ray.GlassTracer.
 bool crossGlass(Scene *s, Path *path, __global const int *material) {
     Ray *r = &path->ray;
     const Hit *hit = &path->hit;
@@ -249,26 +266,18 @@ bool crossGlass(Scene *s, Path *path, __global const int *material) {
     }
     crossBorder(s, &path->solids, hit->id, hit->side);
     int to = mediumOf(s, &path->solids);
-    double eta = indexOf(s, from) / indexOf(s, to);
-    bool isStraight = from == to || indexOf(s, from) == indexOf(s, to);
+    double fromIndex = indexOf(s, from);
+    double toIndex = indexOf(s, to);
+    bool isStraight = from == to || fromIndex == toIndex;
     bool through = true;
     if (isStraight) {
         setRay(s, r, hit->p.x, hit->p.y, hit->p.z, r->dx, r->dy, r->dz, 0);
         startOn(r, hit, -hit->side);
     } else {
-        Scattering by;
-        arrive(path, material, s, vec(1, 1, 1), &by);
-        by.eta = eta;
-        if (!sampleBorder(&by, u.x)) {
+        if (!turnAtBorder(s, path, material, fromIndex / toIndex, u.x, &through)) {
             return false;
         }
-        through = by.transmitted;
-        setRay(s, r, hit->p.x, hit->p.y, hit->p.z, by.i.x, by.i.y, by.i.z, 0);
-        startOn(r, hit, through ? -hit->side : hit->side);
-        if (through) {
-            s->refractedRays++;
-        } else {
-            s->mirrorRays++;
+        if (!through) {
             path->solids = before;
         }
     }

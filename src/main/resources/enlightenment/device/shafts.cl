@@ -42,7 +42,8 @@ bool isOnOneSide(const Shaft *f, __global const double *a, __global const double
     double here = n[0] * x + n[1] * y + n[2] * z;
     double there = here + f->cone.distance * (n[0] * f->cone.w.x + n[1] * f->cone.w.y + n[2] * f->cone.w.z);
     double size = fabs(n[0]) + fabs(n[1]) + fabs(n[2]);
-    double largest = fabs(a[0]) + fabs(a[1]) + fabs(a[2]) + fabs(f->cone.at.x) + fabs(f->cone.at.y) + fabs(f->cone.at.z) + f->cone.distance + f->cone.radius;
+    Vec at = f->cone.at;
+    double largest = fabs(a[0]) + fabs(a[1]) + fabs(a[2]) + fabs(at.x) + fabs(at.y) + fabs(at.z) + f->cone.distance + f->cone.radius;
     double slack = CONE_ERROR * size * largest;
     double reach = f->cone.radius * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) + slack;
     return here > slack && there - reach > 0 || here < -slack && there + reach < 0;

@@ -112,7 +112,6 @@ class FloatingLiteralsTest {
             new Explained("world/light/LightOutline.java", "0x1p-9", "pixels: how fine a polygon in the picture is"),
             new Explained(
                     "world/light/LightOutline.java", "0x1p30", "pixels: where a double tells no thousandth of one"),
-            new Explained("transport/image/EyeImages.java", "0x1p-20", "a part of a pixel"),
             new Explained("transport/bidirectional/PathSampler.java", "0x1p-32", "32 bits to 0..1"),
             new Explained(
                     "transport/state/PathValue.java", "0.05", "roulette: a share of a path's throughput, a ratio"),

@@ -114,7 +114,7 @@ public final class DividedRender implements UnitSource {
             boolean isLast) {
         Stopwatch time = Stopwatch.started();
         // Before what takes long; AUTO takes no method whose pictures must be in memory where this one need not be.
-        room.ifPresent(r -> r.place(
+        room.ifPresent(r -> r.check(
                 PictureMemory.of(scene, asked, PictureMemory.Films.TILES, 0), FilmRoom.wholeInMemory(asked.method())));
         Phases phases = new Phases();
         BooleanSupplier stopped = Cancellation.of(cancelled);
@@ -129,7 +129,7 @@ public final class DividedRender implements UnitSource {
         RenderPlan plan = phases.run("plan", () -> isLast ? planner.planOnce(time) : planner.plan(time, 0));
         Rounds rounds = new Rounds(settings.budget());
         RenderOutline outline = RenderOutline.of(scene.name(), compiled, settings, plan);
-        room.ifPresent(r -> FilmAssembly.place(outline, r));
+        room.ifPresent(r -> FilmAssembly.check(outline, r));
         return new DividedRender(compiled, outline, phases, planner, rounds, 1, time, room.orElse(FilmRoom.MEMORY));
     }
 

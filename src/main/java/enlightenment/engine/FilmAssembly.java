@@ -87,6 +87,17 @@ public final class FilmAssembly implements UnitAssembly {
         return room.place(units.memory(outline.settings(), isLinear, 0), units.wholeInMemory(outline.plan()));
     }
 
+    /**
+     * Checks that there is a {@link #place} for such pictures, before anything is rendered.
+     *
+     * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space on the disk
+     */
+    static void check(RenderOutline outline, FilmRoom room) {
+        WorkUnits units = WorkUnits.forMachines(outline.settings(), outline.plan());
+        boolean isLinear = outline.display().encoding() == Color.Encoding.LINEAR;
+        room.check(units.memory(outline.settings(), isLinear, 0), units.wholeInMemory(outline.plan()));
+    }
+
     @Override
     public boolean needsStore() {
         return form.needsStore();

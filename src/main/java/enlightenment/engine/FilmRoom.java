@@ -14,11 +14,17 @@ import java.util.Optional;
  * Where the pixels of a picture may be while it is made: in memory, or in a file if they are too large for it.
  *
  * @param folder of the file; empty if the pixels must be in memory
- * @param memory the most bytes that pixels take in memory where there is a folder
+ * @param memory the most bytes that pixels take in memory where there is a folder, of all pictures together
+ * @param pictures the most pictures that there are at once, at least 1
  */
-public record FilmRoom(Optional<Path> folder, long memory) {
+public record FilmRoom(Optional<Path> folder, long memory, int pictures) {
     /** In memory only. */
     public static final FilmRoom MEMORY = new FilmRoom(Optional.empty(), Long.MAX_VALUE);
+
+    /** For one picture. */
+    public FilmRoom(Optional<Path> folder, long memory) {
+        this(folder, memory, 1);
+    }
 
     /** The most that a written picture takes per pixel. */
     private static final long WRITTEN_BYTES = 3 * Float.BYTES;
@@ -31,14 +37,27 @@ public record FilmRoom(Optional<Path> folder, long memory) {
         return new FilmRoom(Optional.of(folder), Runtime.getRuntime().maxMemory() / 2);
     }
 
-    /** {@link #in}, or memory only where there is no folder. */
-    public static FilmRoom in(Optional<Path> folder) {
-        return folder.map(FilmRoom::in).orElse(MEMORY);
+    /** The same room for several pictures at once, of about the same size. */
+    public FilmRoom among(int count) {
+        return new FilmRoom(folder, memory, count);
     }
 
     /** Whether a picture is too large for the memory that it may take. */
     public boolean isExceededBy(PictureMemory picture) {
-        return folder.isPresent() && picture.bytes() > memory;
+        return folder.isPresent() && picture.bytes() > memory / pictures;
+    }
+
+    /**
+     * Checks, before anything is rendered, that there is a {@link #place} for all of the pictures.
+     *
+     * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space in the folder
+     */
+    public void check(PictureMemory picture, Optional<String> wholeInMemory) {
+        if (isExceededBy(picture) && wholeInMemory.isEmpty()) {
+            checkFile(picture, pictures);
+        } else {
+            place(picture, wholeInMemory);
+        }
     }
 
     /**
@@ -50,7 +69,7 @@ public record FilmRoom(Optional<Path> folder, long memory) {
      */
     public FilmPlace place(PictureMemory picture, Optional<String> wholeInMemory) {
         if (isExceededBy(picture) && wholeInMemory.isEmpty()) {
-            checkFile(picture);
+            checkFile(picture, 1);
             return FilmPlace.in(folder.get());
         }
         picture.check(wholeInMemory
@@ -64,7 +83,7 @@ public record FilmRoom(Optional<Path> folder, long memory) {
         return method.kind() != Method.Kind.TILES ? Optional.of("the method " + method.word()) : Optional.empty();
     }
 
-    private void checkFile(PictureMemory picture) {
+    private void checkFile(PictureMemory picture, int count) {
         RenderSettings.Crop region = picture.settings().region();
         String name = "a picture of " + region.width() + "x" + region.height() + " pixels needs ";
         long most = Runtime.getRuntime().maxMemory();
@@ -87,12 +106,14 @@ public record FilmRoom(Optional<Path> folder, long memory) {
         long films = hasSplats
                 ? FilmInFile.bytesPerPixelWithSplats(picture.isLinear())
                 : FilmInFile.bytesPerPixel(picture.isLinear());
-        long needed = pixels * (films + WRITTEN_BYTES);
+        long needed = count * pixels * (films + WRITTEN_BYTES);
         long usable = ScratchFile.usableSpace(folder.get());
         Check.that(
                 needed <= usable,
                 "size",
-                name + needed + " bytes on the disk, for a file in " + folder.get() + " while it is rendered; only "
+                name + needed + " bytes on the disk, for "
+                        + (count == 1 ? "a file in " : "files of up to " + count + " at once in ") + folder.get()
+                        + " while it is rendered; only "
                         + usable + " are free");
     }
 }

@@ -64,8 +64,8 @@ public final class ScratchFile implements Closeable {
     }
 
     private static UncheckedIOException failed(Path folder, IOException e) {
-        return new UncheckedIOException(
-                new IOException("cannot keep the picture in a file in " + folder + ": " + FileFailure.reason(e), e));
+        return new UncheckedIOException(new IOException(
+                "cannot keep what is rendered in a file in " + folder + ": " + FileFailure.reason(e), e));
     }
 
     /** What transfers bytes. */

@@ -32,6 +32,9 @@ final class FilmQueue {
     /** The threads of a film's units are those of whoever makes them. */
     private static final int THREADS = 1;
 
+    /** Two frames at least are worked at, and one more may be on its way to its file; more are worked at only if all are small. */
+    private static final int OPEN_FRAMES = 3;
+
     /**
      * A frame that is to be rendered.
      *
@@ -56,7 +59,7 @@ final class FilmQueue {
     /** @param room where finished pixels of frames may be */
     FilmQueue(IntFunction<Wish> frames, FilmRoom room, String build, Consumer<String> log, BooleanSupplier cancelled) {
         this.frames = frames;
-        this.room = room;
+        this.room = room.among(OPEN_FRAMES);
         this.build = build;
         this.log = log;
         this.cancelled = cancelled;

@@ -4,6 +4,7 @@ import enlightenment.file.FileFailure;
 import enlightenment.image.Image;
 import enlightenment.listen.Acceptor;
 import enlightenment.listen.ServerLog;
+import enlightenment.math.InvalidValueException;
 import enlightenment.net.schedule.Snapshot;
 import enlightenment.net.secure.Secrets;
 import enlightenment.net.server.Connections;
@@ -149,7 +150,8 @@ final class ServerRound implements StatusSource {
         Throwable failure = coordination.failure();
         if (failure != null) {
             end(false);
-            throw new IOException("rendering failed here: " + FileFailure.told(failure), failure);
+            String why = failure instanceof InvalidValueException e ? e.problem() : FileFailure.told(failure);
+            throw new IOException("rendering failed here: " + why, failure);
         }
         chore.run();
     }

@@ -2,9 +2,11 @@ package enlightenment.net;
 
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.Rendered;
+import enlightenment.math.InvalidValueException;
 import enlightenment.plan.Rounds;
 import enlightenment.render.RenderProgress;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
@@ -39,7 +41,7 @@ final class ServerRounds {
                     sayStopped(best);
                     next = null;
                 }
-            } catch (IOException e) {
+            } catch (IOException | UncheckedIOException e) {
                 // There is a picture already.
                 next.say(e.getMessage());
                 next = null;
@@ -71,9 +73,20 @@ final class ServerRounds {
             return null;
         }
         ServedPicture before = picture;
-        ServedPicture next = before.with(more);
-        picture = next;
-        ServerRound further = chain.follow(() -> next.job(round.log()));
+        ServerRound further = null;
+        try {
+            further = chain.follow(() -> {
+                if (picture == before) {
+                    // What it takes on the disk is needed.
+                    before.film().film().release();
+                    picture = before.with(more);
+                }
+                return picture.job(round.log());
+            });
+        } catch (InvalidValueException | UncheckedIOException e) {
+            // There is a picture already.
+            round.say("what is to be rendered again with more samples cannot be: " + e.getMessage());
+        }
         before.film().film().release();
         if (further == null && chain.isStopped()) {
             sayStopped(result);

@@ -49,9 +49,11 @@ final class FilmChoice {
     }
 
     /** Whether one more image may be in memory, which the render can do without. */
-    boolean hasRoom() {
+    boolean hasRoom(CompiledScene scene) {
         PictureMemory more = PictureMemory.of(request.scene(), settings, PictureMemory.Films.BOTH, images + 1);
-        return !room.isExceededBy(memory(films(settings.method()))) && more.isEnough();
+        boolean hasPaths = Integrators.hasLightPaths(settings.method(), scene, settings);
+        PictureMemory.Films films = hasPaths ? PictureMemory.Films.BOTH : films(settings.method());
+        return !room.isExceededBy(memory(films)) && more.isEnough();
     }
 
     private PictureMemory memory(PictureMemory.Films films) {

@@ -69,7 +69,17 @@ final class PreparedRender {
                     .orElseGet(() -> planner.plan(time, (preview == null ? 0 : preview.share()) + parts.share())));
         } catch (CancellationException e) {
             return new RenderRounds(
-                            stoppable, scene, planner, null, pass, parts, phases, time, null, FilmPlace.MEMORY, null)
+                            stoppable,
+                            scene,
+                            planner,
+                            null,
+                            pass,
+                            parts,
+                            phases,
+                            time,
+                            null,
+                            film.place(planner.none()),
+                            null)
                     .nothing();
         }
         FilmPlace place = film.place(plan);
@@ -96,7 +106,7 @@ final class PreparedRender {
         if (request.progressive()) {
             return new Preview(Preview.Kind.FINE, scene, settings);
         }
-        return request.watched() && film.hasRoom() ? new Preview(Preview.Kind.COARSE, scene, settings) : null;
+        return request.watched() && film.hasRoom(scene) ? new Preview(Preview.Kind.COARSE, scene, settings) : null;
     }
 
     private void refine(Preview preview, Planner planner, RenderPlan plan) {

@@ -67,6 +67,9 @@ public record StorePicture(RenderResult result, Map<String, String> texts, int u
                     .orElse(FilmRoom.MEMORY);
             return new FilmAssembly(outline, room);
         } catch (InvalidValueException | ArithmeticException e) {
+            if (e instanceof InvalidValueException size && size.key().equals("size")) {
+                throw new StoreException(size.problem(), e);
+            }
             throw new StoreException("the plan in the store cannot be used: " + e.getMessage(), e);
         }
     }

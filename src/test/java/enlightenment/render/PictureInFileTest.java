@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import enlightenment.file.ScratchFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
@@ -17,6 +19,7 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
+import enlightenment.work.PictureMemory;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -144,6 +147,37 @@ class PictureInFileTest {
         RenderResult part = Renderer.render(request.withCancelled(() -> archive.given >= 2));
         assertFalse(part.complete());
         assertSame(Renderer.render(RenderRequest.of(kind.scene, kind.settings)), Renderer.render(request));
+    }
+
+    /** Tiles alone would fit in memory, not with the sums of paths from lights: what watchers see must be of neither half. */
+    @Test
+    void aWatchedPictureWhosePathsFromLightsDoNotFitIsMadeInAFile() throws IOException {
+        RenderSettings settings = of(CAUSTICS, BuiltInMethod.RAYTRACE, 16);
+        long tiles = PictureMemory.of(CAUSTICS, settings, PictureMemory.Films.TILES, 0)
+                .bytes();
+        AtomicInteger seen = new AtomicInteger();
+        RenderRequest request = RenderRequest.of(CAUSTICS, settings)
+                .withScratch(new RenderRequest.ScratchFolder(folder, tiles + 1))
+                .withWatched(true)
+                .withProgress((done, total, soFar) -> seen.addAndGet(soFar.get().width()));
+        assertSame(Renderer.render(RenderRequest.of(CAUSTICS, settings)), Renderer.render(request));
+        assertTrue(seen.get() > 0);
+    }
+
+    /** Nothing is allocated for a picture that was stopped before it was planned. */
+    @Test
+    void aLargePictureThatIsStoppedWhileItIsPlannedTakesNoMemory() {
+        assumeTrue(ScratchFile.usableSpace(folder) > 40_000_000_000L, "a disk that would hold the picture");
+        RenderSettings settings = of(ROOM, BuiltInMethod.RAYTRACE, 1)
+                .withSize(20_000, 12_000)
+                .withBudget(RenderSettings.Budget.NONE.withError(0.001));
+        AtomicInteger asked = new AtomicInteger();
+        RenderRequest request = RenderRequest.of(ROOM, settings)
+                .withScratch(new RenderRequest.ScratchFolder(folder, NOTHING))
+                .withCancelled(() -> asked.incrementAndGet() > 20);
+        RenderResult stopped = Renderer.render(request);
+        assertFalse(stopped.complete());
+        assertEquals(0, stopped.shownPixels());
     }
 
     @Test

@@ -8,6 +8,7 @@ import enlightenment.file.ContentHash;
 import enlightenment.file.InputFile;
 import enlightenment.file.WholeFile;
 import enlightenment.job.Build;
+import enlightenment.math.InvalidValueException;
 import java.io.BufferedInputStream;
 import java.io.Closeable;
 import java.io.DataInputStream;
@@ -143,6 +144,12 @@ public final class PartFile implements Closeable {
     public FilmAssembly assembly(FilmRoom room) throws IOException {
         try {
             return new FilmAssembly(head.outline(), room);
+        } catch (InvalidValueException e) {
+            if (e.key().equals("size")) {
+                // The file makes sense; there is too little room here.
+                throw new IOException(file + ": " + e.problem(), e);
+            }
+            throw senseless(file, e);
         } catch (IllegalArgumentException | ArithmeticException e) {
             throw senseless(file, e);
         }

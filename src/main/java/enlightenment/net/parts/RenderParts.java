@@ -131,10 +131,14 @@ public final class RenderParts {
     /** The part so far, made of its results: hardly anybody looks, and others need no memory for it. */
     private static Image picture(DividedRender render, PartResults results, FilmRoom room) {
         FilmAssembly film = new FilmAssembly(render.outline(), room);
-        for (int unit : results.units()) {
-            film.put(unit, results.get(unit));
+        try {
+            for (int unit : results.units()) {
+                film.put(unit, results.get(unit));
+            }
+            return film.image();
+        } finally {
+            film.film().release();
         }
-        return film.image();
     }
 
     /**

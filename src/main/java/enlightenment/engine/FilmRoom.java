@@ -37,7 +37,7 @@ public record FilmRoom(Optional<Path> folder, long memory, int pictures) {
         return new FilmRoom(Optional.of(folder), Runtime.getRuntime().maxMemory() / 2);
     }
 
-    /** The same room for several pictures at once, of about the same size. */
+    /** This room, for several pictures of about the same size at once. */
     public FilmRoom among(int count) {
         return new FilmRoom(folder, memory, count);
     }

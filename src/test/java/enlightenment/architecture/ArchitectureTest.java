@@ -82,7 +82,7 @@ class ArchitectureTest {
             .layer("scene")
             .definedBy("enlightenment.scene")
             .layer("json")
-            .definedBy("enlightenment.scene.json")
+            .definedBy("enlightenment.scene.json..")
             .layer("nff")
             .definedBy("enlightenment.nff")
             .layer("importer")
@@ -585,7 +585,7 @@ class ArchitectureTest {
     static final ArchRule onlyReadersAndWritersOfJsonSeeJackson = noClasses()
             .that()
             .resideOutsideOfPackages(
-                    "enlightenment.scene.json",
+                    "enlightenment.scene.json..",
                     "enlightenment.importer.gltf",
                     "enlightenment.json",
                     "enlightenment.net.protocol",

@@ -69,7 +69,7 @@ class ContributingTest {
         Set<String> readers = new TreeSet<>();
         Path json = ROOT.resolve("src/main/java/enlightenment/scene/json");
         try (Stream<Path> files = Files.list(json)) {
-            for (Path file : files.toList()) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
                 if (Files.readString(file).contains("> FAMILY = new Family<")) {
                     readers.add("src/main/java/enlightenment/scene/json/" + file.getFileName());
                 }

@@ -1,6 +1,7 @@
 package enlightenment.scene.json;
 
 import enlightenment.material.Texture;
+import enlightenment.scene.json.tree.JsonValue;
 
 /** Numbers in 0..1 that may come from a texture. */
 final class Amounts {

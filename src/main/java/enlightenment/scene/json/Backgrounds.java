@@ -3,6 +3,8 @@ package enlightenment.scene.json;
 import enlightenment.color.Rgb;
 import enlightenment.material.Texture;
 import enlightenment.scene.Shading;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import java.util.List;
 import java.util.Map;
 

@@ -2,6 +2,8 @@ package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
 import enlightenment.math.Vec3;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import java.util.Map;
 import java.util.Optional;
 

@@ -3,6 +3,7 @@ package enlightenment.scene.json;
 import enlightenment.material.Composite;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
+import enlightenment.scene.json.tree.JsonValue;
 import java.util.ArrayList;
 import java.util.List;
 

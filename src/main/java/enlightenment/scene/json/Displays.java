@@ -2,6 +2,8 @@ package enlightenment.scene.json;
 
 import enlightenment.color.DisplayCurve;
 import enlightenment.scene.Scene;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 
 /** Reads and writes the display part. */
 final class Displays {

@@ -6,6 +6,8 @@ import enlightenment.material.Material;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import enlightenment.text.Suggestion;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,5 +1,7 @@
 package enlightenment.scene.json;
 
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import enlightenment.text.Plain;
 import java.util.ArrayList;
 import java.util.Collections;

@@ -3,6 +3,7 @@ package enlightenment.scene.json;
 import enlightenment.material.Material;
 import enlightenment.material.Texture;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.json.tree.JsonValue;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.HashSet;

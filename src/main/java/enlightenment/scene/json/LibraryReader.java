@@ -1,5 +1,8 @@
 package enlightenment.scene.json;
 
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
+
 /** Reads what a scene has names for. */
 final class LibraryReader {
     private LibraryReader() {}

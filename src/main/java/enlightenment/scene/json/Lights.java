@@ -10,6 +10,8 @@ import enlightenment.material.Texture;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.photometry.IesFile;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -10,6 +10,8 @@ import enlightenment.material.Material;
 import enlightenment.material.Medium;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import enlightenment.text.Plain;
 import enlightenment.text.Suggestion;
 import java.util.Map;

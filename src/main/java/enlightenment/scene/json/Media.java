@@ -4,6 +4,8 @@ import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.color.Rgb;
 import enlightenment.material.Medium;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import java.util.List;
 
 /** Reads and writes what scatters light on its way: in solids and as what fills a scene. */

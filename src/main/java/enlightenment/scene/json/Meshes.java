@@ -5,6 +5,8 @@ import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Transform;
 import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import enlightenment.text.PathText;
 import enlightenment.text.Plain;
 import enlightenment.text.Suggestion;

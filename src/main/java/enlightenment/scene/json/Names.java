@@ -7,6 +7,7 @@ import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
+import enlightenment.scene.json.tree.JsonPointer;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;

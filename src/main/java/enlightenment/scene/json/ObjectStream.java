@@ -1,6 +1,10 @@
 package enlightenment.scene.json;
 
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonTree;
+import enlightenment.scene.json.tree.JsonValue;
+import enlightenment.scene.json.tree.Problems;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;

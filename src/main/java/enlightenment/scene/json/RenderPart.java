@@ -5,6 +5,8 @@ import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.ChosenSettings;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;

@@ -2,6 +2,10 @@ package enlightenment.scene.json;
 
 import enlightenment.camera.Camera;
 import enlightenment.scene.Scene;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonPrinter;
+import enlightenment.scene.json.tree.JsonValue;
+import enlightenment.scene.json.tree.MemberSpans;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

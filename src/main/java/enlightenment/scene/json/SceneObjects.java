@@ -4,6 +4,8 @@ import enlightenment.geometry.Shape;
 import enlightenment.geometry.Transform;
 import enlightenment.material.Material;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import enlightenment.text.Plain;
 import enlightenment.text.Suggestion;
 import java.util.ArrayList;

@@ -4,6 +4,8 @@ import enlightenment.material.Material;
 import enlightenment.scene.Animation;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

@@ -3,6 +3,8 @@ package enlightenment.scene.json;
 import enlightenment.color.DisplayRgb;
 import enlightenment.material.Medium;
 import enlightenment.scene.Shading;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;

@@ -4,6 +4,8 @@ import enlightenment.color.Color;
 import enlightenment.color.DisplayRgb;
 import enlightenment.image.ImageFormat;
 import enlightenment.material.Texture;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import enlightenment.text.PathText;
 import enlightenment.text.Plain;
 import enlightenment.text.Suggestion;

@@ -1,6 +1,8 @@
 package enlightenment.scene.json;
 
 import enlightenment.scene.Animation;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import enlightenment.text.Plain;
 import java.math.BigDecimal;
 import java.math.BigInteger;

@@ -9,6 +9,8 @@ import enlightenment.geometry.Transform.Step;
 import enlightenment.geometry.Transform.Translate;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
+import enlightenment.scene.json.tree.JsonPointer;
+import enlightenment.scene.json.tree.JsonValue;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -8,6 +8,7 @@ import enlightenment.camera.Camera;
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Scene;
+import enlightenment.scene.json.tree.MemberSpans;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

@@ -44,6 +44,7 @@ import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneException.Problem;
 import enlightenment.scene.SceneObject;
 import enlightenment.scene.Shading;
+import enlightenment.scene.json.tree.Problems;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.math.BigDecimal;

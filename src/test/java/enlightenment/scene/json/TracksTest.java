@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.scene.Animation;
+import enlightenment.scene.json.tree.Numbers;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Map;

@@ -1,4 +1,4 @@
-package enlightenment.scene.json;
+package enlightenment.scene.json.tree;
 
 import enlightenment.text.Plain;
 import java.util.List;
@@ -8,12 +8,12 @@ import java.util.List;
  *
  * <p>Numbers keep their text: what it is worth is decided by whoever wants the number, exactly or as a double.
  */
-abstract sealed class JsonValue {
+public abstract sealed class JsonValue {
     /** Line of the value's first character, counted from 1; 0 where the value comes from no file. */
-    final int line;
+    public final int line;
 
     /** Its column, counted from 1. */
-    final int column;
+    public final int column;
 
     private JsonValue(int line, int column) {
         this.line = line;
@@ -21,38 +21,38 @@ abstract sealed class JsonValue {
     }
 
     /** What the value is, for messages: {@code the text "abc"}. */
-    abstract String describe();
+    public abstract String describe();
 
     /** An object; the keys keep their order, and of a duplicate key the last value counts. */
-    static final class Obj extends JsonValue {
+    public static final class Obj extends JsonValue {
         private final String[] keys;
         private final JsonValue[] values;
 
-        Obj(int line, int column, String[] keys, JsonValue[] values) {
+        public Obj(int line, int column, String[] keys, JsonValue[] values) {
             super(line, column);
             this.keys = keys;
             this.values = values;
         }
 
-        int size() {
+        public int size() {
             return keys.length;
         }
 
-        String key(int i) {
+        public String key(int i) {
             return keys[i];
         }
 
-        JsonValue value(int i) {
+        public JsonValue value(int i) {
             return values[i];
         }
 
         /** The keys, shared: not to be changed. */
-        String[] keys() {
+        public String[] keys() {
             return keys;
         }
 
         /** The value of a key, or null. */
-        JsonValue get(String key) {
+        public JsonValue get(String key) {
             int i = indexOf(key);
             return i < 0 ? null : values[i];
         }
@@ -67,100 +67,100 @@ abstract sealed class JsonValue {
         }
 
         /** Puts another value in place of an existing one; only animation does so, before anything else looks. */
-        void replace(String key, JsonValue value) {
+        public void replace(String key, JsonValue value) {
             values[indexOf(key)] = value;
         }
 
         @Override
-        String describe() {
+        public String describe() {
             return "an object";
         }
     }
 
     /** An array. */
-    static final class Arr extends JsonValue {
+    public static final class Arr extends JsonValue {
         private final JsonValue[] items;
 
-        Arr(int line, int column, JsonValue[] items) {
+        public Arr(int line, int column, JsonValue[] items) {
             super(line, column);
             this.items = items;
         }
 
-        static Arr of(List<JsonValue> items) {
+        public static Arr of(List<JsonValue> items) {
             return new Arr(0, 0, items.toArray(JsonValue[]::new));
         }
 
-        int size() {
+        public int size() {
             return items.length;
         }
 
-        JsonValue get(int i) {
+        public JsonValue get(int i) {
             return items[i];
         }
 
-        void replace(int i, JsonValue value) {
+        public void replace(int i, JsonValue value) {
             items[i] = value;
         }
 
         @Override
-        String describe() {
+        public String describe() {
             return items.length == 1 ? "an array of 1 value" : "an array of " + items.length + " values";
         }
     }
 
     /** A number as it was written; also NaN and the infinities, so that they can be refused at their place. */
-    static final class Num extends JsonValue {
-        final String text;
+    public static final class Num extends JsonValue {
+        public final String text;
 
-        Num(int line, int column, String text) {
+        public Num(int line, int column, String text) {
             super(line, column);
             this.text = text;
         }
 
         @Override
-        String describe() {
+        public String describe() {
             return "the number " + Plain.excerpt(text);
         }
     }
 
     /** A text. */
-    static final class Str extends JsonValue {
-        final String text;
+    public static final class Str extends JsonValue {
+        public final String text;
 
-        Str(int line, int column, String text) {
+        public Str(int line, int column, String text) {
             super(line, column);
             this.text = text;
         }
 
         @Override
-        String describe() {
+        public String describe() {
             return "the text " + Plain.quoted(text);
         }
     }
 
     /** true or false. */
-    static final class Bool extends JsonValue {
-        final boolean value;
+    public static final class Bool extends JsonValue {
+        public final boolean value;
 
-        Bool(int line, int column, boolean value) {
+        public Bool(int line, int column, boolean value) {
             super(line, column);
             this.value = value;
         }
 
         @Override
-        String describe() {
+        public String describe() {
             return Boolean.toString(value);
         }
     }
 
     /** null, which no part of a scene may be. */
-    static final class Null extends JsonValue {
-        Null(int line, int column) {
+    public static final class Null extends JsonValue {
+        public Null(int line, int column) {
             super(line, column);
         }
 
         @Override
-        String describe() {
+        public String describe() {
             return "null";
         }
     }

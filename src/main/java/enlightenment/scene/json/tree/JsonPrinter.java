@@ -1,4 +1,4 @@
-package enlightenment.scene.json;
+package enlightenment.scene.json.tree;
 
 import java.util.Locale;
 
@@ -6,7 +6,7 @@ import java.util.Locale;
  * Lays JSON out to be read: what fits stands on one line, but each part of a scene, and each thing in its lists, starts
  * a line of its own.
  */
-final class JsonPrinter {
+public final class JsonPrinter {
     private static final int LINE_WIDTH = 120;
     private static final int INDENT = 2;
 
@@ -17,7 +17,7 @@ final class JsonPrinter {
 
     private JsonPrinter() {}
 
-    static String print(JsonValue v) {
+    public static String print(JsonValue v) {
         JsonPrinter printer = new JsonPrinter();
         printer.value(v, 0, 0);
         return printer.out.append('\n').toString();

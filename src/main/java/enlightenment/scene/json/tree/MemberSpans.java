@@ -1,4 +1,4 @@
-package enlightenment.scene.json;
+package enlightenment.scene.json.tree;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -14,7 +14,7 @@ import tools.jackson.core.ObjectReadContext;
  * @param open index of the character behind the object's opening brace
  * @param values by key, in the order of the text
  */
-record MemberSpans(int open, Map<String, Span> values) {
+public record MemberSpans(int open, Map<String, Span> values) {
     private static final char BYTE_ORDER_MARK = '\ufeff';
 
     /**
@@ -24,14 +24,14 @@ record MemberSpans(int open, Map<String, Span> values) {
      * @param start index of the first character of the value
      * @param end index of the character behind the value
      */
-    record Span(int key, int start, int end) {}
+    public record Span(int key, int start, int end) {}
 
     /**
      * The members of the object that a list of keys leads to.
      *
      * @throws IllegalArgumentException if the text is no JSON, or has no object there
      */
-    static MemberSpans of(String text, List<String> path) {
+    public static MemberSpans of(String text, List<String> path) {
         int mark = !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK ? 1 : 0;
         try (JsonParser parser = JsonTree.FACTORY.createParser(ObjectReadContext.empty(), text.substring(mark))) {
             parser.nextToken();
@@ -81,12 +81,12 @@ record MemberSpans(int open, Map<String, Span> values) {
         return new Span(key, start, mark + (int) parser.currentLocation().getCharOffset());
     }
 
-    boolean has(String key) {
+    public boolean has(String key) {
         return values.containsKey(key);
     }
 
     /** The text with another value of a key; a key that the object does not have becomes its last. */
-    String with(String text, String key, String value) {
+    public String with(String text, String key, String value) {
         Span old = values.get(key);
         if (old != null) {
             return text.substring(0, old.start) + value + text.substring(old.end);

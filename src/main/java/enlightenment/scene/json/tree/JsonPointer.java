@@ -1,4 +1,4 @@
-package enlightenment.scene.json;
+package enlightenment.scene.json.tree;
 
 import enlightenment.scene.SceneException;
 import java.util.ArrayList;
@@ -7,8 +7,8 @@ import java.util.List;
 /**
  * Where in a document something is: a JSON pointer (RFC 6901) that is only spelled out when somebody asks.
  */
-final class JsonPointer {
-    static final JsonPointer ROOT = new JsonPointer(null, null, -1);
+public final class JsonPointer {
+    public static final JsonPointer ROOT = new JsonPointer(null, null, -1);
 
     private final JsonPointer parent;
     private final String key;
@@ -20,16 +20,16 @@ final class JsonPointer {
         this.index = index;
     }
 
-    JsonPointer child(String name) {
+    public JsonPointer child(String name) {
         return new JsonPointer(this, name, -1);
     }
 
-    JsonPointer child(int i) {
+    public JsonPointer child(int i) {
         return new JsonPointer(this, null, i);
     }
 
     /** The place at a relative pointer without leading slash, such as {@code corners/2}; "" is here. */
-    JsonPointer descend(String relativePointer) {
+    public JsonPointer descend(String relativePointer) {
         JsonPointer p = this;
         for (String token : relativePointer.isEmpty() ? new String[0] : relativePointer.split("/", -1)) {
             p = p.child(unescape(token));
@@ -47,7 +47,7 @@ final class JsonPointer {
     }
 
     /** The parts of a JSON pointer, or null if it is not one. */
-    static List<String> parse(String pointer) {
+    public static List<String> parse(String pointer) {
         List<String> tokens = new ArrayList<>();
         if (pointer.isEmpty()) {
             return tokens;
@@ -69,7 +69,7 @@ final class JsonPointer {
     }
 
     /** The value that a pointer's parts lead to, or null. */
-    static JsonValue resolve(JsonValue root, List<String> tokens) {
+    public static JsonValue resolve(JsonValue root, List<String> tokens) {
         JsonValue v = root;
         for (String token : tokens) {
             v = step(v, token);
@@ -89,7 +89,7 @@ final class JsonPointer {
     }
 
     /** The value at the pointer's parts, or the nearest one around it; never null if root is not. */
-    static JsonValue nearest(JsonValue root, List<String> tokens) {
+    public static JsonValue nearest(JsonValue root, List<String> tokens) {
         JsonValue v = root;
         for (String token : tokens) {
             JsonValue next = step(v, token);

@@ -1,4 +1,4 @@
-package enlightenment.scene.json;
+package enlightenment.scene.json.tree;
 
 import enlightenment.text.Plain;
 import java.io.IOException;
@@ -27,25 +27,25 @@ import tools.jackson.core.json.JsonReadFeature;
  * <p>Jackson's own tree would do, but for the places of the values, which it does not keep. Texts that repeat (types,
  * names of materials) and lists of keys are shared, so that a scene of a million objects fits.
  */
-final class JsonTree {
-    static final int DEEPEST_NESTING = 100;
-    static final int LONGEST_NUMBER = 5000;
+public final class JsonTree {
+    public static final int DEEPEST_NESTING = 100;
+    public static final int LONGEST_NUMBER = 5000;
 
-    static final int LONGEST_TEXT = 1_000_000;
-    static final int LONGEST_KEY = 10_000;
+    public static final int LONGEST_TEXT = 1_000_000;
+    public static final int LONGEST_KEY = 10_000;
 
     /** What is wrong with a text that UTF-8 cannot say. */
-    static final String NO_TEXT = "is not a text: it holds half a character";
+    public static final String NO_TEXT = "is not a text: it holds half a character";
 
     /** What is wrong with a part of a text that is longer than that. */
-    static final String TOO_LONG = "is too long: a number may have " + LONGEST_NUMBER + " characters, a text "
+    public static final String TOO_LONG = "is too long: a number may have " + LONGEST_NUMBER + " characters, a text "
             + LONGEST_TEXT + ", a key " + LONGEST_KEY;
 
     private static final int LONGEST_SHARED_TEXT = 64;
     private static final int MOST_SHARED_TEXTS = 10_000;
     private static final int FEW_KEYS = 16;
 
-    static final JsonFactory FACTORY = JsonFactory.builder()
+    public static final JsonFactory FACTORY = JsonFactory.builder()
             .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS)
             // Let through as tokens, to be refused with their place like any other value that is no finite number.
             .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
@@ -58,12 +58,12 @@ final class JsonTree {
             .build();
 
     /** A text that can be read more than once: the second time to show what was found where it broke. */
-    interface Source {
+    public interface Source {
         Reader open() throws IOException;
     }
 
     /** Takes the objects of a scene one by one while the text is read, so that they are never all in memory as JSON. */
-    interface ObjectSink {
+    public interface ObjectSink {
         /**
          * An array of objects begins; if there was one before, it no longer counts.
          *
@@ -112,7 +112,7 @@ final class JsonTree {
      *
      * @return null, after adding a problem, where the text is not JSON or cannot be read
      */
-    static JsonValue parse(Source source, Problems problems) {
+    public static JsonValue parse(Source source, Problems problems) {
         return parse(source, problems, null);
     }
 
@@ -121,7 +121,7 @@ final class JsonTree {
      *
      * @param objects takes the items of the root's array {@code objects}; null to keep them all
      */
-    static JsonValue parse(Source source, Problems problems, ObjectSink objects) {
+    public static JsonValue parse(Source source, Problems problems, ObjectSink objects) {
         try (Reader reader = source.open();
                 JsonParser parser = FACTORY.createParser(ObjectReadContext.empty(), reader)) {
             try {

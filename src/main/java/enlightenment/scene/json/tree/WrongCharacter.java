@@ -1,4 +1,4 @@
-package enlightenment.scene.json;
+package enlightenment.scene.json.tree;
 
 import java.util.Locale;
 import java.util.regex.Matcher;

@@ -1,4 +1,4 @@
-package enlightenment.scene.json;
+package enlightenment.scene.json.tree;
 
 import enlightenment.scene.SceneException;
 import enlightenment.scene.SceneException.Problem;
@@ -7,9 +7,9 @@ import java.util.Comparator;
 import java.util.List;
 
 /** Collects what is wrong with a file, so that all of it is told at once. */
-final class Problems {
+public final class Problems {
     /** More than anybody reads; keeps a wrong file of a million objects from filling the memory with messages. */
-    static final int MOST_KEPT = 1000;
+    public static final int MOST_KEPT = 1000;
 
     private final String file;
     private final String remark;
@@ -20,18 +20,18 @@ final class Problems {
      * @param file name for messages
      * @param remark appended to each message: what else is to be known, such as the frame, or ""
      */
-    Problems(String file, String remark) {
+    public Problems(String file, String remark) {
         this.file = file;
         this.remark = remark;
     }
 
     /** An empty collection for a part of the same file, to be {@linkplain #add(Problems) added} in its turn. */
-    Problems ofPart() {
+    public Problems ofPart() {
         return new Problems(file, remark);
     }
 
     /** Adds what was found in a part. */
-    void add(Problems part) {
+    public void add(Problems part) {
         for (Problem p : part.kept) {
             if (kept.size() < MOST_KEPT) {
                 kept.add(p);
@@ -41,22 +41,22 @@ final class Problems {
     }
 
     /** How many problems were found so far: unchanged means that what was done in between went well. */
-    int count() {
+    public int count() {
         return count;
     }
 
-    void add(JsonValue at, JsonPointer place, String message) {
+    public void add(JsonValue at, JsonPointer place, String message) {
         add(at.line, at.column, place.toString(), message);
     }
 
-    void add(int line, int column, String pointer, String message) {
+    public void add(int line, int column, String pointer, String message) {
         if (count++ < MOST_KEPT) {
             kept.add(new Problem(file, line, column, pointer, message + remark));
         }
     }
 
     /** Fails if anything was wrong. */
-    void throwIfAny() {
+    public void throwIfAny() {
         if (count == 0) {
             return;
         }

@@ -1,4 +1,4 @@
-package enlightenment.scene.json;
+package enlightenment.scene.json.tree;
 
 import enlightenment.text.Plain;
 import java.io.IOException;

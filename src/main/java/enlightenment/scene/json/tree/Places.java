@@ -1,4 +1,4 @@
-package enlightenment.scene.json;
+package enlightenment.scene.json.tree;
 
 import enlightenment.scene.SceneException.Problem;
 import java.util.HashSet;
@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Set;
 
 /** Finds the lines of problems that were seen only when a scene was put together, by reading its text once more. */
-final class Places {
+public final class Places {
     private final Set<Integer> objects = new HashSet<>();
 
     private Places(List<Problem> problems) {
@@ -20,7 +20,7 @@ final class Places {
     }
 
     /** The same problems: those that have a pointer, but no line, with the place of the value or of what it is missing in. */
-    static List<Problem> find(List<Problem> problems, JsonTree.Source source) {
+    public static List<Problem> find(List<Problem> problems, JsonTree.Source source) {
         if (problems.stream().allMatch(p -> p.line() > 0 || p.pointer().isEmpty())) {
             return problems;
         }

@@ -1,4 +1,4 @@
-package enlightenment.scene.json;
+package enlightenment.scene.json.tree;
 
 import enlightenment.text.Plain;
 import java.math.BigDecimal;
@@ -6,12 +6,12 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /** Between the text of JSON numbers and their values. */
-final class Numbers {
+public final class Numbers {
     /** Twice the range of doubles and a little: what lies beyond can only be a mistake, or an attack. */
-    static final int LARGEST_EXPONENT = 400;
+    public static final int LARGEST_EXPONENT = 400;
 
     /** More digits than the longest exact double has (767), and than the number of any frame ({@link Tracks}). */
-    static final int MOST_DIGITS = 2000;
+    public static final int MOST_DIGITS = 2000;
 
     /** With so few digits and no exponent, no number is beyond the range of doubles. */
     private static final int SAFE = 300;
@@ -25,7 +25,7 @@ final class Numbers {
      * What keeps a number's text from being used, or null. Looks only at the characters: a short text that stands for
      * a number of a billion digits costs nothing.
      */
-    static String objection(String text) {
+    public static String objection(String text) {
         if (isPlain(text)) {
             return null;
         }
@@ -98,12 +98,12 @@ final class Numbers {
     }
 
     /** The exact value of a text without {@linkplain #objection objections}; zero is zero, however it is spelled. */
-    static BigDecimal exact(String text) {
+    public static BigDecimal exact(String text) {
         return new BigDecimal(decimal(text));
     }
 
     /** A text without objections in a form that BigDecimal reads: only a zero's exponent may be beyond what it holds. */
-    static String decimal(String text) {
+    public static String decimal(String text) {
         return isPlain(text) || exponentIsModest(text, exponentIndex(text)) ? text : "0";
     }
 
@@ -120,7 +120,7 @@ final class Numbers {
      * The shortest text whose nearest double is v; of several, the one nearest to v. Unlike {@code Double.toString} it
      * is the same on every version of Java.
      */
-    static String text(double v) {
+    public static String text(double v) {
         if (v == Math.rint(v) && Math.abs(v) < 1e15) {
             return v == 0 && 1 / v < 0 ? "-0.0" : Long.toString((long) v);
         }
@@ -134,7 +134,7 @@ final class Numbers {
     }
 
     /** The text of exactly this number: plain where that is short, else with an exponent. */
-    static String text(BigDecimal v) {
+    public static String text(BigDecimal v) {
         if (v.signum() == 0) {
             return "0";
         }

@@ -4,6 +4,7 @@ import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
+import enlightenment.view.frame.PassPlan;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;

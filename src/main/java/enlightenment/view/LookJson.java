@@ -2,6 +2,7 @@ package enlightenment.view;
 
 import enlightenment.image.Image;
 import enlightenment.json.JsonText;
+import enlightenment.view.frame.ErrorPoint;
 import java.util.List;
 
 /** What {@link LookPages} answers, as JSON; docs/view.md describes it. */

@@ -2,6 +2,8 @@ package enlightenment.view;
 
 import enlightenment.image.Image;
 import enlightenment.render.RenderResult;
+import enlightenment.view.frame.Frame;
+import enlightenment.view.frame.Kept;
 import java.util.Map;
 import java.util.Set;
 

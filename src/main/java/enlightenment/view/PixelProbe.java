@@ -7,6 +7,7 @@ import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneObject;
+import enlightenment.view.frame.PassPlan;
 import java.util.EnumSet;
 import java.util.Map;
 import java.util.Optional;

@@ -2,6 +2,8 @@ package enlightenment.view;
 
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
+import enlightenment.view.frame.FrameBuilder;
+import enlightenment.view.frame.PassPlan;
 import java.util.List;
 import java.util.function.LongSupplier;
 

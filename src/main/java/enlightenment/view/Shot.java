@@ -3,6 +3,7 @@ package enlightenment.view;
 import enlightenment.render.Film;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.view.frame.PassPlan;
 
 /**
  * What is to be rendered.

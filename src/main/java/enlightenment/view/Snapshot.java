@@ -4,6 +4,9 @@ import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
+import enlightenment.view.camera.Viewpoint;
+import enlightenment.view.frame.Frame;
+import enlightenment.view.frame.Kept;
 import java.util.List;
 import java.util.OptionalInt;
 

@@ -5,6 +5,7 @@ import enlightenment.image.Image;
 import enlightenment.json.JsonText;
 import enlightenment.math.Vec3;
 import enlightenment.scene.Animation;
+import enlightenment.view.frame.Frame;
 import java.util.Locale;
 import java.util.Optional;
 import tools.jackson.core.JsonGenerator;

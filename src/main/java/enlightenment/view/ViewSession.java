@@ -7,6 +7,8 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 import enlightenment.scene.Shading;
 import enlightenment.text.Plain;
+import enlightenment.view.camera.Viewpoint;
+import enlightenment.view.frame.Frame;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

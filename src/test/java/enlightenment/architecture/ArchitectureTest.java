@@ -126,7 +126,7 @@ class ArchitectureTest {
             .layer("status")
             .definedBy("enlightenment.status")
             .layer("view")
-            .definedBy("enlightenment.view")
+            .definedBy("enlightenment.view..")
             .layer("window")
             .definedBy("enlightenment.window")
             .layer("store")

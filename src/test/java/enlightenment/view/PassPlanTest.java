@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
+import enlightenment.view.frame.PassPlan;
+import enlightenment.view.frame.PictureSum;
 import java.util.HashSet;
 import java.util.Set;
 import org.junit.jupiter.api.Test;

@@ -13,6 +13,7 @@ import enlightenment.render.Renderer;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
+import enlightenment.view.frame.PassPlan;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;

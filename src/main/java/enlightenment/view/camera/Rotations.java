@@ -1,13 +1,13 @@
-package enlightenment.view;
+package enlightenment.view.camera;
 
 import enlightenment.math.Vec3;
 
 /** Rotations of vectors, by angles in degrees. */
-final class Rotations {
+public final class Rotations {
     private Rotations() {}
 
     /** A vector turned around a unit axis, counterclockwise seen against it (Rodrigues' formula). */
-    static Vec3 turned(Vec3 v, Vec3 axis, double degrees) {
+    public static Vec3 turned(Vec3 v, Vec3 axis, double degrees) {
         double angle = StrictMath.toRadians(degrees);
         double cos = StrictMath.cos(angle);
         double sin = StrictMath.sin(angle);
@@ -15,7 +15,7 @@ final class Rotations {
     }
 
     /** The angle between two vectors, 0..180. */
-    static double between(Vec3 a, Vec3 b) {
+    public static double between(Vec3 a, Vec3 b) {
         return StrictMath.toDegrees(StrictMath.atan2(a.cross(b).length(), a.dot(b)));
     }
 }

@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.frame;
 
 import enlightenment.color.Color;
 import enlightenment.color.DisplayCurve;
@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Makes the pictures of one {@link Shot} from the results of its passes. For use by one thread. */
-final class FrameBuilder {
+public final class FrameBuilder {
     private final long generation;
     private final PictureSum sum = new PictureSum();
     private float[] samples;
@@ -16,7 +16,7 @@ final class FrameBuilder {
     private List<ErrorPoint> errors = List.of();
 
     /** @param generation of the shot */
-    FrameBuilder(long generation) {
+    public FrameBuilder(long generation) {
         this.generation = generation;
     }
 
@@ -28,7 +28,7 @@ final class FrameBuilder {
      * @param seconds since the change, greater than 0
      * @param exposure at which the picture is shown now
      */
-    Frame add(PassPlan pass, RenderResult result, boolean isFinal, double seconds, double exposure) {
+    public Frame add(PassPlan pass, RenderResult result, boolean isFinal, double seconds, double exposure) {
         if (pass.shrink() != shrink) {
             shrink = pass.shrink();
             samples = null;
@@ -56,7 +56,7 @@ final class FrameBuilder {
     }
 
     /** How a screen shows a picture at an exposure. */
-    static DisplayCurve curve(Image image, double exposure) {
+    public static DisplayCurve curve(Image image, double exposure) {
         return image.encoding() == Color.Encoding.DISPLAY
                 ? image.curve()
                 : image.curve().withExposure(exposure);

@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.frame;
 
 import enlightenment.image.Image;
 import java.util.OptionalDouble;
@@ -12,10 +12,10 @@ import java.util.OptionalDouble;
  * @param shrink the side of the squares of pixels that each of its pixels stood for
  * @param rmse estimated root mean square error in displayed units; empty where it is not known
  */
-record Kept(long number, Image image, int samples, int shrink, OptionalDouble rmse) {
+public record Kept(long number, Image image, int samples, int shrink, OptionalDouble rmse) {
 
     /** @param shown the picture of the frame, as it is shown */
-    static Kept of(long number, Frame frame, Image shown) {
+    public static Kept of(long number, Frame frame, Image shown) {
         OptionalDouble rmse = frame.detail()
                 .noise()
                 .map(n -> OptionalDouble.of(n.rmse(shown.curve())))
@@ -24,7 +24,7 @@ record Kept(long number, Image image, int samples, int shrink, OptionalDouble rm
     }
 
     /** Whether a picture is as large. */
-    boolean isComparable(Image now) {
+    public boolean isComparable(Image now) {
         return now.width() == image.width() && now.height() == image.height();
     }
 
@@ -33,7 +33,7 @@ record Kept(long number, Image image, int samples, int shrink, OptionalDouble rm
      *
      * @param now of the same size
      */
-    Image difference(Image now) {
+    public Image difference(Image now) {
         int width = now.width();
         int height = now.height();
         float[] rgb = new float[3 * width * height];

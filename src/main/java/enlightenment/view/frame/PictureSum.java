@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.frame;
 
 import enlightenment.image.Image;
 import java.util.Arrays;
@@ -12,7 +12,7 @@ import java.util.Optional;
  * weight. Low-discrepancy samples gain more than that by being many. So a picture as heavy as all before makes these one batch: then all
  * batches weigh nearly the same, since passes grow by doubling only.
  */
-final class PictureSum {
+public final class PictureSum {
     private double[] sums;
     private double weight;
     private Image mean;
@@ -28,7 +28,7 @@ final class PictureSum {
      * @param samples per pixel that it is the mean of, greater than 0
      * @return the mean of all pictures so far, with the curve of this one
      */
-    Image add(Image image, int samples) {
+    public Image add(Image image, int samples) {
         float[] rgb = image.toArray();
         if (sums == null) {
             sums = new double[rgb.length];
@@ -55,7 +55,7 @@ final class PictureSum {
     }
 
     /** How exact the mean is as it is now; empty with fewer than two pictures. */
-    Optional<PictureNoise> noise() {
+    public Optional<PictureNoise> noise() {
         if (batches < 2) {
             return Optional.empty();
         }

@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.frame;
 
 /**
  * The passes over a picture, from coarse ones to fine ones and on to more samples. A pure function of the times that are given to it.
@@ -8,12 +8,12 @@ package enlightenment.view;
  * @param samples per pixel of the pass
  * @param before samples per pixel of the passes at full resolution before this one
  */
-record PassPlan(int shrink, int number, int samples, int before) {
+public record PassPlan(int shrink, int number, int samples, int before) {
     /** The coarsest pass while a view is in use has one pixel for squares of this side: things can still be recognized. */
-    static final int COARSEST = 16;
+    public static final int COARSEST = 16;
 
     /** The side of these squares before anything is known of the scene, and most of the program waits to be compiled. */
-    static final int FIRST = 32;
+    public static final int FIRST = 32;
 
     /** No pass has fewer pixels than about a quarter of this because it is coarse: they take no time. */
     private static final int FEW_PIXELS = 1024;
@@ -30,7 +30,7 @@ record PassPlan(int shrink, int number, int samples, int before) {
      * @param secondsPerPixel what one sample takes, from what was seen so far; infinite if nothing was
      * @param pixels of the picture at full resolution
      */
-    static PassPlan first(double secondsPerPixel, long pixels) {
+    public static PassPlan first(double secondsPerPixel, long pixels) {
         int coarsest = secondsPerPixel == Double.POSITIVE_INFINITY ? FIRST : COARSEST;
         int shrink = 1;
         while (shrink < coarsest && !isImmediate(secondsPerPixel, pixels / (shrink * shrink))) {
@@ -50,7 +50,7 @@ record PassPlan(int shrink, int number, int samples, int before) {
      * @param most samples per pixel in all, at least 1
      * @return null if there are enough
      */
-    PassPlan next(double seconds, int most) {
+    public PassPlan next(double seconds, int most) {
         if (shrink > 1) {
             return new PassPlan(shrink / 2, 0, 1, 0);
         }
@@ -65,7 +65,7 @@ record PassPlan(int shrink, int number, int samples, int before) {
     }
 
     /** The number of pixels along a side of this pass. */
-    int side(int full) {
+    public int side(int full) {
         return Math.max(full / shrink, 1);
     }
 }

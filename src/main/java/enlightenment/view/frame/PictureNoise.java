@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.frame;
 
 import enlightenment.color.DisplayCurve;
 import enlightenment.image.Image;
@@ -9,7 +9,7 @@ import java.util.Arrays;
  * How exact the mean of several passes is, estimated from their spread. A component's standard error s is that of its mean m; what a screen
  * shows of it is half of what the display curve makes of m + s less what it makes of m − s.
  */
-final class PictureNoise {
+public final class PictureNoise {
     private static final int ENOUGH = 1 << 17;
 
     private final Image mean;
@@ -21,21 +21,21 @@ final class PictureNoise {
      * @param mean of all passes
      * @param variances estimated, of each component of the mean; taken over, not copied
      */
-    PictureNoise(Image mean, float[] variances) {
+    public PictureNoise(Image mean, float[] variances) {
         this.mean = mean;
         this.variances = variances;
     }
 
-    int width() {
+    public int width() {
         return mean.width();
     }
 
-    int height() {
+    public int height() {
         return mean.height();
     }
 
     /** The standard error of a component, in the picture's own units: the root of the mean variance of the 3×3 pixels around it. */
-    double deviation(int x, int y, int c) {
+    public double deviation(int x, int y, int c) {
         double sum = 0;
         int n = 0;
         for (int row = Math.max(y - 1, 0); row <= Math.min(y + 1, height() - 1); row++) {
@@ -51,7 +51,7 @@ final class PictureNoise {
      * The estimated root mean square error over all pixels and components, in displayed units 0..1. Of large pictures a regular grid of some
      * {@value #ENOUGH} pixels is asked, since it is wanted after each pass.
      */
-    double rmse(DisplayCurve curve) {
+    public double rmse(DisplayCurve curve) {
         int step = (int) Math.max(Math.ceil(Math.sqrt((double) width() * height() / ENOUGH)), 1);
         double sum = 0;
         long pixels = 0;
@@ -70,7 +70,7 @@ final class PictureNoise {
      * The standard error of each pixel in displayed units, as {@link enlightenment.render.RenderResult.Auxiliary#ERROR} has it: the root of the mean
      * variance over the components of the 3×3 pixels around it.
      */
-    Image map(DisplayCurve curve) {
+    public Image map(DisplayCurve curve) {
         int n = width() * height();
         float[] displayed = new float[n];
         for (int i = 0; i < n; i++) {

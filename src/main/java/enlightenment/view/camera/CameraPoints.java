@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.camera;
 
 import enlightenment.camera.Camera;
 import enlightenment.math.ExactPoint;
@@ -6,7 +6,7 @@ import enlightenment.math.Vec3;
 import java.util.function.UnaryOperator;
 
 /** Cameras with other points. None of these is for isometric views, which have a single one. */
-final class CameraPoints {
+public final class CameraPoints {
     private CameraPoints() {}
 
     /**
@@ -16,7 +16,7 @@ final class CameraPoints {
      * @param aim where the camera looks at afterwards
      * @param up the upward direction afterwards; a window has none of its own
      */
-    static Camera moved(Camera camera, UnaryOperator<ExactPoint> move, ExactPoint aim, Vec3 up) {
+    public static Camera moved(Camera camera, UnaryOperator<ExactPoint> move, ExactPoint aim, Vec3 up) {
         ExactPoint exact = move.apply(camera.origin());
         double distance = exact.minus(aim).length();
         ExactPoint eye = Digits.rounded(exact, distance);
@@ -37,7 +37,7 @@ final class CameraPoints {
     }
 
     /** A camera that is not behind a window with other points and another upward direction. */
-    static Camera with(Camera camera, ExactPoint eye, ExactPoint lookAt, Vec3 up) {
+    public static Camera with(Camera camera, ExactPoint eye, ExactPoint lookAt, Vec3 up) {
         if (camera instanceof Camera.Perspective c) {
             return new Camera.Perspective(eye, lookAt, up, c.fieldOfView(), c.axis(), c.handedness(), c.lens());
         }

@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.camera;
 
 import enlightenment.camera.Camera;
 import enlightenment.math.ExactPoint;
@@ -16,7 +16,7 @@ import java.util.Optional;
  * @param aim the point that it orbits and approaches; {@code lookAt} of cameras that have one
  * @param pole the direction that an orbit turns around, of any length but 0; the upward direction of cameras that have one
  */
-record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
+public record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     private static final double RIGHT_ANGLE = 90;
 
     /** An orbit stays as far from the pole, in degrees: there a camera has no upper side. */
@@ -29,7 +29,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     private static final double ISOMETRIC = Math.sqrt(3) / 2;
 
     /** The viewpoint of a camera as a scene has it. A window is aimed at its own middle until {@link #aimedAt} says better. */
-    static Viewpoint of(Camera camera) {
+    public static Viewpoint of(Camera camera) {
         if (camera instanceof Camera.Perspective c) {
             return new Viewpoint(c, c.lookAt(), c.up());
         }
@@ -53,7 +53,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     }
 
     /** The distance between eye and aim, in scene units; 0 of an isometric view. */
-    double distance() {
+    public double distance() {
         return camera instanceof Camera.Isometric
                 ? 0
                 : camera.origin().minus(aim).length();
@@ -66,7 +66,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
      * @param up degrees towards the pole; what would pass it ends before it
      * @throws InvalidValueException for a camera that cannot turn
      */
-    Viewpoint orbit(double right, double up) {
+    public Viewpoint orbit(double right, double up) {
         requireTurning();
         Vec3 axis = pole.normalized();
         Vec3 from = camera.origin().minus(aim);
@@ -92,7 +92,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
      * @param y motion of the pointer downwards, in heights of the picture
      * @param aspect width of the picture over its height
      */
-    Viewpoint pan(double x, double y, double aspect) {
+    public Viewpoint pan(double x, double y, double aspect) {
         if (camera instanceof Camera.Isometric c) {
             double across = -x * c.height() / (2 * ISOMETRIC);
             ExactPoint to = Digits.rounded(c.lookAt().plus(new Vec3(across, y * c.height(), -across)), c.height());
@@ -135,7 +135,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
      *
      * @param factor new distance over the old one, greater than 0
      */
-    Viewpoint dolly(double factor) {
+    public Viewpoint dolly(double factor) {
         if (camera instanceof Camera.Isometric c) {
             return with(new Camera.Isometric(c.lookAt(), Digits.rounded(c.height() * factor)));
         }
@@ -153,7 +153,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
      * @param degrees by which the picture turns clockwise
      * @throws InvalidValueException for a camera that cannot turn
      */
-    Viewpoint roll(double degrees) {
+    public Viewpoint roll(double degrees) {
         requireTurning();
         Pose pose = Pose.of(camera);
         double angle = StrictMath.toRadians(degrees);
@@ -183,7 +183,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
      * @param degrees limited to what can be looked at
      * @throws InvalidValueException for a camera that has none
      */
-    Viewpoint withFieldOfView(double degrees) {
+    public Viewpoint withFieldOfView(double degrees) {
         if (!(camera instanceof Camera.Perspective c)) {
             throw new InvalidValueException("fieldOfView", "is no part of a camera of type " + camera.type());
         }
@@ -196,7 +196,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
      *
      * @throws InvalidValueException if the point does not lie in front of the eye, or an isometric view has none
      */
-    Viewpoint aimedAt(ExactPoint point) {
+    public Viewpoint aimedAt(ExactPoint point) {
         requireTurning();
         double depth = depthOf(point);
         if (camera instanceof Camera.Window) {
@@ -212,7 +212,7 @@ record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
      *
      * @throws InvalidValueException if the camera has no lens, or the point does not lie in front of it
      */
-    Viewpoint focusedOn(ExactPoint point) {
+    public Viewpoint focusedOn(ExactPoint point) {
         if (!(camera instanceof Camera.Perspective c) || c.lens().isEmpty()) {
             throw new InvalidValueException("lens", "is missing: this camera has nothing to focus");
         }

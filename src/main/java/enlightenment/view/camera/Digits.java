@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.camera;
 
 import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
@@ -7,21 +7,21 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /** Rounds numbers of cameras to decimals that can be read, by ratios: the unit of length has no part in it. */
-final class Digits {
+public final class Digits {
     /** Significant digits of lengths and angles; of coordinates the digits below the size that they are seen at. */
-    static final int KEPT = 7;
+    public static final int KEPT = 7;
 
     private static final MathContext SIGNIFICANT = new MathContext(KEPT, RoundingMode.HALF_EVEN);
 
     private Digits() {}
 
     /** A number with {@link #KEPT} significant digits. */
-    static double rounded(double v) {
+    public static double rounded(double v) {
         return new BigDecimal(v).round(SIGNIFICANT).doubleValue();
     }
 
     /** A point whose coordinates end {@link #KEPT} digits below the first digit of a size. */
-    static ExactPoint rounded(ExactPoint p, double size) {
+    public static ExactPoint rounded(ExactPoint p, double size) {
         int places = places(size);
         return new ExactPoint(
                 p.x().setScale(places, RoundingMode.HALF_EVEN),
@@ -30,7 +30,7 @@ final class Digits {
     }
 
     /** A direction of length 1, up to rounding. */
-    static Vec3 direction(Vec3 v) {
+    public static Vec3 direction(Vec3 v) {
         Vec3 unit = v.normalized();
         return rounded(ExactPoint.of(unit.x(), unit.y(), unit.z()), 1).toVec3();
     }

@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.frame;
 
 import enlightenment.image.Image;
 
@@ -12,4 +12,4 @@ import enlightenment.image.Image;
  * @param isFinal whether there will be no finer one
  * @param detail what is known of it beside its colours
  */
-record Frame(long generation, Image image, int samples, int shrink, boolean isFinal, FrameDetail detail) {}
+public record Frame(long generation, Image image, int samples, int shrink, boolean isFinal, FrameDetail detail) {}

@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.frame;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,12 +11,12 @@ import java.util.List;
  * @param rmse estimated root mean square error, in displayed units 0..1
  * @param exposure in stops for which that is so
  */
-record ErrorPoint(double seconds, int samples, double rmse, double exposure) {
+public record ErrorPoint(double seconds, int samples, double rmse, double exposure) {
     /** Points nearer to each other than this factor of time are one on a logarithmic curve. */
     private static final double DISTINCT = 1.02;
 
     /** The points and a later one, in their order; some hundred at most, whatever the number of passes. */
-    static List<ErrorPoint> with(List<ErrorPoint> points, ErrorPoint next) {
+    public static List<ErrorPoint> with(List<ErrorPoint> points, ErrorPoint next) {
         List<ErrorPoint> all = new ArrayList<>(points);
         int last = all.size() - 1;
         // The last point is always kept, and gives way to the next where it was too near to the one before it.

@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.camera;
 
 import enlightenment.camera.Camera;
 import enlightenment.math.ExactPoint;
@@ -12,10 +12,10 @@ import enlightenment.math.Vec3;
  * @param up direction of the picture's upper side
  * @param forward line of sight through the picture's middle; of a camera behind a window the window's normal
  */
-record Pose(ExactPoint eye, Vec3 right, Vec3 up, Vec3 forward) {
+public record Pose(ExactPoint eye, Vec3 right, Vec3 up, Vec3 forward) {
 
     /** The pose of any camera but an isometric one, which has no eye. */
-    static Pose of(Camera camera) {
+    public static Pose of(Camera camera) {
         if (camera instanceof Camera.Perspective c) {
             return of(c.eye(), c.lookAt(), c.up(), c.handedness());
         }
@@ -46,12 +46,12 @@ record Pose(ExactPoint eye, Vec3 right, Vec3 up, Vec3 forward) {
     }
 
     /** A direction with these components along right, up and forward. */
-    Vec3 direction(double r, double u, double f) {
+    public Vec3 direction(double r, double u, double f) {
         return right.times(r).plus(up.times(u)).plus(forward.times(f));
     }
 
     /** The distance of a point from the eye along the line of sight. */
-    double depth(ExactPoint point) {
+    public double depth(ExactPoint point) {
         return point.minus(eye).dot(forward);
     }
 }

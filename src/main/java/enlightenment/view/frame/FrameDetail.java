@@ -1,4 +1,4 @@
-package enlightenment.view;
+package enlightenment.view.frame;
 
 import enlightenment.image.Image;
 import java.util.List;
@@ -12,8 +12,8 @@ import java.util.Optional;
  * @param errors how exact it was after each pass, by time
  * @param seconds since the change that it shows
  */
-record FrameDetail(Image samples, Optional<PictureNoise> noise, List<ErrorPoint> errors, double seconds) {
-    FrameDetail {
+public record FrameDetail(Image samples, Optional<PictureNoise> noise, List<ErrorPoint> errors, double seconds) {
+    public FrameDetail {
         errors = List.copyOf(errors);
     }
 }

@@ -1,6 +1,5 @@
 package enlightenment.engine;
 
-import enlightenment.color.Color;
 import enlightenment.film.SampleLog;
 import enlightenment.plan.Learned;
 import enlightenment.plan.MethodDecision;
@@ -211,14 +210,12 @@ public final class DividedRender implements UnitSource {
      * @return empty if there is too little memory for it, or paths may end anywhere: they show something of the whole picture themselves
      */
     public Optional<Preview> preview(BooleanSupplier cancelled) {
-        RenderSettings settings = outline.settings();
-        boolean isLinear = outline.display().encoding() == Color.Encoding.LINEAR;
         if (!units.haveTiles()
-                || room.isExceededBy(units.memory(settings, isLinear, 0))
-                || !units.memory(settings, isLinear, IMAGES_OF_PREVIEW).isEnough()) {
+                || room.isExceededBy(units.memory(outline, 0))
+                || !units.memory(outline, IMAGES_OF_PREVIEW).isEnough()) {
             return Optional.empty();
         }
-        Preview preview = new Preview(Preview.Kind.COARSE, compiled, settings);
+        Preview preview = new Preview(Preview.Kind.COARSE, compiled, outline.settings());
         preview.begin(Cancellation.of(cancelled));
         return Optional.of(preview);
     }

@@ -1,6 +1,5 @@
 package enlightenment.engine;
 
-import enlightenment.color.Color;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;
 import enlightenment.report.RenderReport;
@@ -66,8 +65,7 @@ public final class FilmAssembly implements UnitAssembly {
         this.phases = phases;
         units = WorkUnits.forMachines(outline.settings(), outline.plan());
         if (place.folder().isEmpty()) {
-            units.memory(outline.settings(), outline.display().encoding() == Color.Encoding.LINEAR, 0)
-                    .check();
+            units.memory(outline, 0).check();
         }
         form = ResultForm.of(units, outline);
         film = PictureFilm.of(units, outline, canLose, place);
@@ -83,8 +81,7 @@ public final class FilmAssembly implements UnitAssembly {
      */
     static FilmPlace place(RenderOutline outline, FilmRoom room) {
         WorkUnits units = WorkUnits.forMachines(outline.settings(), outline.plan());
-        boolean isLinear = outline.display().encoding() == Color.Encoding.LINEAR;
-        return room.place(units.memory(outline.settings(), isLinear, 0), units.wholeInMemory(outline.plan()));
+        return room.place(units.memory(outline, 0), units.wholeInMemory(outline.plan()));
     }
 
     /**
@@ -94,8 +91,7 @@ public final class FilmAssembly implements UnitAssembly {
      */
     static void check(RenderOutline outline, FilmRoom room) {
         WorkUnits units = WorkUnits.forMachines(outline.settings(), outline.plan());
-        boolean isLinear = outline.display().encoding() == Color.Encoding.LINEAR;
-        room.check(units.memory(outline.settings(), isLinear, 0), units.wholeInMemory(outline.plan()));
+        room.check(units.memory(outline, 0), units.wholeInMemory(outline.plan()));
     }
 
     @Override

@@ -32,11 +32,6 @@ public record FilmRoom(Optional<Path> folder, long memory, int pictures) {
     /** Rows of pixels that are in a file may take one half of the memory. */
     private static final int SHARE_OF_ROWS = 2;
 
-    /** Pixels that take more than half of the memory there is are in a file in this folder. */
-    public static FilmRoom in(Path folder) {
-        return new FilmRoom(Optional.of(folder), Runtime.getRuntime().maxMemory() / 2);
-    }
-
     /** This room, for several pictures of about the same size at once. */
     public FilmRoom among(int count) {
         return new FilmRoom(folder, memory, count);
@@ -53,11 +48,7 @@ public record FilmRoom(Optional<Path> folder, long memory, int pictures) {
      * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space in the folder
      */
     public void check(PictureMemory picture, Optional<String> wholeInMemory) {
-        if (isExceededBy(picture) && wholeInMemory.isEmpty()) {
-            checkFile(picture, pictures);
-        } else {
-            place(picture, wholeInMemory);
-        }
+        place(picture, wholeInMemory, pictures);
     }
 
     /**
@@ -68,8 +59,12 @@ public record FilmRoom(Optional<Path> folder, long memory, int pictures) {
      * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space in the folder
      */
     public FilmPlace place(PictureMemory picture, Optional<String> wholeInMemory) {
+        return place(picture, wholeInMemory, 1);
+    }
+
+    private FilmPlace place(PictureMemory picture, Optional<String> wholeInMemory, int count) {
         if (isExceededBy(picture) && wholeInMemory.isEmpty()) {
-            checkFile(picture, 1);
+            checkFile(picture, count);
             return FilmPlace.in(folder.get());
         }
         picture.check(wholeInMemory

@@ -161,9 +161,6 @@ final class MixedPicture extends PictureFilm {
 
     @Override
     public Image completed(Image image) {
-        if (!isInMemory) {
-            return image;
-        }
         float[] rgb = image.toArray();
         splats.film().addTo(rgb);
         return new Image(image.width(), image.height(), rgb, outline.display());

@@ -46,9 +46,9 @@ final class SplatPicture extends PictureFilm {
     }
 
     /**
-     * The same.
+     * What the batches have brought so far, in memory.
      *
-     * @throws ClassCastException if it is not in memory
+     * @throws ClassCastException if it is in a file
      */
     SplatFilm film() {
         return (SplatFilm) film;

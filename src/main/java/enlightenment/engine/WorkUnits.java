@@ -1,6 +1,7 @@
 package enlightenment.engine;
 
 import enlightenment.check.Check;
+import enlightenment.color.Color;
 import enlightenment.film.FilmTile;
 import enlightenment.plan.Integrators;
 import enlightenment.plan.MethodTraits;
@@ -167,13 +168,15 @@ public final class WorkUnits {
     /**
      * The memory that a picture takes while units are added up that can be taken out again.
      *
+     * @param outline of the render
      * @param moreImages how many further images as large as the picture are needed
      */
-    PictureMemory memory(RenderSettings settings, boolean isLinear, int moreImages) {
+    PictureMemory memory(RenderOutline outline, int moreImages) {
         PictureMemory.Films films = cut == null
                 ? PictureMemory.Films.SPLATS
                 : batches > 0 ? PictureMemory.Films.BOTH : PictureMemory.Films.TILES;
-        return new PictureMemory(settings, isLinear, films, moreImages + (passes > 1 ? IMAGES_OF_PASSES : 0));
+        boolean isLinear = outline.display().encoding() == Color.Encoding.LINEAR;
+        return new PictureMemory(outline.settings(), isLinear, films, moreImages + (passes > 1 ? IMAGES_OF_PASSES : 0));
     }
 
     /** What needs a picture in memory while units are added up in any order, as {@link FilmRoom#place} wants it. */

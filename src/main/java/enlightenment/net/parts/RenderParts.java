@@ -77,7 +77,13 @@ public final class RenderParts {
                 job, render.outline(), text.apply(render.plan().samples()), part, parts);
         Path folder = file.toAbsolutePath().getParent();
         try (PartResults results = new PartResults(tiles, folder)) {
-            make(render, tiles, results, FilmRoom.in(folder), progress, cancelled);
+            make(
+                    render,
+                    tiles,
+                    results,
+                    PictureRoom.of(Optional.of(RenderRequest.ScratchFolder.of(folder))),
+                    progress,
+                    cancelled);
             PartFile.write(file, head, results.units(), results::get);
             return results.made() == tiles.length;
         } catch (UncheckedIOException e) {

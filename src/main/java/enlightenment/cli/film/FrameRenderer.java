@@ -58,9 +58,7 @@ final class FrameRenderer implements FrameMaker {
             if (!result.complete()) {
                 return false;
             }
-            boolean isAsAsked = writer.write(writer.subject(frame, scene, chosen), result);
-            result.image().release();
-            listener.written(frame, !isAsAsked);
+            listener.written(frame, !writer.write(writer.subject(frame, scene, chosen), result));
             told.frameFinished();
         }
         return true;

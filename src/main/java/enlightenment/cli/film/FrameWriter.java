@@ -50,7 +50,11 @@ final class FrameWriter {
         return new Subject(frame, scene.name(), settings, digests.of(scene, settings));
     }
 
-    /** @return false if the picture is not as exact as was asked, or not to be trusted: that has been said */
+    /**
+     * Writes the files of a frame, and gives up its picture.
+     *
+     * @return false if the picture is not as exact as was asked, or not to be trusted: that has been said
+     */
     boolean write(Subject subject, RenderResult result) throws IOException {
         int frame = subject.frame;
         double samples = result.report().sampling().plannedSamples();
@@ -71,6 +75,8 @@ final class FrameWriter {
         } catch (CliException e) {
             terminal.say(named(frame) + e.getMessage());
             return false;
+        } finally {
+            result.image().release();
         }
     }
 

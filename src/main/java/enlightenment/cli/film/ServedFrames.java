@@ -56,11 +56,7 @@ final class ServedFrames implements FrameMaker {
         try (RenderServer.OfFilm server = RenderServer.OfFilm.start(frames, this::prepared, options, terminal.stop())) {
             serving.announce(server, terminal);
             boolean areAllThere = server.await(
-                    (frame, result) -> {
-                        boolean isAsAsked = writer.write(subjects.get(frame), result);
-                        result.image().release();
-                        listener.written(frame, !isAsAsked);
-                    },
+                    (frame, result) -> listener.written(frame, !writer.write(subjects.get(frame), result)),
                     display,
                     terminal.stop());
             audits = server.audits();

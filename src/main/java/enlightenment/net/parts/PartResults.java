@@ -4,6 +4,7 @@ import enlightenment.file.ScratchFile;
 import java.io.Closeable;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /** The results of a part's units until all of them are there, in a file beside that of the part. For use by several threads at once. */
 final class PartResults implements Closeable {
@@ -54,8 +55,9 @@ final class PartResults implements Closeable {
 
     /** The units whose results are there, ascending. */
     synchronized int[] units() {
-        return Arrays.stream(units)
-                .filter(unit -> lengths[Arrays.binarySearch(units, unit)] >= 0)
+        return IntStream.range(0, units.length)
+                .filter(i -> lengths[i] >= 0)
+                .map(i -> units[i])
                 .toArray();
     }
 

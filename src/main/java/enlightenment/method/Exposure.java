@@ -10,8 +10,7 @@ import java.util.function.Function;
 
 /** Camera samples while the shutter is open: each sees one of the scene's moments ({@link Moments}). */
 final class Exposure {
-    private final CompiledScene[] moments;
-    private final Shader[] shaders;
+    private final MomentShaders shaders;
     private final Moments lots;
     private long pixelHash;
 
@@ -19,24 +18,16 @@ final class Exposure {
      * @param shader makes the shader of a moment
      */
     Exposure(CompiledScene[] moments, Function<CompiledScene, Shader> shader) {
-        this.moments = moments;
-        shaders = new Shader[moments.length];
-        for (int i = 0; i < moments.length; i++) {
-            shaders[i] = shader.apply(moments[i]);
-        }
+        shaders = new MomentShaders(moments, shader);
         lots = new Moments(moments.length);
     }
 
     void stopWhen(BooleanSupplier cancelled) {
-        for (Shader shader : shaders) {
-            shader.stopWhen(cancelled);
-        }
+        shaders.stopWhen(cancelled);
     }
 
     void beginTile(double x0, double y0, double x1, double y1) {
-        for (Shader shader : shaders) {
-            shader.beginTile(x0, y0, x1, y1);
-        }
+        shaders.beginTile(x0, y0, x1, y1);
     }
 
     void pixel(long seed, int x, int y) {
@@ -50,8 +41,6 @@ final class Exposure {
 
     /** As {@link Shader#shade}, for a sample at a film position (u, v) in 0..1. */
     void shade(int sample, double u, double v, Ray ray, Sampler sampler, double[] out) {
-        int moment = moment(sample);
-        moments[moment].camera.ray(u, v, sampler, ray);
-        shaders[moment].shade(ray, sampler, out);
+        shaders.shade(moment(sample), u, v, ray, sampler, out);
     }
 }

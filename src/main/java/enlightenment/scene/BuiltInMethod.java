@@ -99,14 +99,7 @@ public enum BuiltInMethod implements Method {
 
     @Override
     public boolean canRender(Shading.LightFeature feature) {
-        return switch (feature) {
-            case SCATTERING -> true;
-            case FLUORESCENCE -> true;
-            case DISPERSION -> true;
-            case MOTION -> true;
-            case CLASSIC_MOTION -> this != CLUSTER;
-            case SURROUNDINGS -> true;
-        };
+        return this != CLUSTER || feature != Shading.LightFeature.CLASSIC_MOTION;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package enlightenment.method.metropolis;
 
 import enlightenment.method.Block;
+import enlightenment.method.MomentShaders;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.scene.RenderSettings;
@@ -20,13 +21,9 @@ final class Paths {
 
     private static final double OF_ANY_BAND = 1.0 / 9;
 
-    private final CompiledScene[] moments;
+    private final MomentShaders shaders;
     private final double pictureWidth;
     private final double pictureHeight;
-
-    /** Of each moment. */
-    private final Shader[] shaders;
-
     private final Ray ray = new Ray();
     private Block block;
     private long lost;
@@ -38,29 +35,23 @@ final class Paths {
 
     /** @param shader makes what a path of a moment is worth */
     Paths(CompiledScene scene, RenderSettings settings, Function<CompiledScene, Shader> shader) {
-        moments = scene.moments();
-        shaders = new Shader[moments.length];
-        Arrays.setAll(shaders, i -> shader.apply(moments[i]));
+        shaders = new MomentShaders(scene.moments(), shader);
         pictureWidth = settings.width();
         pictureHeight = settings.height();
     }
 
     void stopWhen(BooleanSupplier cancelled) {
-        for (Shader shader : shaders) {
-            shader.stopWhen(cancelled);
-        }
+        shaders.stopWhen(cancelled);
     }
 
     void begin(Block next) {
         block = next;
         lost = 0;
-        for (Shader shader : shaders) {
-            shader.beginTile(
-                    next.x() / pictureWidth,
-                    next.y() / pictureHeight,
-                    (next.x() + next.width()) / pictureWidth,
-                    (next.y() + next.height()) / pictureHeight);
-        }
+        shaders.beginTile(
+                next.x() / pictureWidth,
+                next.y() / pictureHeight,
+                (next.x() + next.width()) / pictureWidth,
+                (next.y() + next.height()) / pictureHeight);
     }
 
     /** Traces the path that these random numbers make; returns its brightness, the target function of the chains. */
@@ -68,9 +59,8 @@ final class Paths {
         double x = numbers.filmX() * block.width();
         double y = numbers.filmY() * block.height();
         pixel = (int) y * block.width() + (int) x;
-        int moment = shaders.length == 1 ? 0 : (int) (numbers.unit(0, Sampler.Purpose.TIME) * shaders.length);
-        moments[moment].camera.ray((block.x() + x) / pictureWidth, (block.y() + y) / pictureHeight, numbers, ray);
-        shaders[moment].shade(ray, numbers, color);
+        int moment = shaders.count() == 1 ? 0 : (int) (numbers.unit(0, Sampler.Purpose.TIME) * shaders.count());
+        shaders.shade(moment, (block.x() + x) / pictureWidth, (block.y() + y) / pictureHeight, ray, numbers, color);
         double brightness = 0;
         for (int c = 0; c < 3; c++) {
             brightness += (WEIGHTS[c] + OF_ANY_BAND) * Math.abs(color[c]);

@@ -20,37 +20,22 @@ final class MatteIrradiance {
     private final LightCone cone;
     private final LightSample sample;
 
-    /** The vertex, and its normal on the side that the path came from. */
-    private double x;
-
-    private double y;
-    private double z;
-    private double nx;
-    private double ny;
-    private double nz;
+    private final LitVertex lit;
 
     /** Whether the last irradiance is no deterministic function of film position: random, or varying between corners of a pixel. */
     boolean isByChance;
 
     /**
      * @param view the light as the vertex sees it; shadow rays use its cone
+     * @param lit the vertex, which the caller sets
      */
-    MatteIrradiance(RayCounters counters, ShadowRays shadow, LightView view) {
+    MatteIrradiance(RayCounters counters, ShadowRays shadow, LightView view, LitVertex lit) {
+        this.lit = lit;
         this.counters = counters;
         this.shadow = shadow;
         this.view = view;
         cone = view.cone;
         sample = view.sample;
-    }
-
-    /** Sets the vertex and its normal on the side that the path came from. */
-    void begin(double px, double py, double pz, double normalX, double normalY, double normalZ) {
-        x = px;
-        y = py;
-        z = pz;
-        nx = normalX;
-        ny = normalY;
-        nz = normalZ;
     }
 
     /**
@@ -70,8 +55,8 @@ final class MatteIrradiance {
     }
 
     private double ofPoint(PhysicalLight l) {
-        view.aimAtPoint(l, x, y, z);
-        double cosine = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        view.aimAtPoint(l, lit.x, lit.y, lit.z);
+        double cosine = lit.nx * cone.wx + lit.ny * cone.wy + lit.nz * cone.wz;
         return cosine > 0 && shadow.isVisible(l, sample) ? cosine / (cone.distance * cone.distance) : 0;
     }
 
@@ -79,9 +64,9 @@ final class MatteIrradiance {
         if (l.isBall && l.texture == null) {
             return ofBall(l, index, probability, sampler, address);
         }
-        view.aim(l, x, y, z);
+        view.aim(l, lit.x, lit.y, lit.z);
         // Skips the closed form where it is 0.
-        if (!view.reaches(l.form, nx, ny, nz)) {
+        if (!view.reaches(l.form, lit.nx, lit.ny, lit.nz)) {
             counters.lightSamplesWithoutRay++;
             return 0;
         }
@@ -92,7 +77,7 @@ final class MatteIrradiance {
         }
         if (known == Tracer.Visibility.ALL && l.texture == null && l.form.hasClosedForm()) {
             counters.lightSamplesWithoutRay++;
-            return view.irradiance(l.form, nx, ny, nz);
+            return view.irradiance(l.form, lit.nx, lit.ny, lit.nz);
         }
         return sampled(l, index, probability, sampler, address, known);
     }
@@ -104,15 +89,15 @@ final class MatteIrradiance {
      */
     private double ofBall(PhysicalLight l, int index, double probability, Sampler sampler, int address) {
         SphereLight ball = (SphereLight) l.form;
-        ball.aim(sample, x, y, z);
+        ball.aim(sample, lit.x, lit.y, lit.z);
         cone.around(l);
         if (cone.inside) {
             Tracer.Visibility known = shadow.visibility(l);
             return known == Tracer.Visibility.NONE ? 0 : sampled(l, index, probability, sampler, address, known);
         }
-        double height = nx * cone.wx + ny * cone.wy + nz * cone.wz;
+        double height = lit.nx * cone.wx + lit.ny * cone.wy + lit.nz * cone.wz;
         boolean isWhole = height >= cone.sine;
-        double e = isWhole ? Math.PI * height * cone.sine * cone.sine : ball.irradiance(sample, nx, ny, nz);
+        double e = isWhole ? Math.PI * height * cone.sine * cone.sine : ball.irradiance(sample, lit.nx, lit.ny, lit.nz);
         Tracer.Visibility known = e == 0 ? Tracer.Visibility.NONE : shadow.visibility(l);
         if (known != Tracer.Visibility.UNKNOWN) {
             counters.lightSamplesWithoutRay++;
@@ -121,11 +106,11 @@ final class MatteIrradiance {
         isByChance = true;
         view.draw(index, sampler, address);
         if (isWhole) {
-            view.directByCosine(ball, nx, ny, nz);
+            view.directByCosine(ball, lit.nx, lit.ny, lit.nz);
             return shadow.isBlocked(l, sample) ? 0 : e;
         }
         view.sample(ball);
-        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        double cosine = lit.nx * sample.dx + lit.ny * sample.dy + lit.nz * sample.dz;
         return cosine > 0 && sample.pdf > 0 && !shadow.isBlocked(l, sample) ? cosine / sample.pdf : 0;
     }
 
@@ -135,7 +120,7 @@ final class MatteIrradiance {
         isByChance = true;
         view.draw(index, sampler, address);
         view.sample(l.form);
-        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        double cosine = lit.nx * sample.dx + lit.ny * sample.dy + lit.nz * sample.dz;
         if (!(sample.pdf > 0) || !(cosine > 0)) {
             counters.lightSamplesWithoutRay++;
             return 0;
@@ -156,10 +141,10 @@ final class MatteIrradiance {
             return false;
         }
         if (l.isBall) {
-            return l.form.irradiance(sample, nx, ny, nz) > 0;
+            return l.form.irradiance(sample, lit.nx, lit.ny, lit.nz) > 0;
         }
         return l.form.hasClosedForm()
-                && view.reaches(l.form, nx, ny, nz)
+                && view.reaches(l.form, lit.nx, lit.ny, lit.nz)
                 && shadow.visibility(l) != Tracer.Visibility.UNKNOWN;
     }
 }

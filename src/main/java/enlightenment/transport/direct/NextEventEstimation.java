@@ -50,14 +50,7 @@ public final class NextEventEstimation implements PathStrategy {
     private final SampledLight choice = new SampledLight();
     private final double[] pair = new double[2];
 
-    /** The last vertex with next-event estimation, and its normal on the side that the path came from. */
-    private double x;
-
-    private double y;
-    private double z;
-    private double nx;
-    private double ny;
-    private double nz;
+    private final LitVertex lit = new LitVertex();
 
     /** The id of that vertex's primitive; -1 in a medium. */
     private int vertexId;
@@ -93,7 +86,7 @@ public final class NextEventEstimation implements PathStrategy {
         this.path = path;
         hit = path.at.hit;
         shadow = new ShadowRays(scene, counters, path, cone);
-        matte = new MatteIrradiance(counters, shadow, view);
+        matte = new MatteIrradiance(counters, shadow, view, lit);
     }
 
     /** Whether a vertex, the path's first or a later one, samples all lights of this number, rather than one. */
@@ -107,15 +100,7 @@ public final class NextEventEstimation implements PathStrategy {
         tookAll = takesAll(lights.length, isFirst);
         along = null;
         vertexId = path.at.id;
-        x = hit.px;
-        y = hit.py;
-        z = hit.pz;
-        nx = path.at.nx;
-        ny = path.at.ny;
-        nz = path.at.nz;
-        if (atMatte) {
-            matte.begin(x, y, z, nx, ny, nz);
-        }
+        lit.set(path);
         gathered.clear();
         shadow.begin();
     }
@@ -141,9 +126,7 @@ public final class NextEventEstimation implements PathStrategy {
         along = flight;
         leavesSmall = vertex.leavesSmallLights;
         if (vertex.event == PathEvent.ROUGH_BORDER) {
-            nx = 0;
-            ny = 0;
-            nz = 0;
+            lit.openToAllSides();
             through = vertex.color;
         }
         gatherAll(vertex.bsdf, vertex.s, sampler, state.address, isFirst);
@@ -210,7 +193,7 @@ public final class NextEventEstimation implements PathStrategy {
 
     private boolean choose(Sampler sampler, int address) {
         sampler.pair(address, Sampler.Purpose.CHOICE, pair);
-        picker.choose(x, y, z, nx, ny, nz, pair[0], choice);
+        picker.choose(lit.x, lit.y, lit.z, lit.nx, lit.ny, lit.nz, pair[0], choice);
         return choice.light >= 0;
     }
 
@@ -262,7 +245,7 @@ public final class NextEventEstimation implements PathStrategy {
         if (!l.isPoint) {
             view.draw(tookAll ? index : -1, sampler, address);
         }
-        return view.look(l, x, y, z);
+        return view.look(l, lit.x, lit.y, lit.z);
     }
 
     /**
@@ -278,7 +261,7 @@ public final class NextEventEstimation implements PathStrategy {
         }
         PhysicalLight l = lights[tookAll ? 0 : choice.light];
         double density = sample(l, 0, sampler, address);
-        double cosine = nx * sample.dx + ny * sample.dy + nz * sample.dz;
+        double cosine = lit.nx * sample.dx + lit.ny * sample.dy + lit.nz * sample.dz;
         if (density > 0 && cosine > 0 && isVisible(l)) {
             shadow.add(l, 1, 1, 1, gathered);
             out.set(sample, tookAll ? density : choice.probability * density, !l.isPoint, gathered);
@@ -305,15 +288,16 @@ public final class NextEventEstimation implements PathStrategy {
             return 0;
         }
         PhysicalLight l = lights[index];
-        view.aim(l, x, y, z);
+        view.aim(l, lit.x, lit.y, lit.z);
         if (isMatte && matte.isClosed(l)) {
             return Double.POSITIVE_INFINITY;
         }
-        double density = view.density(l.form, ray, hit, x, y, z);
+        double density = view.density(l.form, ray, hit, lit.x, lit.y, lit.z);
         if (!(density > 0)) {
             return 0;
         }
-        double probability = tookAll ? 1 : picker.probability(index, x, y, z, nx, ny, nz, choice);
+        double probability =
+                tookAll ? 1 : picker.probability(index, lit.x, lit.y, lit.z, lit.nx, lit.ny, lit.nz, choice);
         return (along == null ? probability : PowerHeuristic.both(probability, along.ratio(index))) * density;
     }
 

@@ -49,6 +49,15 @@ public final class FilmPixel {
         quarters = hasFigures ? tile.quarters(column, row) : 0;
     }
 
+    /** Makes this the same as another pixel. */
+    void set(FilmPixel other) {
+        System.arraycopy(other.means, 0, means, 0, means.length);
+        System.arraycopy(other.ofQuarters, 0, ofQuarters, 0, ofQuarters.length);
+        halves = other.halves;
+        quarters = other.quarters;
+        samples = other.samples;
+    }
+
     /** How many bytes {@link #write} writes. */
     static int bytes(boolean isLinear) {
         return isLinear ? BYTES + QuarterMeans.PER_PIXEL * Float.BYTES : BYTES;

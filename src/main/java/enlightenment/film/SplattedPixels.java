@@ -37,11 +37,11 @@ final class SplattedPixels implements TileFilm.Source {
 
     @Override
     public void read(int column, int row, FilmPixel pixel) {
-        readTile(column, row, before);
         readTile(column, row, pixel);
         if (!isLinear) {
             addShown(column, row, pixel);
         } else if (pixel.samples > 0) {
+            before.set(pixel);
             addLight(column, row, pixel);
             if (FewSamplesSplats.areFew(pixel.samples)) {
                 few.add(pixels, before, pixel);

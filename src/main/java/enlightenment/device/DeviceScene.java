@@ -2,7 +2,6 @@ package enlightenment.device;
 
 import enlightenment.scene.RenderSettings;
 import enlightenment.world.CompiledScene;
-import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -15,15 +14,10 @@ import java.util.Optional;
  * @param floats boxes of hierarchies, vertices and texels
  */
 public record DeviceScene(Program program, double[] doubles, int[] ints, float[] floats) {
-    /** What shades a scene: a kernel, and the code that it needs. */
+    /** The code that follows the paths of a scene. */
     public enum Program {
         CLASSIC,
-        PHYSICAL;
-
-        /** The name of the kernel. */
-        public String kernel() {
-            return name().toLowerCase(Locale.ROOT);
-        }
+        PHYSICAL
     }
 
     /** What stands first among the integers: where records begin, how many there are, and limits. */

@@ -62,6 +62,7 @@ public final class KernelSource {
         for (String part : program == DeviceScene.Program.CLASSIC ? CLASSIC : PHYSICAL) {
             text.append(read(part)).append('\n');
         }
+        text.append(read("shade.cl"));
         return text.toString();
     }
 

@@ -322,34 +322,19 @@ bool step(Scene *s, Path *path) {
     return material[IS_GLASS] != 0 ? crossGlass(s, path, material) : shadeOpaque(s, path, material);
 }
 
-__kernel void physical(__global const double *doubles, __global const int *ints, __global const float *floats, ulong seed, int left, int top,
-        int width, int pixels, int begin, int end, __global const int *first, __global const int *start, __global double *rgb,
-        __global int *states, __global int *counts) {
-    int place = (int) get_global_id(0);
-    int item = begin + place;
-    if (item >= end) {
-        return;
+bool follow(Scene *s, Path *path) {
+    if (!step(s, path)) {
+        return false;
     }
-    Scene s;
-    beginScene(&s, doubles, ints, floats);
-    int pixel = pixelOf(start, pixels, item);
-    Path path;
-    path.sampler = samplerOf(seed, left + pixel % width, top + pixel / width, (uint) (first[pixel] + item - start[pixel]));
-    path.surfaces = 0;
-    path.bounces = 0;
-    path.straight = 0;
-    path.events = 0;
-    path.address = 0;
-    path.first = NO_EVENT;
-    path.firstScattering = NO_EVENT;
-    path.hasDirect = false;
-    path.solids.count = 0;
-    path.throughput = vec(1, 1, 1);
-    path.compression = 1;
-    path.light = vec(0, 0, 0);
-    setCameraRay(&s, &path.ray, &path.sampler);
-    while (s.state == DONE && step(&s, &path)) {
-        path.events++;
-    }
-    finish(&s, path.light, place, rgb, states, counts);
+    path->events++;
+    return true;
+}
+
+void beginPath(Path *path) {
+    path->events = 0;
+    path->address = 0;
+    path->first = NO_EVENT;
+    path->firstScattering = NO_EVENT;
+    path->hasDirect = false;
+    path->compression = 1;
 }

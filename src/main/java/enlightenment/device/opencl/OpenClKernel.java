@@ -17,7 +17,7 @@ final class OpenClKernel implements DeviceKernel {
 
     private OpenClKernel(OpenClProgram program, DeviceScene scene) {
         this.program = program;
-        kernel = program.kernel(scene.program().kernel());
+        kernel = program.kernel("shade");
         CL10.clSetKernelArg1p(kernel, 0, program.constant(scene.doubles()));
         CL10.clSetKernelArg1p(kernel, 1, program.constant(scene.ints()));
         CL10.clSetKernelArg1p(kernel, 2, program.constant(scene.floats()));

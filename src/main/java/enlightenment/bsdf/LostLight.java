@@ -3,7 +3,7 @@ package enlightenment.bsdf;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
 /**
- * Compensation of the energy loss at a rough interface of any two media: {@link LostAtBorder} for indices of refraction n that are uniform
+ * Compensation of the energy loss at a rough interface of any two media: {@link LostAtInterface} for indices of refraction n that are uniform
  * in the square root of (n − 1)/(n + 1), interpolated in between. Tables are made at the first use, some milliseconds each; their content
  * does not depend on when.
  *
@@ -13,7 +13,7 @@ final class LostLight {
     private static final int NODES = 64;
 
     private final Microfacets facets;
-    private final AtomicReferenceArray<LostAtBorder> nodes = new AtomicReferenceArray<>(NODES + 1);
+    private final AtomicReferenceArray<LostAtInterface> nodes = new AtomicReferenceArray<>(NODES + 1);
 
     LostLight(Microfacets facets) {
         this.facets = facets;
@@ -26,25 +26,25 @@ final class LostLight {
         return NODES * Math.sqrt(t < 1 ? t : 1);
     }
 
-    private LostAtBorder node(int k) {
-        LostAtBorder known = nodes.getAcquire(k);
+    private LostAtInterface node(int k) {
+        LostAtInterface known = nodes.getAcquire(k);
         return known == null ? make(k) : known;
     }
 
-    private synchronized LostAtBorder make(int k) {
-        LostAtBorder node = nodes.get(k);
+    private synchronized LostAtInterface make(int k) {
+        LostAtInterface node = nodes.get(k);
         if (node == null) {
             double root = (double) k / NODES;
             // At the last node one medium is infinitely dense, up to this.
             double t = Math.min(root * root, 1 - Math.ulp(1f));
-            node = new LostAtBorder(facets, (1 + t) / (1 - t));
+            node = new LostAtInterface(facets, (1 + t) / (1 - t));
             nodes.setRelease(k, node);
         }
         return node;
     }
 
     private AlbedoTable table(int k, boolean isDense) {
-        LostAtBorder node = node(k);
+        LostAtInterface node = node(k);
         return isDense ? node.dense : node.rare;
     }
 

@@ -124,11 +124,11 @@ abstract class VisibleNormals {
     }
 
     /** Facets that are the interface of two media. */
-    static final class OfBorder extends VisibleNormals {
+    static final class OfInterface extends VisibleNormals {
         private final double eta;
 
         /** @param eta the index on the side of arrival over that of the other side */
-        OfBorder(Microfacets facets, double eta) {
+        OfInterface(Microfacets facets, double eta) {
             // The loss varies near the angle of total internal reflection as well.
             super(facets, 0.5, false, 128, 32);
             this.eta = eta;

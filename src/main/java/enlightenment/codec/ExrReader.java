@@ -70,16 +70,16 @@ final class ExrReader {
         }
         int table = file.position();
         Raster raster = Raster.ofFloats(header.width, header.height);
-        boolean[] isThere = new boolean[chunks];
+        boolean[] isRead = new boolean[chunks];
         try (ExrUnpacker unpacker = header.compression.unpacker(header.types(), header.width)) {
             for (int i = 0; i < chunks; i++) {
-                readChunk(file.getLong(table + 8 * i), rows, isThere, unpacker, raster.floats());
+                readChunk(file.getLong(table + 8 * i), rows, isRead, unpacker, raster.floats());
             }
         }
         return raster;
     }
 
-    private void readChunk(long offset, int rows, boolean[] isThere, ExrUnpacker unpacker, float[] rgb)
+    private void readChunk(long offset, int rows, boolean[] isRead, ExrUnpacker unpacker, float[] rgb)
             throws IOException {
         if (offset < 0 || offset > file.limit() - 8) {
             throw new IOException("a chunk is said to begin at byte " + offset + " of " + file.limit());
@@ -87,10 +87,10 @@ final class ExrReader {
         int first = file.getInt((int) offset);
         int size = file.getInt((int) offset + 4);
         long row = (long) first - header.top;
-        if (row < 0 || row >= header.height || row % rows != 0 || isThere[(int) row / rows]) {
+        if (row < 0 || row >= header.height || row % rows != 0 || isRead[(int) row / rows]) {
             throw new IOException("the chunk at byte " + offset + " is said to begin in row " + first);
         }
-        isThere[(int) row / rows] = true;
+        isRead[(int) row / rows] = true;
         if (size < 0 || size > file.limit() - offset - 8) {
             throw new IOException("the chunk of row " + first + " is said to have " + size + " bytes");
         }

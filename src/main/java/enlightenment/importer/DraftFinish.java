@@ -53,7 +53,7 @@ final class DraftFinish {
         return scene.build();
     }
 
-    /** How things move; not the camera, if that is not the file's. */
+    /** How objects move; not the camera, if that is not the file's. */
     private Optional<Animation> animation(boolean hasOwnCamera) {
         return draft.animation()
                 .map(all -> hasOwnCamera

@@ -222,8 +222,8 @@ public sealed interface Material
      * A solid that light enters and is scattered in, such as wax, milk, marble or skin. Only physical shading has it.
      *
      * @param medium what is inside
-     * @param indexOfRefraction of the medium, greater than 0; with 1 there is no border that reflects or turns light
-     * @param roughness of the border, 0 (smooth) to 1; the parameter alpha of the distribution GGX is its square
+     * @param indexOfRefraction of the medium, greater than 0; with 1 there is no interface that reflects or turns light
+     * @param roughness of the interface, 0 (smooth) to 1; the parameter alpha of the distribution GGX is its square
      * @param priority as that of {@link Glass}
      */
     record Scattering(Medium medium, double indexOfRefraction, double roughness, int priority) implements Material {
@@ -236,12 +236,12 @@ public sealed interface Material
             Check.range("roughness", roughness, 0, 1);
         }
 
-        /** A medium without a border that reflects, priority 0. */
+        /** A medium without an interface that reflects, priority 0. */
         public static Scattering of(Medium medium) {
             return new Scattering(medium, 1, 0, 0);
         }
 
-        /** White: what passes the border is not filtered. What colour it seems to have is a matter of its medium. */
+        /** White: what passes the interface is not filtered. What colour it seems to have is a matter of its medium. */
         @Override
         public Texture color() {
             return WHITE;

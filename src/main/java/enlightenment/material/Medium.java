@@ -25,7 +25,7 @@ public sealed interface Medium permits Medium.Colored, Medium.Coefficients {
     /**
      * A medium by its look.
      *
-     * @param color the share of evenly incident light that a thick body of it, without a border that reflects, gives back
+     * @param color the share of evenly incident light that a thick body of it, without an interface that reflects, gives back
      *     (its spherical albedo): at most 1
      * @param meanFreePath how far light comes on the average before something happens to it, in scene units, for each band:
      *     greater than 0

@@ -297,15 +297,15 @@ final class Coordination implements ServerConnection.Host {
     /**
      * Decides nothing from now on; false if that was so already.
      *
-     * @param goesOn whether another render follows where this one is finished
+     * @param continues whether another render follows where this one is finished
      */
-    synchronized boolean stop(boolean goesOn) {
+    synchronized boolean stop(boolean continues) {
         if (lastWord != null) {
             return false;
         }
         lastWord = !isFinished
                 ? new Message.Refuse("the server was stopped", true)
-                : goesOn ? new Message.Refuse(MORE, true) : new Message.Bye("the picture is done");
+                : continues ? new Message.Refuse(MORE, true) : new Message.Bye("the picture is done");
         notifyAll();
         return true;
     }

@@ -225,8 +225,8 @@ final class ServerRound implements StatusSource {
     }
 
     /** Ends this round, which another one may follow that the workers are to come to. Harmless if it has ended already. */
-    void end(boolean goesOn) {
-        if (!coordination.stop(goesOn)) {
+    void end(boolean continues) {
+        if (!coordination.stop(continues)) {
             return;
         }
         // Whoever is still shaking hands hears it when that is done: before, a worker believes nobody.

@@ -33,11 +33,11 @@ final class UndersampledLight {
             found.add(
                     "few paths reach small lamps by two narrow lobes in a row, or a mirror or glass and a narrow lobe");
         }
-        if (method == BuiltInMethod.LIGHT && scene.isEver(RefractingMedia::haveRoughBorders)) {
-            found.add("few light paths leave a medium by a rough border towards the eye");
+        if (method == BuiltInMethod.LIGHT && scene.isEver(RefractingMedia::haveRoughInterfaces)) {
+            found.add("few light paths leave a medium by a rough interface towards the eye");
         }
         if (method != BuiltInMethod.LIGHT && scene.isEver(RefractingMedia::areLitBySmallLights)) {
-            found.add("few paths find light of small lamps in media whose border refracts"
+            found.add("few paths find light of small lamps in media whose interface refracts"
                     + (method == BuiltInMethod.BIDIRECTIONAL
                             ? ""
                             : "; --method " + BuiltInMethod.BIDIRECTIONAL.word() + " finds more of it"));

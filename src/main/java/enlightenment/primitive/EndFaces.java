@@ -23,12 +23,12 @@ public final class EndFaces {
     private int[] faces = {};
     private boolean[] isFlat = {};
     private double[] tolerances = {};
-    private boolean[] isBorder = {};
+    private boolean[] isInterface = {};
 
     /** The sides of each face, as {@link #bit}s, from which the light is hidden. */
     private int[] hiding = {};
 
-    private boolean hasBorders;
+    private boolean hasInterfaces;
     private boolean hides;
     private boolean hasCovers;
 
@@ -42,26 +42,26 @@ public final class EndFaces {
      * @param id the primitive's number
      * @param face of the primitive
      * @param tolerance bounds the distance between face and light that rounding may cause: a length in the frame
-     * @param border whether light enters the primitive there
+     * @param isEntered whether light enters the primitive there
      * @param covered the sides of the face, as {@link #bit}s, on which it covers the light; 0 for an interface
      */
-    public void add(Primitive primitive, int id, int face, double tolerance, boolean border, int covered) {
+    public void add(Primitive primitive, int id, int face, double tolerance, boolean isEntered, int covered) {
         int n = ids.length;
         primitives = Arrays.copyOf(primitives, n + 1);
         ids = Arrays.copyOf(ids, n + 1);
         faces = Arrays.copyOf(faces, n + 1);
         isFlat = Arrays.copyOf(isFlat, n + 1);
         tolerances = Arrays.copyOf(tolerances, n + 1);
-        isBorder = Arrays.copyOf(isBorder, n + 1);
+        isInterface = Arrays.copyOf(isInterface, n + 1);
         hiding = Arrays.copyOf(hiding, n + 1);
         primitives[n] = primitive;
         ids[n] = id;
         faces[n] = face;
         isFlat[n] = primitive.support(face).isFlat();
         tolerances[n] = tolerance;
-        isBorder[n] = border;
-        hiding[n] = border ? bit(Ray.INSIDE) : covered;
-        hasBorders |= border;
+        isInterface[n] = isEntered;
+        hiding[n] = isEntered ? bit(Ray.INSIDE) : covered;
+        hasInterfaces |= isEntered;
         hides |= hiding[n] != 0;
         hasCovers |= covered != 0;
     }
@@ -91,8 +91,8 @@ public final class EndFaces {
     }
 
     /** Whether any face is the interface of a solid. */
-    public boolean hasBorders() {
-        return hasBorders;
+    public boolean hasInterfaces() {
+        return hasInterfaces;
     }
 
     /** Whether some face covers the light, or a part of it, on a side. */
@@ -101,9 +101,9 @@ public final class EndFaces {
     }
 
     /** Whether a face is the interface of this solid. */
-    public boolean hasBorderOf(int id) {
+    public boolean hasInterfaceOf(int id) {
         for (int k = 0; k < ids.length; k++) {
-            if (ids[k] == id && isBorder[k]) {
+            if (ids[k] == id && isInterface[k]) {
                 return true;
             }
         }
@@ -131,7 +131,7 @@ public final class EndFaces {
     public void startOn(Ray ray, int side, double nx, double ny, double nz, Ray scratch) {
         for (int k = 0; k < ids.length; k++) {
             int there = sideOf(k, ray, side);
-            if (there == Ray.OUTSIDE || !isBorder[k] && covers(k, ray, nx, ny, nz, scratch)) {
+            if (there == Ray.OUTSIDE || !isInterface[k] && covers(k, ray, nx, ny, nz, scratch)) {
                 ray.alsoFrom(primitives[k], there);
             }
         }
@@ -180,7 +180,7 @@ public final class EndFaces {
      */
     public boolean isCovered(Ray ray, int side, double nx, double ny, double nz, Ray scratch) {
         for (int k = 0; hasCovers && k < ids.length; k++) {
-            if (!isBorder[k] && contains(hiding[k], sideOf(k, ray, side)) && isAt(k, ray, nx, ny, nz, scratch)) {
+            if (!isInterface[k] && contains(hiding[k], sideOf(k, ray, side)) && isAt(k, ray, nx, ny, nz, scratch)) {
                 return true;
             }
         }

@@ -89,7 +89,7 @@ abstract class RayProbe {
             } else if (!cross(ray, sampler)) {
                 return true;
             }
-        } while (path.goesOn());
+        } while (path.continues());
         return false;
     }
 

@@ -302,7 +302,7 @@ public record RenderResult(
         SAMPLES,
 
         /**
-         * How far from the eye the first thing is that the ray through the pixel's middle meets, in the scene's units and measured
+         * How far from the eye the first surface is that the ray through the pixel's middle meets, in the scene's units and measured
          * along the ray; +∞ where there is nothing. The orthographic camera's rays start on the plane through its eye; in the
          * isometric view, which has no eye, it is the plane through the point that the camera looks at, and what lies before that
          * has a negative depth.
@@ -332,7 +332,7 @@ public record RenderResult(
         ALBEDO,
 
         /**
-         * The part of the picture that comes from lights, glowing things and the background straight: as they are seen, and from them to the
+         * The part of the picture that comes from lights, emitters and the background straight: as they are seen, and from them to the
          * first surface that is neither a mirror nor glass; also where mirrors and glass show it. Linear light.
          */
         DIRECT,

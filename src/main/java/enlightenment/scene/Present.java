@@ -11,18 +11,18 @@ final class Present {
      * An immutable copy.
      *
      * @param key what the list is called
-     * @param what what one of its things is called
-     * @throws NullPointerException if it or one of its things is missing; the message says which, counted from 0
+     * @param what what one of its entries is called
+     * @throws NullPointerException if it or one of its entries is missing; the message says which, counted from 0
      */
-    static <T> List<T> list(String key, String what, List<T> things) {
-        Objects.requireNonNull(things, key);
+    static <T> List<T> list(String key, String what, List<T> entries) {
+        Objects.requireNonNull(entries, key);
         int index = 0;
-        for (T thing : things) {
-            if (thing == null) {
+        for (T entry : entries) {
+            if (entry == null) {
                 throw new NullPointerException("the " + what + " " + index);
             }
             index++;
         }
-        return List.copyOf(things);
+        return List.copyOf(entries);
     }
 }

@@ -36,7 +36,7 @@ import java.util.Set;
  * @param textures named textures, in order; those that materials hold need no name
  * @param materials named materials, in order; those that objects hold need no name
  * @param lights the lights, in order; the picture does not depend on it
- * @param objects the things, in order; the picture does not depend on it. Names differ. A scene may have millions, so the list
+ * @param objects the objects, in order; the picture does not depend on it. Names differ. A scene may have millions, so the list
  *     makes its elements when they are asked for: they are equal each time, not the same
  * @param render the settings it asks to be rendered with
  * @param animation how it changes over frames, if it does
@@ -67,7 +67,7 @@ public record Scene(
      *
      * @throws InvalidValueException if the size is out of range, two objects have the same name, or an object's material has no
      *     meaning in the scene's shading; its key is the place
-     * @throws NullPointerException if something is missing, be it one thing in a list or the name of a texture or a material; the
+     * @throws NullPointerException if something is missing, be it one entry of a list or the name of a texture or a material; the
      *     message says what
      */
     public Scene {
@@ -107,13 +107,13 @@ public record Scene(
         }
     }
 
-    private static <T> Map<String, T> named(String key, String what, Map<String, T> things) {
-        Objects.requireNonNull(things, key);
-        things.forEach((name, thing) -> {
+    private static <T> Map<String, T> named(String key, String what, Map<String, T> values) {
+        Objects.requireNonNull(values, key);
+        values.forEach((name, value) -> {
             Objects.requireNonNull(name, () -> "the name of a " + what);
-            Objects.requireNonNull(thing, () -> "the " + what + " \"" + name + "\"");
+            Objects.requireNonNull(value, () -> "the " + what + " \"" + name + "\"");
         });
-        return Collections.unmodifiableMap(new LinkedHashMap<>(things));
+        return Collections.unmodifiableMap(new LinkedHashMap<>(values));
     }
 
     /** A scene in which nothing moves while the shutter is open. */

@@ -142,7 +142,7 @@ public sealed interface Shading permits Shading.Classic, Shading.Physical {
         /** Light from a picture or a sky around the scene, or from a distant light. */
         SURROUNDINGS("light from a picture, a sky or a distant light"),
 
-        /** Of any shading: things that move while the shutter is open. */
+        /** Of any shading: objects that move while the shutter is open. */
         MOTION("what moves while the shutter is open"),
 
         /** What moves while the shutter is open, in classic shading: asked for beside {@link #MOTION}. */

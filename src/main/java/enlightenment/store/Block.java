@@ -17,7 +17,7 @@ record Block(Place place, int kind, int piece, int samples, byte[] data) {
 
     /** Inserts it. Samples of a unit that is not there yet are nobody's, and give way. */
     void insert(Connection c, Dialect dialect) throws SQLException, StoreException {
-        if (tryInsert(c, dialect) || isThere(c)) {
+        if (tryInsert(c, dialect) || exists(c)) {
             return;
         }
         if (hasPart(c)) {
@@ -53,7 +53,7 @@ record Block(Place place, int kind, int piece, int samples, byte[] data) {
     }
 
     /** Whether the same is there. */
-    private boolean isThere(Connection c) throws SQLException {
+    private boolean exists(Connection c) throws SQLException {
         try (PreparedStatement select = c.prepareStatement("SELECT n, crc FROM sample_block WHERE " + CONDITION)) {
             set(select, 1);
             try (ResultSet row = select.executeQuery()) {

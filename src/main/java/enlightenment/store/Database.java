@@ -76,11 +76,11 @@ final class Database implements Closeable {
         database.checkFile();
         try {
             database.connect();
-            boolean isThere = database.read(c -> Schema.check(c, database.dialect, database.name()));
-            if (!isThere && !writes) {
+            boolean hasTables = database.read(c -> Schema.check(c, database.dialect, database.name()));
+            if (!hasTables && !writes) {
                 throw new StoreException(address.shown() + " holds no store");
             }
-            if (!isThere) {
+            if (!hasTables) {
                 database.prepare();
             }
             return database;

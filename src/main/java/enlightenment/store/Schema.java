@@ -102,11 +102,11 @@ final class Schema {
         boolean isStore = false;
         boolean isEmpty = true;
         try (Statement statement = connection.createStatement();
-                ResultSet things = statement.executeQuery("SELECT type, name, tbl_name FROM sqlite_master")) {
-            while (things.next()) {
+                ResultSet entries = statement.executeQuery("SELECT type, name, tbl_name FROM sqlite_master")) {
+            while (entries.next()) {
                 isEmpty = false;
-                String type = String.valueOf(things.getString(1));
-                String what = String.valueOf(things.getString(2));
+                String type = String.valueOf(entries.getString(1));
+                String what = String.valueOf(entries.getString(2));
                 isStore |= type.equals("table") && what.equalsIgnoreCase(VERSIONS);
                 if (type.equals("trigger")) {
                     throw new StoreException(

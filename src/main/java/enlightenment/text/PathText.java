@@ -43,12 +43,12 @@ public final class PathText {
 
     static Optional<String> problemOfWorkingFolder(String folder, Charset names) {
         boolean isDoubtful = folder.indexOf(UNKNOWN) >= 0 || isBeyond(folder, names);
-        return isDoubtful && !isThere(folder)
+        return isDoubtful && !exists(folder)
                 ? Optional.of("the working folder " + Plain.quoted(folder) + inexpressible(names))
                 : Optional.empty();
     }
 
-    private static boolean isThere(String folder) {
+    private static boolean exists(String folder) {
         try {
             return Files.isDirectory(Path.of(folder));
         } catch (InvalidPathException e) {

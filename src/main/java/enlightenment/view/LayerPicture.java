@@ -44,7 +44,7 @@ record LayerPicture(
     }
 
     /** Whether {@link #of} has it. */
-    static boolean isThere(Layer layer, Snapshot view) {
+    static boolean exists(Layer layer, Snapshot view) {
         Frame frame = view.frame();
         return switch (layer) {
             case PICTURE, SAMPLES -> frame != null;
@@ -64,7 +64,7 @@ record LayerPicture(
      * @throws Missing if it is not there, or not yet
      */
     static LayerPicture of(Layer layer, Snapshot view, MaterialIndex materials) throws Missing {
-        if (!isThere(layer, view)) {
+        if (!exists(layer, view)) {
             throw new Missing(layer.word() + " is not there yet");
         }
         return switch (layer) {

@@ -81,10 +81,10 @@ final class SceneLoader {
 
     /** The frame that was chosen, if the scene still has it; else the one of the source. */
     private OptionalInt frameOf(Scene scene) {
-        boolean isThere = chosen.isPresent()
+        boolean hasFrame = chosen.isPresent()
                 && scene.animation().isPresent()
                 && chosen.getAsInt() < scene.animation().get().frames();
-        return isThere ? chosen : source.frame();
+        return hasFrame ? chosen : source.frame();
     }
 
     private Film filmOf(Scene scene) {

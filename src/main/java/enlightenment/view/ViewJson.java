@@ -46,7 +46,7 @@ final class ViewJson {
             json.writeBooleanProperty("albedo", s.isLinear());
             json.writeArrayPropertyStart("layers");
             for (Layer layer : Layer.values()) {
-                if (LayerPicture.isThere(layer, s)) {
+                if (LayerPicture.exists(layer, s)) {
                     json.writeString(layer.word());
                 }
             }

@@ -71,7 +71,7 @@ bool survives(Path *path, Vec weight) {
 }
 
 // Counts the event that the path leaves behind; whether it may go on.
-bool goesOn(const Scene *s, Path *path) {
+bool continues(const Scene *s, Path *path) {
     path->surfaces++;
     path->straight = 0;
     return ++path->bounces <= s->i[MAX_BOUNCES];
@@ -173,7 +173,7 @@ bool reflect(Scene *s, Path *path, Scattering *by) {
     s->mirrorRays++;
     leaveSurface(s, path, by);
     extendSpecular(path);
-    return survives(path, by->value) && goesOn(s, path);
+    return survives(path, by->value) && continues(s, path);
 }
 
 // Whether images of lamps in mirror balls are sampled at the vertex (transport.image.MirrorCaustics): those are left to the host.
@@ -211,7 +211,7 @@ bool scatter(Scene *s, Path *path, __global const int *material, Scattering *by)
     } else {
         extend(path, isNarrow ? NARROW_EVENT : WIDE_EVENT, by->pdf, leaves);
     }
-    return by->pdf > 0 && survives(path, by->value) && goesOn(s, path);
+    return by->pdf > 0 && survives(path, by->value) && continues(s, path);
 }
 
 // At an opaque surface; whether the path goes on.
@@ -293,7 +293,7 @@ bool crossGlass(Scene *s, Path *path, __global const int *material) {
         return goesOnStraight(s, path);
     }
     extendSpecular(path);
-    return survives(path, weight) && goesOn(s, path);
+    return survives(path, weight) && continues(s, path);
 }
 
 // Follows the ray to the next vertex and shades it; whether the path goes on.

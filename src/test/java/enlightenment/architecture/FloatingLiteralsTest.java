@@ -196,7 +196,8 @@ class FloatingLiteralsTest {
             new Explained("bsdf/RoughDiffuse.java", "3.0", "two thirds, in the model's closed form"),
             new Explained("bsdf/Fresnel.java", "0x1p100", "an index of refraction: a ratio of speeds"),
             new Explained("bsdf/GlossyReflection.java", "0.1", "a share of samples"),
-            new Explained("bsdf/LostAtBorder.java", "0.75", "a share of light, measured by random walks among facets"),
+            new Explained(
+                    "bsdf/LostAtInterface.java", "0.75", "a share of light, measured by random walks among facets"),
             new Explained("bsdf/RoughDielectric.java", "0.1", "a share of samples"),
             new Explained("bsdf/Microfacets.java", "1e-4", "a roughness: a ratio of slopes"),
             new Explained("sampling/Hash.java", "0x1p-53", "maps 53 random bits to [0, 1)"),

@@ -28,7 +28,7 @@ class CoatingTest {
         return sum / n;
     }
 
-    /** 2∫Fμ dμ of a smooth border from outside: J. W. T. Walsh 1926, as in S. Q. Duntley 1942. */
+    /** 2∫Fμ dμ of a smooth interface from outside: J. W. T. Walsh 1926, as in S. Q. Duntley 1942. */
     private static double walsh(double n) {
         double n2 = n * n;
         double n4 = n2 * n2;

@@ -4,7 +4,7 @@ import enlightenment.math.Vec3;
 import java.util.SplittableRandom;
 
 /**
- * Light that goes from facet to facet of a rough border of two media until it leaves: E. Heitz, J. Hanika, E. d'Eon and C. Dachsbacher,
+ * Light that goes from facet to facet of a rough interface of two media until it leaves: E. Heitz, J. Hanika, E. d'Eon and C. Dachsbacher,
  * "Multiple-scattering microfacet BSDFs with the Smith model" (2016). Facets have GGX's normals, and heights uniform in 0..1 that are
  * independent of each other.
  */

@@ -45,7 +45,7 @@ class FrostedGlassTest {
             LostLight lost = new LostLight(new Microfacets(alpha));
             for (double n : new double[] {1.04, 1.33, 1.5, 1.517, 2.4}) {
                 for (double eta : new double[] {n, 1 / n}) {
-                    VisibleNormals normals = new VisibleNormals.OfBorder(new Microfacets(alpha), eta);
+                    VisibleNormals normals = new VisibleNormals.OfInterface(new Microfacets(alpha), eta);
                     for (double cosine : new double[] {1, 0.8, 0.5, 0.2, 0.05}) {
                         double loss = lost.loss(LostLight.place(eta), eta > 1, cosine);
                         assertEquals(normals.meanLoss(cosine), loss, 3e-3, alpha + " " + eta + " from " + cosine);

@@ -130,7 +130,7 @@ class SmoothRefractionTest {
             Vec3 o = direction();
             Scattering s = seen(n, o, fromLight);
             if (sample(s)) {
-                // Solid angle times cosine counts by the square of the index; radiance over that is what the border
+                // Solid angle times cosine counts by the square of the index; radiance over that is what the interface
                 // hands on.
                 double area = Math.abs(o.dot(SURFACE)) * (o.dot(SURFACE) < 0 ? 1.5 * 1.5 : 1);
                 Vec3 eye = fromLight ? in(s) : o;

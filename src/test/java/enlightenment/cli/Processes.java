@@ -33,10 +33,10 @@ public final class Processes implements AfterEachCallback {
         /** Waits until it has come so far; fails if it ends before, or does not come so far. */
         public void until(String what, Callable<Boolean> isSo) throws Exception {
             long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-            boolean goesOn = true;
+            boolean continues = true;
             while (!isSo.call()) {
-                assertTrue(goesOn, "waited in vain until " + what + ": " + said());
-                goesOn = process.isAlive() && System.nanoTime() - end < 0;
+                assertTrue(continues, "waited in vain until " + what + ": " + said());
+                continues = process.isAlive() && System.nanoTime() - end < 0;
                 process.waitFor(PAUSE_MILLIS, TimeUnit.MILLISECONDS);
             }
         }

@@ -33,9 +33,9 @@ class WindowTest {
     @BeforeAll
     static void startServer() throws IOException {
         String path = System.getenv().getOrDefault("PATH", "");
-        boolean isThere =
+        boolean isAvailable =
                 Stream.of(path.split(File.pathSeparator)).anyMatch(place -> Files.isExecutable(Path.of(place, "Xvfb")));
-        assumeTrue(isThere, "no Xvfb on the path");
+        assumeTrue(isAvailable, "no Xvfb on the path");
         // It chooses a number that is free, and tells it when it is ready.
         server = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1000x800x24", "-nolisten", "tcp")
                 .redirectError(ProcessBuilder.Redirect.DISCARD)

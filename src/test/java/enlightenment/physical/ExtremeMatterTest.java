@@ -84,7 +84,7 @@ class ExtremeMatterTest {
             }
             Medium ink = new Medium.Colored(new Rgb(1, 0.5, 0), new Rgb(path, 1, Math.sqrt(path)), 0.999);
             all.put("colour, path " + path, lit(new Material.Scattering(ink, 1 + 1e-12, 0, 0)));
-            all.put("border, path " + path, lit(new Material.Scattering(white(path, 0.5), 1.5, 0.5, 0)));
+            all.put("interface, path " + path, lit(new Material.Scattering(white(path, 0.5), 1.5, 0.5, 0)));
         }
         all.put("index 1 + 1e-12", lit(new Material.Scattering(white(0.1, 0), 1 + 1e-12, 0, 0)));
         all.put("rough index 1 + 1e-12", lit(new Material.Scattering(white(0.1, 0), 1 + 1e-12, 0.5, 0)));

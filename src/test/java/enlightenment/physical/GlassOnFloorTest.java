@@ -76,7 +76,7 @@ class GlassOnFloorTest {
         assertEquals(mean(method, 0.7, 1e-6, roughness), mean(method, 0.7, 0, roughness), 0.015);
     }
 
-    /** Where rounding puts the border behind the surface, light that the glass reflects must come back to the surface all the same. */
+    /** Where rounding puts the interface behind the surface, light that the glass reflects must come back to the surface all the same. */
     @ParameterizedTest
     @CsvSource({"RAYTRACE, 0", "RAYTRACE, 0.5", "BIDIRECTIONAL, 0", "BIDIRECTIONAL, 0.5", "CLUSTER, 0"})
     void contactIsTheLimitOfAThinGapWhateverRoundingPutsFirst(BuiltInMethod method, double roughness) {

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** A face of a solid of glass where another solid fills the place is no border: nothing is hidden by it, by any method. */
+/** A face of a solid of glass where another solid fills the place is no interface: nothing is hidden by it, by any method. */
 class HiddenFacesTest {
     /** The most that a standard error may be of what is expected. */
     private static final double NOISE = 0.01;

@@ -208,12 +208,12 @@ class LightMethodTest {
         Scene large = room().light(sphereLight(0, 1.8, 0, 0.15, 4))
                 .object(ball(0, 0.5, 0, 0.3), new Material.Scattering(dense, 1.4, 0, 0))
                 .build();
-        Scene withoutBorder = room().light(sphereLight(0, 1.8, 0, 0.01, 900))
+        Scene withoutInterface = room().light(sphereLight(0, 1.8, 0, 0.01, 900))
                 .object(ball(0, 0.5, 0, 0.3), Material.Scattering.of(dense))
                 .build();
-        for (Scene scene : List.of(small, large, withoutBorder)) {
+        for (Scene scene : List.of(small, large, withoutInterface)) {
             boolean isTold = Renderer.inspect(scene, RenderSettings.of(scene)).hints().stream()
-                    .anyMatch(hint -> hint.contains("small lamps in media whose border refracts"));
+                    .anyMatch(hint -> hint.contains("small lamps in media whose interface refracts"));
             assertEquals(scene == small, isTold);
         }
     }

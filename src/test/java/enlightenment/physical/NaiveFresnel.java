@@ -1,6 +1,6 @@
 package enlightenment.physical;
 
-/** The share of light that a smooth border reflects, by Fresnel's equations as textbooks write them. */
+/** The share of light that a smooth interface reflects, by Fresnel's equations as textbooks write them. */
 final class NaiveFresnel {
     private NaiveFresnel() {}
 
@@ -22,7 +22,7 @@ final class NaiveFresnel {
         return new double[] {rs * rs, rp * rp};
     }
 
-    /** Unpolarised light at the border of two dielectrics. */
+    /** Unpolarised light at the interface of two dielectrics. */
     static double dielectric(double cosine, double from, double to) {
         double[] r = polarized(cosine, from, to);
         return (r[0] + r[1]) / 2;

@@ -32,8 +32,8 @@ record NaiveMedium(double[] scattering, double[] extinction, double anisotropy) 
                 : new NaiveMedium(new double[3], NaiveColors.of(((Glass) material).absorption()), 0);
     }
 
-    /** The border of a solid of a material as that of glass. */
-    static Glass border(Material material) {
+    /** The boundary of a solid of a material as that of glass. */
+    static Glass boundary(Material material) {
         return material instanceof Material.Scattering s
                 ? new Glass(s.color(), s.indexOfRefraction(), 1, s.priority(), true).withRoughness(s.roughness())
                 : (Glass) material;

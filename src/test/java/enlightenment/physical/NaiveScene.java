@@ -136,8 +136,8 @@ final class NaiveScene {
     }
 
     private static boolean isBefore(Surface a, Surface b) {
-        int p = NaiveMedium.border(a.material).priority();
-        int q = NaiveMedium.border(b.material).priority();
+        int p = NaiveMedium.boundary(a.material).priority();
+        int q = NaiveMedium.boundary(b.material).priority();
         return p != q ? p > q : a.shape.volume() < b.shape.volume();
     }
 
@@ -148,7 +148,7 @@ final class NaiveScene {
 
     /** Index of refraction of a medium. */
     static double index(Surface medium) {
-        return medium == null ? 1 : NaiveMedium.border(medium.material).indexOfRefraction();
+        return medium == null ? 1 : NaiveMedium.boundary(medium.material).indexOfRefraction();
     }
 
     /** Origin and unit direction of the ray through a place of the picture, 0..1 from its upper left corner. */

@@ -61,7 +61,7 @@ final class NaiveTracer {
             this.random = random;
         }
 
-        /** It meets a mirror, or a smooth border. */
+        /** It meets a mirror, or a smooth boundary. */
         void mirrored() {
             sight = sight == Sight.STRAIGHT ? Sight.MIRRORED : sight;
         }
@@ -78,7 +78,7 @@ final class NaiveTracer {
     /** Metals and coats of one colour have tables, which are made once. */
     private final Map<List<Object>, NaiveReflector> metals = new ConcurrentHashMap<>();
 
-    private final Map<List<Double>, NaiveBorder> borders = new ConcurrentHashMap<>();
+    private final Map<List<Double>, NaiveInterface> interfaces = new ConcurrentHashMap<>();
 
     NaiveTracer(Scene scene) {
         this(scene, false);
@@ -233,12 +233,12 @@ final class NaiveTracer {
     private double[] scattered(NaiveScene.Hit hit, Vec3 d, int scattered, int events, Path path) {
         Material material = hit.surface().material();
         if (hit.surface().isGlass()) {
-            Glass border = NaiveMedium.border(material);
-            Glass g = border.withRoughness(NaiveAmount.at(border.roughness(), hit));
+            Glass boundary = NaiveMedium.boundary(material);
+            Glass g = boundary.withRoughness(NaiveAmount.at(boundary.roughness(), hit));
             if (path.random.nextDouble() < g.transparency()) {
                 return throughGlass(g, hit, d, scattered, events, path);
             }
-            material = border.opaque().orElse(Material.Matte.of(border.color()));
+            material = boundary.opaque().orElse(Material.Matte.of(boundary.color()));
         }
         if (scattered == scene.maxBounces) {
             return new double[3];
@@ -387,7 +387,7 @@ final class NaiveTracer {
         return -g * g * g + g * g + g;
     }
 
-    /** Radiance on the two sides of a border is in the ratio of the squares of the indices. */
+    /** Radiance on the two sides of a boundary is in the ratio of the squares of the indices. */
     private double[] refracted(
             NaiveScene.Hit hit, Vec3 facet, Vec3 d, double from, double to, int scattered, int events, Path path) {
         path.mirrored();
@@ -415,11 +415,11 @@ final class NaiveTracer {
         Vec3 out = local(axes, d.negated());
         double share = 1;
         if (glass.multipleScattering()) {
-            NaiveBorder border = border(alpha, from, to);
+            NaiveInterface boundary = boundary(alpha, from, to);
             // By halves each event of single scattering would be worth twice as much: see fly.
-            double lost = Math.min(0.9, Math.max(0.01, border.lost(out.z())));
+            double lost = Math.min(0.9, Math.max(0.01, boundary.lost(out.z())));
             if (path.random.nextDouble() < lost) {
-                return throughBorder(border, lost, hit, axes, out.z(), from / to, scattered, events, path);
+                return throughInterface(boundary, lost, hit, axes, out.z(), from / to, scattered, events, path);
             }
             share = 1 - lost;
         }
@@ -446,8 +446,8 @@ final class NaiveTracer {
     }
 
     /** What single scattering loses; that it is asked for has this probability. */
-    private double[] throughBorder(
-            NaiveBorder border,
+    private double[] throughInterface(
+            NaiveInterface boundary,
             double probability,
             NaiveScene.Hit hit,
             Vec3[] axes,
@@ -456,10 +456,10 @@ final class NaiveTracer {
             int scattered,
             int events,
             Path path) {
-        boolean through = path.random.nextDouble() < border.through();
-        double side = through ? border.through() : 1 - border.through();
+        boolean through = path.random.nextDouble() < boundary.through();
+        double side = through ? boundary.through() : 1 - boundary.through();
         Vec3 in = NaiveReflector.byCosine(path.random);
-        double weight = Math.PI * border.value(out, in.z(), through) / (probability * side);
+        double weight = Math.PI * boundary.value(out, in.z(), through) / (probability * side);
         double[] arriving = amongFacets(hit, axes, through ? mirror(in) : in, scattered, events, path);
         return through
                 ? scaled(NaiveColors.product(color(hit), arriving), weight * eta * eta)
@@ -476,8 +476,8 @@ final class NaiveTracer {
         return scattered == scene.maxBounces ? new double[3] : radiance(hit.point(), on, scattered + 1, events, path);
     }
 
-    private NaiveBorder border(double alpha, double from, double to) {
-        return borders.computeIfAbsent(List.of(alpha, from, to), any -> new NaiveBorder(alpha, from, to));
+    private NaiveInterface boundary(double alpha, double from, double to) {
+        return interfaces.computeIfAbsent(List.of(alpha, from, to), any -> new NaiveInterface(alpha, from, to));
     }
 
     static Vec3 local(Vec3[] axes, Vec3 v) {

@@ -104,7 +104,7 @@ class TouchingGlassTest {
     /** Slabs of different roughness scatter light at their common face from either side by one roughness: that of where they overlap a little. */
     @ParameterizedTest
     @CsvSource({"0.5, 0.9, -1", "0.5, 0.9, 1", "0, 0.7, -1"})
-    void roughBordersOfTouchingSlabsAreReciprocal(double lower, double upper, int priority) {
+    void roughInterfacesOfTouchingSlabsAreReciprocal(double lower, double upper, int priority) {
         Scene scene = rough(0, lower, upper, priority);
         Statistics eye = means(BuiltInMethod.RAYTRACE, rough(OVERLAP, lower, upper, priority), 30)[0];
         GreyFloor.assertSame("raytrace", means(BuiltInMethod.RAYTRACE, scene, 30)[0], eye, 0.015);

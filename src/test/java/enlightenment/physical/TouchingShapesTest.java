@@ -187,7 +187,7 @@ class TouchingShapesTest {
 
     @ParameterizedTest
     @EnumSource(names = {"RAYTRACE", "CLUSTER", "BIDIRECTIONAL", "METROPOLIS"})
-    void aPaintedFaceIsNoBorderOfTheGlassThatEndsOnIt(BuiltInMethod method) {
+    void aPaintedFaceIsNoInterfaceOfTheGlassThatEndsOnIt(BuiltInMethod method) {
         assertEquals(1, mean(painted(GAP), method, 8), 1e-6);
         assertEquals(1, mean(painted(0), method, 8), 1e-6);
     }

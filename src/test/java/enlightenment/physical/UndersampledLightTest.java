@@ -101,14 +101,14 @@ class UndersampledLightTest {
     }
 
     @Test
-    void lightPathsSeldomLeaveMediaByRoughBorders() throws IOException {
+    void lightPathsSeldomLeaveMediaByRoughInterfaces() throws IOException {
         for (BuiltInMethod method : BuiltInMethod.values()) {
             assertEquals(
                     method == BuiltInMethod.LIGHT,
-                    reason(method, 0.3, ball(0, wax(1.4, 0.4))).contains("rough border"));
+                    reason(method, 0.3, ball(0, wax(1.4, 0.4))).contains("rough interface"));
         }
         assertEquals("", reason(BuiltInMethod.LIGHT, 0.3, ball(0, wax(1, 0))));
-        assertFalse(reason(BuiltInMethod.LIGHT, 0.3, ball(0, wax(1.4, 0))).contains("border"));
+        assertFalse(reason(BuiltInMethod.LIGHT, 0.3, ball(0, wax(1.4, 0))).contains("interface"));
     }
 
     /** A lamp that is large as seen from a mirror ball, which is a few pixels large itself: its image is less than one. */

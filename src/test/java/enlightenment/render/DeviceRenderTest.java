@@ -18,13 +18,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 class DeviceRenderTest {
     @BeforeAll
     static void find() {
-        boolean isThere = false;
+        boolean isAvailable = false;
         try {
-            isThere = OpenClDevices.all().stream().anyMatch(d -> d.problem().isEmpty());
+            isAvailable = OpenClDevices.all().stream().anyMatch(d -> d.problem().isEmpty());
         } catch (DeviceFailure e) {
             // None.
         }
-        assumeTrue(isThere, "no driver for OpenCL is installed");
+        assumeTrue(isAvailable, "no driver for OpenCL is installed");
     }
 
     /** The second scene has a pass of light paths, which the threads of the device make as the others do. */

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Borders that bend nothing are no bounces: glass may be cut up as one likes. */
+/** Interfaces that bend nothing are no bounces: glass may be cut up as one likes. */
 class StraightGlassTest {
     private static Material glass(double ior, int priority) {
         return new Glass(Texture.of(DisplayRgb.WHITE), ior, 1, priority, true);
@@ -64,7 +64,7 @@ class StraightGlassTest {
 
     /** Balls that bend are counted still: in and out again, and no path has more than it may. */
     @Test
-    void bordersThatBendAreBounces() {
+    void interfacesThatRefractAreBounces() {
         Scene.Builder tooMany = room(1).object(ball(1.4), glass(1.5, 0));
         assertEquals(0, picture(tooMany).at(10, 8, 0));
     }
@@ -85,9 +85,9 @@ class StraightGlassTest {
         assertEquals(0, picture(many).difference(nothing), 1e-9);
     }
 
-    /** Whatever rounding does to borders in one place, paths end. */
+    /** Whatever rounding does to interfaces in one place, paths end. */
     @Test
-    void coincidentBordersEnd() {
+    void coincidentInterfacesEnd() {
         Scene.Builder scene = room(3);
         for (int i = 0; i < 40; i++) {
             double radius = 1.2 * (1 + (i - 20) * 0x1p-52);

@@ -105,9 +105,9 @@ public final class ClassicShader implements Shader {
             report.clear();
         }
         path.begin(ray);
-        boolean goesOn = true;
-        while (goesOn) {
-            goesOn = step(ray, sampler) && path.goesOn();
+        boolean continues = true;
+        while (continues) {
+            continues = step(ray, sampler) && path.continues();
         }
         if (report.isRead()) {
             report.pathKey = path.key;

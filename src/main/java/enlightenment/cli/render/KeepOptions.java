@@ -44,13 +44,13 @@ final class KeepOptions {
         if (checkpoint == null) {
             return Optional.empty();
         }
-        boolean isThere = Files.exists(checkpoint);
+        boolean exists = Files.exists(checkpoint);
         RenderIdentity render = RenderIdentity.of(SceneDocument.of(scene).hash(), settings, Build.number());
         Checkpoint opened = Checkpoint.open(checkpoint, render, resume);
         opened.damage().forEach(line -> terminal.say("checkpoint " + checkpoint + ": " + line));
         if (resume && opened.results() == 0) {
             terminal.say("checkpoint " + checkpoint + ": "
-                    + (isThere ? "it holds nothing yet" : "there is no such file yet") + ", the render begins anew");
+                    + (exists ? "it holds nothing yet" : "there is no such file yet") + ", the render begins anew");
         }
         return Optional.of(opened);
     }

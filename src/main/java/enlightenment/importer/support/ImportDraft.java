@@ -79,7 +79,7 @@ public final class ImportDraft {
         maxBounces = OptionalInt.of(value);
     }
 
-    /** Says how things move. */
+    /** Sets how objects move. */
     public void animation(Animation value) {
         animation = value;
     }
@@ -172,7 +172,7 @@ public final class ImportDraft {
         return maxBounces;
     }
 
-    /** How things move, if they do. */
+    /** How objects move, if they do. */
     public Optional<Animation> animation() {
         return Optional.ofNullable(animation);
     }

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Finds one of several things of a file by its number, from 0, or else by its name.
+ * Finds one of several entries of a file by its number, from 0, or else by its name.
  *
  * @param kind what they are called, such as {@code "camera"}
  * @param wanted the number or the name; empty for the first one
@@ -27,11 +27,11 @@ public record NamedChoice(String kind, Optional<String> wanted) {
     }
 
     /**
-     * The number of the thing that is wanted.
+     * The number of the entry that is wanted.
      *
-     * @param names the names in the order of the file, "" for things without
+     * @param names the names in the order of the file, "" for entries without
      * @return 0 where none is wanted
-     * @throws IOException listing the things that there are, if there is no such one
+     * @throws IOException listing the entries that there are, if there is no such one
      */
     public int index(List<String> names) throws IOException {
         if (wanted.isEmpty()) {
@@ -45,7 +45,7 @@ public record NamedChoice(String kind, Optional<String> wanted) {
         return index;
     }
 
-    /** The choice in a file of a format that has one such thing at most. */
+    /** The choice in a file of a format that has one such entry at most. */
     public void requireIn(Optional<?> only) throws IOException {
         index(Collections.nCopies(only.isPresent() ? 1 : 0, ""));
     }

@@ -157,8 +157,8 @@ public final class TradeCharts {
                 .toList();
     }
 
-    private static <T> double[] numbers(List<T> things, ToDoubleFunction<T> value) {
-        return things.stream().mapToDouble(value).toArray();
+    private static <T> double[] numbers(List<T> items, ToDoubleFunction<T> value) {
+        return items.stream().mapToDouble(value).toArray();
     }
 
     /** The methods with the scene's number of light samples, and with another one that is best for some target error. */

@@ -172,7 +172,7 @@ public record AuxiliaryPicture(Image image, String explanation, List<String> mar
     private static AuxiliaryPicture normal(Image numbers) {
         float[] n = numbers.toArray();
         for (int i = 0; i < n.length; i += 3) {
-            boolean nothing = !isThere(n, i);
+            boolean nothing = !hasValue(n, i);
             for (int c = i; c < i + 3; c++) {
                 n[c] = nothing ? 0 : 0.5f + 0.5f * n[c];
             }
@@ -188,7 +188,7 @@ public record AuxiliaryPicture(Image image, String explanation, List<String> mar
         float[] low = {Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY, Float.POSITIVE_INFINITY};
         float[] high = {Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY, Float.NEGATIVE_INFINITY};
         for (int i = 0; i < p.length; i++) {
-            if (isThere(p, i - i % 3)) {
+            if (hasValue(p, i - i % 3)) {
                 low[i % 3] = Math.min(low[i % 3], p[i]);
                 high[i % 3] = Math.max(high[i % 3], p[i]);
             }
@@ -196,7 +196,7 @@ public record AuxiliaryPicture(Image image, String explanation, List<String> mar
         float[] rgb = new float[p.length];
         for (int i = 0; i < p.length; i++) {
             double size = (double) high[i % 3] - low[i % 3];
-            rgb[i] = isThere(p, i - i % 3) && size > 0 ? (float) (((double) p[i] - low[i % 3]) / size) : 0;
+            rgb[i] = hasValue(p, i - i % 3) && size > 0 ? (float) (((double) p[i] - low[i % 3]) / size) : 0;
         }
         String box = low[0] > high[0] ? "nothing is seen" : "from " + text(low) + " to " + text(high);
         return new AuxiliaryPicture(
@@ -204,7 +204,7 @@ public record AuxiliaryPicture(Image image, String explanation, List<String> mar
                 "position, x y z as red green blue: " + box + " in the scene's units; black: nothing there");
     }
 
-    private static boolean isThere(float[] xyz, int first) {
+    private static boolean hasValue(float[] xyz, int first) {
         return xyz[first] != 0 || xyz[first + 1] != 0 || xyz[first + 2] != 0;
     }
 

@@ -114,7 +114,7 @@ final class BidirectionalLights {
     boolean aim(Sampler sampler) {
         Hit hit = eye.path.at.hit;
         Scattering s = eye.s;
-        double side = eye.isBorder ? 0 : 1;
+        double side = eye.isInterface ? 0 : 1;
         sampler.pair(eye.state.address, Sampler.Purpose.CHOICE, pair);
         picker.choose(hit.px, hit.py, hit.pz, side * s.nx, side * s.ny, side * s.nz, pair[0], choice);
         if (choice.light < 0) {
@@ -134,8 +134,8 @@ final class BidirectionalLights {
         s.iz = sample.dz;
         eye.bsdf.evaluate(s);
         shadow.isFiltered = false;
-        if (eye.isBorder) {
-            shadow.beginAtBorder(Optics.turn(s, eye.color));
+        if (eye.isInterface) {
+            shadow.beginAtInterface(Optics.turn(s, eye.color));
         } else {
             shadow.begin();
         }

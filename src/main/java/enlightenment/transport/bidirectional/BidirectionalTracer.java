@@ -156,7 +156,7 @@ public final class BidirectionalTracer implements Shader {
         boolean goes = light.begin(sampler);
         while (goes) {
             goes = switch (light.next(sampler)) {
-                case SURFACE, BORDER, MEDIUM -> light.mayScatter() && light.leave(sampler);
+                case SURFACE, INTERFACE, MEDIUM -> light.mayScatter() && light.leave(sampler);
                 case PASSED -> true;
                 case NOTHING, ENDED -> false;
             };
@@ -179,7 +179,7 @@ public final class BidirectionalTracer implements Shader {
                 glow();
                 eye.passDye();
                 break;
-            case BORDER, MEDIUM:
+            case INTERFACE, MEDIUM:
                 break;
             default:
                 return false;
@@ -195,7 +195,7 @@ public final class BidirectionalTracer implements Shader {
 
     /** Estimates light of an environment map or a sky, which only the eye subpath samples or hits ({@link InfiniteLight}). */
     private void gatherInfinite(Sampler sampler) {
-        double[] tint = eye.isBorder ? eye.color : null;
+        double[] tint = eye.isInterface ? eye.color : null;
         infinite.gather(eye.bsdf, eye.s, tint, sampler, eye.state.address, eye.isFirst(), false);
         addInfinite();
     }
@@ -215,7 +215,7 @@ public final class BidirectionalTracer implements Shader {
 
     /** Whether light at the eye subpath's last vertex has the wavelength's colour, before or after scattering there. */
     private boolean colors(boolean isScattered) {
-        return wavelength != null && wavelength.colors(isScattered && eye.isBorder);
+        return wavelength != null && wavelength.colors(isScattered && eye.isInterface);
     }
 
     private double watched(int s, int t, double weight) {
@@ -287,7 +287,7 @@ public final class BidirectionalTracer implements Shader {
         s.iy = y / d;
         s.iz = z / d;
         double here = s.geometricCosineIn();
-        if (!(d > 0) || !(eye.isBorder || eye.isMedium || here > 0)) {
+        if (!(d > 0) || !(eye.isInterface || eye.isMedium || here > 0)) {
             return;
         }
         Bsdf bsdf = v.bsdf(k);
@@ -300,7 +300,7 @@ public final class BidirectionalTracer implements Shader {
             return;
         }
         eye.bsdf.evaluate(s);
-        if (eye.isBorder) {
+        if (eye.isInterface) {
             Optics.turn(s, eye.color);
         }
         bsdf.evaluate(there);
@@ -317,7 +317,7 @@ public final class BidirectionalTracer implements Shader {
         if (!(r > 0 || g > 0 || b > 0 || u > 0)) {
             return;
         }
-        segments.begin(eye.isBorder, here < 0);
+        segments.begin(eye.isInterface, here < 0);
         if (segments.reaches(s.ix, s.iy, s.iz, d, v.id(k), v.face(k))) {
             double weight = share * watched(k + 2, t, weight(k, here, beyond, d2));
             boolean isColored = wavelength != null && (colors(true) || v.isColored(k));

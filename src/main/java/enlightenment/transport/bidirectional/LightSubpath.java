@@ -86,9 +86,9 @@ public final class LightSubpath extends Subpath {
     @Override
     void beginDensities(double cosine) {
         Hit at = path.at.hit;
-        double nx = isBorder ? 0 : s.nx;
-        double ny = isBorder ? 0 : s.ny;
-        double nz = isBorder ? 0 : s.nz;
+        double nx = isInterface ? 0 : s.nx;
+        double ny = isInterface ? 0 : s.ny;
+        double nz = isInterface ? 0 : s.nz;
         double aimed = aimed(at) * physical.picker.probability(source.light, at.px, at.py, at.pz, nx, ny, nz, scratch);
         densities.begin(SubpathDensities.square(aimed / (emission() * cosine)), ofBeyond(cosine));
     }

@@ -30,7 +30,7 @@ abstract class Subpath extends CarriedLight {
         /** An opaque surface. */
         SURFACE,
         /** A rough interface of two media. */
-        BORDER,
+        INTERFACE,
         /** A point of a medium that scatters light. */
         MEDIUM,
         /** The path has passed smooth glass, or was reflected by it, and goes on. */
@@ -50,7 +50,7 @@ abstract class Subpath extends CarriedLight {
     public Bsdf bsdf;
 
     /** Whether the current vertex is on a rough interface of two media. */
-    public boolean isBorder;
+    public boolean isInterface;
 
     /** The colour of the current surface; at an interface that of transmitted light. */
     public final double[] color = new double[3];
@@ -77,7 +77,7 @@ abstract class Subpath extends CarriedLight {
 
     final ReverseDensity reverse = new ReverseDensity();
     private final RayCounters counters;
-    private final Scattering border = new Scattering();
+    private final Scattering atInterface = new Scattering();
     private final double[] pair = new double[2];
     private final double[] weight = new double[3];
     private final Sampler.Purpose choosing;
@@ -146,7 +146,7 @@ abstract class Subpath extends CarriedLight {
 
     /** Makes the point where a medium scatters the path the current vertex. */
     private Event scattered() {
-        isBorder = false;
+        isInterface = false;
         glowing = null;
         Arrays.fill(color, 1);
         s = inMedium.event;
@@ -176,7 +176,7 @@ abstract class Subpath extends CarriedLight {
         }
         s = path.arrive(ray, color);
         bsdf = scatters;
-        isBorder = false;
+        isInterface = false;
         survival = survival(most);
         Bsdf made = bsdf instanceof SmoothShading smooth ? smooth.inner() : bsdf;
         if (made instanceof GlossyReflection metal) {
@@ -229,7 +229,7 @@ abstract class Subpath extends CarriedLight {
             vertices.power(throughput);
             vertices.medium(isMedium ? inMedium.density() : 0);
             if (path.glass.wavelength != null) {
-                vertices.colored(path.glass.wavelength.colors(isBorder));
+                vertices.colored(path.glass.wavelength.colors(isInterface));
             }
         }
     }
@@ -258,19 +258,19 @@ abstract class Subpath extends CarriedLight {
         // smooth glass.
         boolean isApart = !path.glass.comesToOpaque(true) && !path.glass.comesToOpaque(false);
         boolean mayConnect = physical.hasRoughGlass && isApart && path.mayScatter();
-        Bsdf rough = mayConnect ? path.roughBorder(ray, border) : null;
+        Bsdf rough = mayConnect ? path.roughInterface(ray, atInterface) : null;
         if (rough == null) {
             return pass(sampler);
         }
         bsdf = rough;
-        s = border;
-        isBorder = true;
+        s = atInterface;
+        isInterface = true;
         survival = PathValue.LARGEST_SURVIVAL;
         Arrays.fill(color, 1);
         path.filter(color);
         path.turnTo(0);
         arrive();
-        return Event.BORDER;
+        return Event.INTERFACE;
     }
 
     /** Scatters the path at smooth glass. */
@@ -283,14 +283,14 @@ abstract class Subpath extends CarriedLight {
         if (path.glass.passedStraight()) {
             state.address++;
             throughput.filter(weight[0], weight[1], weight[2]);
-            return path.goesOn() ? Event.PASSED : Event.ENDED;
+            return path.continues() ? Event.PASSED : Event.ENDED;
         }
-        Scattering b = path.glass.border;
+        Scattering b = path.glass.atInterface;
         passDelta(b.transmitted ? b.eta * b.eta : 1);
         remember(b, false);
         boolean goes = survives(sampler, survival(Math.max(weight[0], Math.max(weight[1], weight[2]))));
         state.address++;
-        return goes && path.goesOn() ? Event.PASSED : Event.ENDED;
+        return goes && path.continues() ? Event.PASSED : Event.ENDED;
     }
 
     /** Transmits or reflects the path at the glass that it is at. */
@@ -305,7 +305,8 @@ abstract class Subpath extends CarriedLight {
 
     private void remember(Scattering at, boolean connects) {
         if (connects) {
-            state.extend(isMedium ? PathEvent.MEDIUM : isBorder ? PathEvent.ROUGH_BORDER : PathEvent.WIDE, at, false);
+            state.extend(
+                    isMedium ? PathEvent.MEDIUM : isInterface ? PathEvent.ROUGH_INTERFACE : PathEvent.WIDE, at, false);
         } else {
             state.extendSpecular(-1);
         }
@@ -313,7 +314,7 @@ abstract class Subpath extends CarriedLight {
         lastX = path.at.hit.px;
         lastY = path.at.hit.py;
         lastZ = path.at.hit.pz;
-        boolean takesFromAllSides = isBorder && connects;
+        boolean takesFromAllSides = isInterface && connects;
         lastNx = takesFromAllSides ? 0 : at.gx;
         lastNy = takesFromAllSides ? 0 : at.gy;
         lastNz = takesFromAllSides ? 0 : at.gz;
@@ -322,9 +323,9 @@ abstract class Subpath extends CarriedLight {
     /** Samples the direction in which the path leaves the current surface or interface; returns whether it goes on. */
     public boolean leave(Sampler sampler) {
         sampler.pair(state.address, directing, pair);
-        boolean goes = isMedium ? leaveMedium(sampler) : isBorder ? leaveBorder(sampler) : leaveSurface(sampler);
+        boolean goes = isMedium ? leaveMedium(sampler) : isInterface ? leaveInterface(sampler) : leaveSurface(sampler);
         state.address++;
-        return goes && path.goesOn();
+        return goes && path.continues();
     }
 
     private boolean leaveSurface(Sampler sampler) {
@@ -361,14 +362,14 @@ abstract class Subpath extends CarriedLight {
         return survives(sampler, survival);
     }
 
-    private boolean leaveBorder(Sampler sampler) {
+    private boolean leaveInterface(Sampler sampler) {
         path.glass.choose(choice, pair);
         cross();
         if (!(path.glass.weight() > 0)) {
             return false;
         }
-        remember(path.glass.border, true);
-        leave(path.glass.border);
+        remember(path.glass.atInterface, true);
+        leave(path.glass.atInterface);
         return survives(sampler, survival);
     }
 

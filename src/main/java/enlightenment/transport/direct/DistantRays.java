@@ -39,13 +39,13 @@ final class DistantRays {
     /**
      * Whether a ray from the path's current vertex leaves the scene.
      *
-     * @param atBorder whether the vertex is on a rough interface of two media
+     * @param atInterface whether the vertex is on a rough interface of two media
      * @param through whether the ray leaves on the far side of the interface, as the path came
      */
-    boolean escapes(double dx, double dy, double dz, boolean atBorder, boolean through) {
+    boolean escapes(double dx, double dy, double dz, boolean atInterface, boolean through) {
         path.poll.tick();
         Arrays.fill(rgb, 1);
-        if (!start(dx, dy, dz, atBorder, through) && !path.tracer.occluded(ray, ENDLESS)) {
+        if (!start(dx, dy, dz, atInterface, through) && !path.tracer.occluded(ray, ENDLESS)) {
             // The transmittance of an unbounded medium is 0 in every band that it absorbs.
             SurfaceMaterial medium = absorbs ? path.medium(through) : null;
             if (medium != null && medium.absorbs) {
@@ -56,13 +56,13 @@ final class DistantRays {
         if (walk == null) {
             return false;
         }
-        start(dx, dy, dz, atBorder, through);
+        start(dx, dy, dz, atInterface, through);
         return walk.reaches(null, ray, ENDLESS, path, through, rgb);
     }
 
     /** Starts the ray; returns whether a surface that coincides with the vertex occludes it. */
-    private boolean start(double dx, double dy, double dz, boolean atBorder, boolean through) {
+    private boolean start(double dx, double dy, double dz, boolean atInterface, boolean through) {
         ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, dx, dy, dz, 0);
-        return Departure.from(path, ray, atBorder, through);
+        return Departure.from(path, ray, atInterface, through);
     }
 }

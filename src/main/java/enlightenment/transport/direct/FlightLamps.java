@@ -182,10 +182,10 @@ final class FlightLamps {
         if (point == null) {
             return false;
         }
-        boolean isThere = point.sample(v);
+        boolean isSampled = point.sample(v);
         distance = point.distance;
         density = probability(lamp) * point.density;
-        return isThere;
+        return isSampled;
     }
 
     /** Samples one of many lamps by intensity alone, without a loop over them; each has a positive probability. */

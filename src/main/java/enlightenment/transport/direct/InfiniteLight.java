@@ -127,11 +127,11 @@ public final class InfiniteLight {
 
     /** Samples a sun by a number in [0, 1), or the map or sky, whose index is after the last sun; stores the probabilities. */
     private int choose(double number) {
-        boolean isBorder = nx == 0 && ny == 0 && nz == 0;
+        boolean isInterface = nx == 0 && ny == 0 && nz == 0;
         double all = 0;
         for (int i = 0; i < suns.length; i++) {
             Sun sun = suns[i];
-            double cosine = isBorder ? 1 : nx * sun.x + ny * sun.y + nz * sun.z + sun.sine;
+            double cosine = isInterface ? 1 : nx * sun.x + ny * sun.y + nz * sun.z + sun.sine;
             shares[i] = (sun.r + sun.g + sun.b) * sun.irradiance(Math.max(Math.min(cosine, 1), 0));
             all += shares[i];
         }

@@ -125,7 +125,7 @@ public final class NextEventEstimation implements PathStrategy {
         begin(false, isFirst);
         along = flight;
         leavesSmall = vertex.leavesSmallLights;
-        if (vertex.event == PathEvent.ROUGH_BORDER) {
+        if (vertex.event == PathEvent.ROUGH_INTERFACE) {
             lit.openToAllSides();
             through = vertex.color;
         }
@@ -222,7 +222,7 @@ public final class NextEventEstimation implements PathStrategy {
         s.iz = sample.dz;
         bsdf.evaluate(s);
         if (through != null) {
-            shadow.beginAtBorder(Optics.turn(s, through));
+            shadow.beginAtInterface(Optics.turn(s, through));
         }
         if ((s.valueR > 0 || s.valueG > 0 || s.valueB > 0) && isVisible(l)) {
             double own = probability * density;

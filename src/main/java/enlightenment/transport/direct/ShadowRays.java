@@ -49,7 +49,7 @@ public final class ShadowRays {
     private SurfaceMaterial medium;
 
     /** Whether the vertex is on a rough interface, and whether shadow rays leave on its far side, as the path came. */
-    private boolean isBorder;
+    private boolean isInterface;
 
     private boolean isBeyond;
 
@@ -87,19 +87,19 @@ public final class ShadowRays {
 
     /** Begins at the path's current surface, on the side that the path came from. */
     public void begin() {
-        isBorder = false;
+        isInterface = false;
         turn(false);
     }
 
     /** Begins on one side of the rough interface that the path is at. */
-    public void beginAtBorder(boolean through) {
-        isBorder = true;
+    public void beginAtInterface(boolean through) {
+        isInterface = true;
         turn(through);
     }
 
     /** Begins at a point of a flight through a medium, before the surface that the path has hit since. */
     void beginOnTheWay(double px, double py, double pz) {
-        isBorder = false;
+        isInterface = false;
         isOnTheWay = true;
         startCount = 0;
         place(px, py, pz, false);
@@ -145,7 +145,7 @@ public final class ShadowRays {
 
     /** The visibility of the whole light as far as it is known without a ray. Must precede {@link #isBlocked}. */
     public Tracer.Visibility visibility(PhysicalLight l) {
-        if (!isOnTheWay && Departure.isStopped(path, isBorder, isBeyond)) {
+        if (!isOnTheWay && Departure.isStopped(path, isInterface, isBeyond)) {
             isHidden = true;
             return walk == null ? Tracer.Visibility.NONE : Tracer.Visibility.UNKNOWN;
         }
@@ -242,6 +242,6 @@ public final class ShadowRays {
     /** Starts the ray; returns whether a surface that coincides with the vertex occludes it. */
     private boolean start(LightSample to) {
         ray.set(x, y, z, to.dx, to.dy, to.dz, 0);
-        return !isOnTheWay && Departure.from(path, ray, isBorder, isBeyond);
+        return !isOnTheWay && Departure.from(path, ray, isInterface, isBeyond);
     }
 }

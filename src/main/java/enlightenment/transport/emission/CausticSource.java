@@ -45,19 +45,19 @@ public final class CausticSource extends PathSource {
     @Override
     public boolean emit(double[] numbers, Ray ray) {
         int pair = pass.choose(numbers[0]);
-        light = pair / pass.things;
-        int thing = pair % pass.things;
+        light = pair / pass.casters;
+        int caster = pair % pass.casters;
         if (light >= pass.lights.length) {
-            return fromSun(thing, numbers, ray);
+            return fromSun(caster, numbers, ray);
         }
         PhysicalLight l = pass.lights[light];
         double weight;
         if (l.isPoint) {
-            weight = fromPoint(l, thing, numbers, ray);
+            weight = fromPoint(l, caster, numbers, ray);
         } else if (pass.isBeam(light)) {
-            weight = asBeam(l, thing, numbers, ray);
+            weight = asBeam(l, caster, numbers, ray);
         } else {
-            weight = fromSurface(l, thing, numbers, ray);
+            weight = fromSurface(l, caster, numbers, ray);
         }
         red = weight * l.r;
         green = weight * l.g;
@@ -69,7 +69,7 @@ public final class CausticSource extends PathSource {
     }
 
     /** Samples a direction of a sun's disk, and a point of the disk across it that the caster's ball fills. */
-    private boolean fromSun(int thing, double[] numbers, Ray ray) {
+    private boolean fromSun(int caster, double[] numbers, Ray ray) {
         Sun sun = pass.suns[light - pass.lights.length];
         sun.sample(numbers[3], numbers[4], direction);
         dx = -direction[0];
@@ -77,14 +77,14 @@ public final class CausticSource extends PathSource {
         dz = -direction[2];
         Warp.toDisk(numbers[1], numbers[2], disk);
         basis.around(dx, dy, dz);
-        double a = pass.ballRadius[thing] * disk[0];
-        double b = pass.ballRadius[thing] * disk[1];
-        double x = Math.fma(a, basis.ax, Math.fma(b, basis.bx, pass.ballX[thing]));
-        double y = Math.fma(a, basis.ay, Math.fma(b, basis.by, pass.ballY[thing]));
-        double z = Math.fma(a, basis.az, Math.fma(b, basis.bz, pass.ballZ[thing]));
+        double a = pass.ballRadius[caster] * disk[0];
+        double b = pass.ballRadius[caster] * disk[1];
+        double x = Math.fma(a, basis.ax, Math.fma(b, basis.bx, pass.ballX[caster]));
+        double y = Math.fma(a, basis.ay, Math.fma(b, basis.by, pass.ballY[caster]));
+        double z = Math.fma(a, basis.az, Math.fma(b, basis.bz, pass.ballZ[caster]));
         double density = 0;
-        for (int s = 0; s < pass.things; s++) {
-            if (s == thing || probability(s) > 0 && passes(s, x, y, z)) {
+        for (int s = 0; s < pass.casters; s++) {
+            if (s == caster || probability(s) > 0 && passes(s, x, y, z)) {
                 density += probability(s) / (Math.PI * pass.ballRadius[s] * pass.ballRadius[s]);
             }
         }
@@ -110,8 +110,8 @@ public final class CausticSource extends PathSource {
         return ex * ex + ey * ey + ez * ez - along * along <= r * r;
     }
 
-    private double fromPoint(PhysicalLight l, int thing, double[] numbers, Ray ray) {
-        aim(thing, 0, l.x, l.y, l.z);
+    private double fromPoint(PhysicalLight l, int caster, double[] numbers, Ray ray) {
+        aim(caster, 0, l.x, l.y, l.z);
         if (isWideFor(l.profile)) {
             l.profile.sample(numbers[3], numbers[4], direction);
             dx = direction[0];
@@ -121,11 +121,11 @@ public final class CausticSource extends PathSource {
             toCone(numbers);
         }
         double density = 0;
-        for (int s = 0; s < pass.things; s++) {
+        for (int s = 0; s < pass.casters; s++) {
             if (probability(s) > 0) {
                 aim(s, 0, l.x, l.y, l.z);
                 boolean asEmitted = isWideFor(l.profile);
-                density += probability(s) * (asEmitted ? l.profile.density(dx, dy, dz) : densityInCone(s == thing));
+                density += probability(s) * (asEmitted ? l.profile.density(dx, dy, dz) : densityInCone(s == caster));
             }
         }
         ray.set(l.x, l.y, l.z, dx, dy, dz, 0);
@@ -133,12 +133,12 @@ public final class CausticSource extends PathSource {
         return 1 / density;
     }
 
-    private double asBeam(PhysicalLight l, int thing, double[] numbers, Ray ray) {
-        aim(thing, l.radius, l.x, l.y, l.z);
+    private double asBeam(PhysicalLight l, int caster, double[] numbers, Ray ray) {
+        aim(caster, l.radius, l.x, l.y, l.z);
         toCone(numbers);
         double density = 0;
-        for (int s = 0; s < pass.things; s++) {
-            density += probability(s) * coneDensity(s, thing, l.radius, l.x, l.y, l.z);
+        for (int s = 0; s < pass.casters; s++) {
+            density += probability(s) * coneDensity(s, caster, l.radius, l.x, l.y, l.z);
         }
         Warp.toDisk(numbers[1], numbers[2], disk);
         basis.around(dx, dy, dz);
@@ -158,12 +158,12 @@ public final class CausticSource extends PathSource {
         return Math.PI * l.radius * l.radius / density;
     }
 
-    private double fromSurface(PhysicalLight l, int thing, double[] numbers, Ray ray) {
+    private double fromSurface(PhysicalLight l, int caster, double[] numbers, Ray ray) {
         AreaLight area = l.form;
         area.samplePoint(numbers[1], numbers[2], point);
         boolean both = pass.shinesBothWays(light);
         int only = pass.shinesInwards(light) ? Ray.INSIDE : Ray.OUTSIDE;
-        aim(thing, 0, point.x, point.y, point.z);
+        aim(caster, 0, point.x, point.y, point.z);
         if (isWide()) {
             byCosine(numbers, both && numbers[5] < 0.5 ? Ray.INSIDE : only);
         } else {
@@ -175,18 +175,18 @@ public final class CausticSource extends PathSource {
         }
         double emission = Math.abs(cosine) / (both ? 2 * Math.PI : Math.PI);
         double density = 0;
-        for (int s = 0; s < pass.things; s++) {
+        for (int s = 0; s < pass.casters; s++) {
             if (probability(s) > 0) {
                 aim(s, 0, point.x, point.y, point.z);
-                density += probability(s) * (isWide() ? emission : densityInCone(s == thing));
+                density += probability(s) * (isWide() ? emission : densityInCone(s == caster));
             }
         }
         int side = cosine > 0 ? Ray.OUTSIDE : Ray.INSIDE;
         return leave(l, side, ray) ? area.area() * Math.abs(cosine) / density : 0;
     }
 
-    private double probability(int thing) {
-        return pass.probability[light * pass.things + thing];
+    private double probability(int caster) {
+        return pass.probability[light * pass.casters + caster];
     }
 
     /** Sets the cone from a point around the bounding ball of caster s, whose radius is widened. */

@@ -70,7 +70,7 @@ public final class BidirectionalLightTracer extends LightPathTracer {
         boolean goes = begins;
         while (goes) {
             goes = switch (light.next(sampler)) {
-                case SURFACE, BORDER, MEDIUM -> light.mayScatter() && scatter();
+                case SURFACE, INTERFACE, MEDIUM -> light.mayScatter() && scatter();
                 case PASSED -> true;
                 case NOTHING, ENDED -> false;
             };
@@ -92,14 +92,14 @@ public final class BidirectionalLightTracer extends LightPathTracer {
             sampler.pair(light.state.address, Sampler.Purpose.LIGHT_LENS, pair);
             eye.sampleStart(pair[0], pair[1]);
         }
-        if (!isSeen(light.bsdf, s, light.isBorder ? light.color : null)) {
+        if (!isSeen(light.bsdf, s, light.isInterface ? light.color : null)) {
             return;
         }
         double weight = weight(light.projected(s.geometricCosineIn()));
         int vertices = light.vertices.size() + 1;
         double f = eye.importance() * (strategies == null ? weight : strategies.weight(vertices, 1, weight));
         PathWavelength wavelength = light.path.glass.wavelength;
-        if (wavelength != null && wavelength.colors(light.isBorder)) {
+        if (wavelength != null && wavelength.colors(light.isInterface)) {
             s.valueR *= wavelength.red;
             s.valueG *= wavelength.green;
             s.valueB *= wavelength.blue;

@@ -58,7 +58,7 @@ final class CausticCount {
     }
 
     /** Whether the path may belong to the caustic pass after an event at this BSDF. */
-    boolean goesOn(Bsdf bsdf) {
+    boolean continues(Bsdf bsdf) {
         return counts || bsdf.hasDelta() || takesNarrow && bsdf.isNarrow() && pass.takesNarrow(light);
     }
 

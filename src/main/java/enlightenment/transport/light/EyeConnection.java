@@ -97,14 +97,14 @@ final class EyeConnection {
         return true;
     }
 
-    private boolean isHidden(boolean isBorder, boolean isBeyond) {
+    private boolean isHidden(boolean isInterface, boolean isBeyond) {
         path.poll.tick();
         double length = Math.sqrt(eye.toEyeX * eye.toEyeX + eye.toEyeY * eye.toEyeY + eye.toEyeZ * eye.toEyeZ);
         if (length <= eye.error) {
             // The vertex is where camera rays start: nothing can be in between.
             return false;
         }
-        if (!start(isBorder, isBeyond) && !path.tracer.occluded(ray, 1 + eye.error / length)) {
+        if (!start(isInterface, isBeyond) && !path.tracer.occluded(ray, 1 + eye.error / length)) {
             SurfaceMaterial medium = absorbs ? path.medium(isBeyond) : null;
             if (medium != null && medium.absorbs) {
                 medium.absorb(length, through);
@@ -114,13 +114,13 @@ final class EyeConnection {
         if (walk == null) {
             return true;
         }
-        start(isBorder, isBeyond);
+        start(isInterface, isBeyond);
         return !walk.reachesEye(ray, length, eye.error, path, isBeyond, through);
     }
 
     /** Starts the ray; returns whether a surface that coincides with the vertex occludes it. */
-    private boolean start(boolean isBorder, boolean isBeyond) {
+    private boolean start(boolean isInterface, boolean isBeyond) {
         ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, eye.toEyeX, eye.toEyeY, eye.toEyeZ, 0);
-        return Departure.from(path, ray, isBorder, isBeyond);
+        return Departure.from(path, ray, isInterface, isBeyond);
     }
 }

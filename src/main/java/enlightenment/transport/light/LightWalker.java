@@ -35,7 +35,7 @@ abstract class LightWalker extends LightPathTracer {
     private final LightPathNumbers numbers;
     private final double[] surface = new double[3];
     private final double[] pair = new double[2];
-    private final Scattering border = new Scattering();
+    private final Scattering scattering = new Scattering();
 
     /** The power of the path. */
     final CarriedPower carried;
@@ -161,7 +161,7 @@ abstract class LightWalker extends LightPathTracer {
         }
         SurfaceMaterial material = path.at.material;
         Bsdf bsdf = path.at.bsdf;
-        if (material.isBlack || !caustic.goesOn(bsdf)) {
+        if (material.isBlack || !caustic.continues(bsdf)) {
             return false;
         }
         path.color(material, surface);
@@ -178,7 +178,7 @@ abstract class LightWalker extends LightPathTracer {
         caustic.leave(s.delta, path.at.hit, s.pdf);
         extend(PathEvent.WIDE, s);
         path.leave(ray, s);
-        return filterAndSurvive(s.valueR, s.valueG, s.valueB) && path.goesOn();
+        return filterAndSurvive(s.valueR, s.valueG, s.valueB) && path.continues();
     }
 
     /** Whether narrow lobes count as casters of caustics for small lights, if only caustics are traced. */
@@ -226,7 +226,7 @@ abstract class LightWalker extends LightPathTracer {
         }
         if (isNothing) {
             flight.scatter();
-            path.stopAt(ray, flight.length - flown, border);
+            path.stopAt(ray, flight.length - flown, scattering);
             event = null;
         } else {
             flight.pass(flown + path.distance(ray));
@@ -245,30 +245,30 @@ abstract class LightWalker extends LightPathTracer {
             return event;
         }
         flown = onTheWay.distance;
-        path.stopAt(ray, flown, border);
+        path.stopAt(ray, flown, scattering);
         flight.reach(flown);
         double scale = 1 / onTheWay.density;
         connect(
                 medium.phase,
-                border,
+                scattering,
                 null,
                 carried.left.red * (flight.weightR * medium.scatteringR * scale),
                 carried.left.green * (flight.weightG * medium.scatteringG * scale),
                 carried.left.blue * (flight.weightB * medium.scatteringB * scale));
-        ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, -border.ox, -border.oy, -border.oz, 0);
+        ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, -scattering.ox, -scattering.oy, -scattering.oz, 0);
         return path.next(ray, flight.length - flown);
     }
 
     /** Scatters the path in a medium; returns whether it goes on. */
     private boolean inMedium() {
         if (!isConnected) {
-            connect(medium.phase, border, null);
+            connect(medium.phase, scattering, null);
         }
-        medium.phase.sample(border, unit(1), unit(2), 0);
-        extend(PathEvent.MEDIUM, border);
-        ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, border.ix, border.iy, border.iz, 0);
+        medium.phase.sample(scattering, unit(1), unit(2), 0);
+        extend(PathEvent.MEDIUM, scattering);
+        ray.set(path.at.hit.px, path.at.hit.py, path.at.hit.pz, scattering.ix, scattering.iy, scattering.iz, 0);
         double survival = end.survival(carried.sum(), path.at.hit.px, path.at.hit.py, path.at.hit.pz, isSafe());
-        return survives(survival) && path.goesOn();
+        return survives(survival) && path.continues();
     }
 
     /**
@@ -299,13 +299,13 @@ abstract class LightWalker extends LightPathTracer {
 
     /** Scatters the path at an interface of glass, or at a thin slab. */
     private boolean glass() {
-        boolean goesOn = true;
+        boolean continues = true;
         if (physical.hasRoughGlass) {
             if (!onlyCaustics) {
-                connectAtBorder();
+                connectAtInterface();
             } else {
-                Bsdf bsdf = path.roughBorder(ray, border);
-                goesOn = bsdf == null || caustic.goesOn(bsdf);
+                Bsdf bsdf = path.roughInterface(ray, scattering);
+                continues = bsdf == null || caustic.continues(bsdf);
             }
             pair[0] = unit(1);
             pair[1] = unit(2);
@@ -322,15 +322,15 @@ abstract class LightWalker extends LightPathTracer {
             // rays.
             pieces++;
             carried.left.filter(surface[0], surface[1], surface[2]);
-            return path.goesOn();
+            return path.continues();
         }
         // Shadow rays of paths from the eye find direct light at rough glass, except where its lobes are narrow.
-        if (!goesOn) {
+        if (!continues) {
             return false;
         }
-        caustic.leave(path.glass.border.delta, path.at.hit, path.glass.border.pdf);
-        extend(PathEvent.ROUGH_BORDER, path.glass.border);
-        return crosses() && path.goesOn();
+        caustic.leave(path.glass.atInterface.delta, path.at.hit, path.glass.atInterface.pdf);
+        extend(PathEvent.ROUGH_INTERFACE, path.glass.atInterface);
+        return crosses() && path.continues();
     }
 
     /** Multiplies by the weight of an event at an interface, and plays Russian roulette. */
@@ -339,17 +339,17 @@ abstract class LightWalker extends LightPathTracer {
             return filterAndSurvive(surface[0], surface[1], surface[2]);
         }
         carried.left.filter(surface[0], surface[1], surface[2]);
-        double survival = end.survivalAtBorder(surface[0], surface[1], surface[2]);
+        double survival = end.survivalAtInterface(surface[0], surface[1], surface[2]);
         return isSafe() || survives(survival);
     }
 
-    private void connectAtBorder() {
-        Bsdf bsdf = path.roughBorder(ray, border);
+    private void connectAtInterface() {
+        Bsdf bsdf = path.roughInterface(ray, scattering);
         if (bsdf != null) {
             Arrays.fill(surface, 1);
             path.filter(surface);
             path.turnTo(0);
-            connect(bsdf, border, surface);
+            connect(bsdf, scattering, surface);
         }
     }
 

@@ -31,7 +31,7 @@ abstract class EyePathTracer implements Shader {
     final double[] pair = new double[2];
 
     /** The scattering at a rough interface of two media. */
-    final Scattering border = new Scattering();
+    final Scattering atInterface = new Scattering();
 
     /**
      * @param scene whose shading is physical

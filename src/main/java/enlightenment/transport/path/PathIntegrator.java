@@ -149,7 +149,7 @@ public final class PathIntegrator extends EyePathTracer {
         SurfaceMaterial medium = physical.hasAbsorption ? path.medium() : null;
         PathFollower.Event event = walk == null ? path.next(ray) : walk.next(ray, medium, state, sampler);
         if (event == null) {
-            return mayScatter() && walk.scatter(ray, nextEvent, vertex, state, sampler) && path.goesOn();
+            return mayScatter() && walk.scatter(ray, nextEvent, vertex, state, sampler) && path.continues();
         }
         if (event == PathFollower.Event.NOTHING) {
             escape(ray);
@@ -222,7 +222,7 @@ public final class PathIntegrator extends EyePathTracer {
             return false;
         }
         state.extendSpecular(mirror);
-        return survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        return survives(surface[0], surface[1], surface[2], sampler) && path.continues();
     }
 
     /** Shades a Lambertian surface, where direct light has closed forms; dye is that of a fluorescent surface, else null. */
@@ -245,7 +245,7 @@ public final class PathIntegrator extends EyePathTracer {
         sampler.pair(state.address++, Sampler.Purpose.DIRECTION, pair);
         Scattering s = path.scatterMatte(ray, pair[0], pair[1]);
         state.extend(PathEvent.WIDE, s, false);
-        return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.goesOn();
+        return s.pdf > 0 && survives(surface[0], surface[1], surface[2], sampler) && path.continues();
     }
 
     /** Shades a surface with any other BSDF; dye is that of a fluorescent surface (with vertex normals, say), else null. */
@@ -282,7 +282,7 @@ public final class PathIntegrator extends EyePathTracer {
         } else {
             state.extend(event, s, leaves);
         }
-        return survives(s.valueR, s.valueG, s.valueB, sampler) && path.goesOn();
+        return survives(s.valueR, s.valueG, s.valueB, sampler) && path.continues();
     }
 
     /** Samples the direction in which the path leaves an opaque surface; returns whether there is one. */
@@ -304,7 +304,7 @@ public final class PathIntegrator extends EyePathTracer {
         }
         boolean isRough = false;
         if (physical.hasRoughGlass) {
-            isRough = directAtBorder(ray, sampler);
+            isRough = directAtInterface(ray, sampler);
             sampler.pair(state.address, Sampler.Purpose.DIRECTION, pair);
         }
         state.address++;
@@ -314,25 +314,25 @@ public final class PathIntegrator extends EyePathTracer {
             // keeps the last
             // vertex.
             value.filter(surface[0], surface[1], surface[2]);
-            return path.goesOn();
+            return path.continues();
         }
         if (!goesFurther()) {
             return false;
         }
         if (isRough) {
-            state.extendAtRoughGlass(path.glass.border, vertex.leavesSmallLights, path.glass.hasNext());
+            state.extendAtRoughGlass(path.glass.atInterface, vertex.leavesSmallLights, path.glass.hasNext());
         } else {
             state.extendSpecular(-1);
         }
         boolean survives = walk == null
                 ? survives(surface[0], surface[1], surface[2], sampler)
                 : walk.survives(surface, sampler, state);
-        return survives && path.goesOn();
+        return survives && path.continues();
     }
 
     /** Adds direct light if the path is at a rough interface; returns whether it is. */
-    private boolean directAtBorder(Ray ray, Sampler sampler) {
-        Bsdf bsdf = path.mayScatter() ? path.roughBorder(ray, border) : null;
+    private boolean directAtInterface(Ray ray, Sampler sampler) {
+        Bsdf bsdf = path.mayScatter() ? path.roughInterface(ray, atInterface) : null;
         if (bsdf == null || !goesFurther()) {
             return false;
         }
@@ -341,7 +341,7 @@ public final class PathIntegrator extends EyePathTracer {
         path.turnTo(0);
         boolean isNarrow = causticPass != null && causticPass.isNarrow(bsdf);
         boolean leaves = isNarrow && state.isNarrowSampledByCausticPass();
-        vertex.set(bsdf, border, surface, PathEvent.ROUGH_BORDER, leaves);
+        vertex.set(bsdf, atInterface, surface, PathEvent.ROUGH_INTERFACE, leaves);
         nextEvent.direct(vertex, state, sampler, value);
         return true;
     }
@@ -378,7 +378,7 @@ public final class PathIntegrator extends EyePathTracer {
         cut.leave(s);
         path.leave(ray, s);
         state.extend(PathEvent.WIDE, s, false);
-        return path.goesOn();
+        return path.continues();
     }
 
     /** Records in the cut that the path has hit a light next; returns whether next-event estimation could have sampled it, too. */

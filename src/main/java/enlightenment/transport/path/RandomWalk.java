@@ -186,7 +186,7 @@ final class RandomWalk {
     /** Multiplies by the weight of an event at an interface of media, and plays Russian roulette. */
     boolean survives(double[] weight, Sampler sampler, PathState state) {
         value.filter(weight[0], weight[1], weight[2]);
-        double survival = end.survivalAtBorder(weight[0], weight[1], weight[2]);
+        double survival = end.survivalAtInterface(weight[0], weight[1], weight[2]);
         return value.isSafe(state) || value.survives(survival, sampler, state);
     }
 }

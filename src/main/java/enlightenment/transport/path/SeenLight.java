@@ -67,7 +67,7 @@ public final class SeenLight extends EyePathTracer {
         return path.scatter(ray, material, surface, 0, 0, choice)
                 && path.isSpecular()
                 && survives(sampler)
-                && path.goesOn();
+                && path.continues();
     }
 
     private boolean glass(Ray ray, Sampler sampler) {
@@ -78,15 +78,15 @@ public final class SeenLight extends EyePathTracer {
             path.turnToOpaque(opaque);
             return surface(ray, sampler);
         }
-        if (physical.hasRoughGlass && path.roughBorder(ray, border) != null) {
+        if (physical.hasRoughGlass && path.roughInterface(ray, atInterface) != null) {
             return false;
         }
         cross(ray, choice);
         if (path.glass.passedStraight()) {
             value.filter(surface[0], surface[1], surface[2]);
-            return path.goesOn();
+            return path.continues();
         }
-        return survives(sampler) && path.goesOn();
+        return survives(sampler) && path.continues();
     }
 
     /** Multiplies the throughput by the weight of an event, and plays Russian roulette where that is due. */

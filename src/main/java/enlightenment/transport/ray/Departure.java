@@ -9,23 +9,23 @@ public final class Departure {
     /**
      * Starts a ray, whose origin is the vertex, on all surfaces that coincide there.
      *
-     * @param atBorder whether the vertex is on a rough interface of two media
+     * @param atInterface whether the vertex is on a rough interface of two media
      * @param through whether the ray leaves on the far side of the interface, as the path came
      * @return whether a surface that coincides with the vertex occludes the ray, on whichever side rounding puts it; a {@link ShadowWalk}
      *     may still pass it
      */
-    public static boolean from(PathFollower path, Ray ray, boolean atBorder, boolean through) {
+    public static boolean from(PathFollower path, Ray ray, boolean atInterface, boolean through) {
         ray.from(path.at.hit, through ? -path.at.hit.side : path.at.hit.side);
-        if (atBorder) {
-            path.glass.startAtBorder(ray, through);
+        if (atInterface) {
+            path.glass.startAtInterface(ray, through);
         } else if (path.glass.surfaces() > 1) {
             path.glass.startOnAll(ray);
         }
-        return isStopped(path, atBorder, through);
+        return isStopped(path, atInterface, through);
     }
 
     /** Whether a surface that coincides with the vertex occludes a ray from there. The parameters are those of {@link #from}. */
-    public static boolean isStopped(PathFollower path, boolean atBorder, boolean through) {
-        return atBorder ? path.glass.comesToOpaque(through) : path.glass.entersAtOnce();
+    public static boolean isStopped(PathFollower path, boolean atInterface, boolean through) {
+        return atInterface ? path.glass.comesToOpaque(through) : path.glass.entersAtOnce();
     }
 }

@@ -46,13 +46,13 @@ final class GlassScattering {
      * @param eta the index of refraction before the interface over that behind it
      * @return false if the light is lost
      */
-    boolean atBorder(Ray ray, Hit hit, Bsdf border, Hit at, double eta) {
+    boolean atInterface(Ray ray, Hit hit, Bsdf dielectric, Hit at, double eta) {
         Optics.arrive(sampled, ray, hit);
-        if (border == SmoothRefraction.INSTANCE && at.primitive.shadingNormal(at)) {
+        if (dielectric == SmoothRefraction.INSTANCE && at.primitive.shadingNormal(at)) {
             Optics.shade(sampled, at);
         }
         sampled.eta = eta;
-        boolean scatters = border.sample(sampled, u, v, choice);
+        boolean scatters = dielectric.sample(sampled, u, v, choice);
         Optics.leave(ray, hit, sampled);
         if (wavelength != null) {
             wavelength.scattered(sampled, Hash.unit(Hash.mix(~Double.doubleToRawLongBits(choice))));

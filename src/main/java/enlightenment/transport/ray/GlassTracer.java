@@ -29,15 +29,15 @@ public final class GlassTracer {
 
     private final MediumStack saved;
 
-    /** The media behind the interface that the last {@link #roughBorder} found. */
+    /** The media behind the interface that the last {@link #roughInterface} found. */
     private final MediumStack beyond;
 
     private final CoincidentHits coincident;
-    private final MissedBorders missed;
-    private final GlassBorder media;
+    private final MissedInterfaces missed;
+    private final GlassInterface media;
     private final Hit nextHit = new Hit();
     /** The event that the last {@link #cross} sampled; not set if the ray passed straight. */
-    public final Scattering border;
+    public final Scattering atInterface;
 
     private final GlassScattering scattering;
 
@@ -64,13 +64,13 @@ public final class GlassTracer {
         this.counters = counters;
         wavelength = panesReflect && scene.physical.hasDispersion ? new PathWavelength() : null;
         scattering = new GlassScattering(wavelength);
-        border = scattering.sampled;
+        atInterface = scattering.sampled;
         inside = new MediumStack(scene, wavelength);
         saved = new MediumStack(scene, wavelength);
         beyond = new MediumStack(scene, wavelength);
         coincident = scene.coincidentHits();
-        missed = new MissedBorders(scene, inside);
-        media = new GlassBorder(coincident, inside, saved);
+        missed = new MissedInterfaces(scene, inside);
+        media = new GlassInterface(coincident, inside, saved);
     }
 
     /**
@@ -88,7 +88,7 @@ public final class GlassTracer {
             if (side == Ray.INSIDE) {
                 inside.add(solid);
             }
-            if (side != 0 || on != null && on.hasBorderOf(solid)) {
+            if (side != 0 || on != null && on.hasInterfaceOf(solid)) {
                 continue;
             }
             double x = Math.fma(ray.tMin, ray.dx, ray.ox);
@@ -98,7 +98,7 @@ public final class GlassTracer {
                 inside.add(solid);
             }
         }
-        if (on != null && on.hasBorders()) {
+        if (on != null && on.hasInterfaces()) {
             settle(ray, NONE);
         }
     }
@@ -211,7 +211,7 @@ public final class GlassTracer {
         double from = inside.leave();
         media.cross(next != NONE);
         double to = inside.enter();
-        straight = !media.isThere() || from == to;
+        straight = !media.changesMedium() || from == to;
         lost = false;
         if (straight && panesReflect && isReflectedByPane(ray, hit)) {
             straight = false;
@@ -223,8 +223,8 @@ public final class GlassTracer {
             coincident.startBehind(ray, next != NONE);
             return true;
         }
-        lost = !scattering.atBorder(ray, hit, media.bsdf(), media.hit(), from / to);
-        if (border.transmitted) {
+        lost = !scattering.atInterface(ray, hit, media.bsdf(), media.hit(), from / to);
+        if (atInterface.transmitted) {
             counters.refractedRays++;
             coincident.startBehind(ray, next != NONE);
             return true;
@@ -250,7 +250,7 @@ public final class GlassTracer {
     double passStraight(Ray ray, Hit hit) {
         double from = inside.indexOfRefraction();
         media.cross(next != NONE);
-        straight = !media.isThere() || from == inside.indexOfRefraction();
+        straight = !media.changesMedium() || from == inside.indexOfRefraction();
         if (!straight) {
             return 0;
         }
@@ -290,13 +290,13 @@ public final class GlassTracer {
     }
 
     /** The scattering function of the surfaces that {@link #arrive} found if they are a rough interface, with s set; else null. */
-    Bsdf roughBorder(Ray ray, Hit hit, Scattering s) {
+    Bsdf roughInterface(Ray ray, Hit hit, Scattering s) {
         double from = inside.leave();
         media.cross(next != NONE);
         double to = inside.enter();
         beyond.set(inside);
         media.undo();
-        if (!media.isThere() || from == to) {
+        if (!media.changesMedium() || from == to) {
             return null;
         }
         Bsdf bsdf = media.bsdf();
@@ -307,12 +307,12 @@ public final class GlassTracer {
 
     /** The throughput weight of the last {@link #cross}, before colours: the value of the lobe over the density; 0 if the path ends. */
     public double weight() {
-        return straight ? 1 : lost ? 0 : border.valueR;
+        return straight ? 1 : lost ? 0 : atInterface.valueR;
     }
 
     /** The probability of the choice of reflection or transmission in the last {@link #cross}. */
     public double probability() {
-        return straight && !(panesReflect && coincident.pane() != NONE) ? 1 : border.pdf;
+        return straight && !(panesReflect && coincident.pane() != NONE) ? 1 : atInterface.pdf;
     }
 
     /** Sets the random numbers of the next {@link #cross}: one selects reflection or refraction, the pair a direction. */
@@ -336,7 +336,7 @@ public final class GlassTracer {
     }
 
     /** Starts a ray that leaves a rough interface on all surfaces that coincide there. */
-    void startAtBorder(Ray ray, boolean through) {
+    void startAtInterface(Ray ray, boolean through) {
         if (through) {
             coincident.startBehind(ray, next != NONE);
         } else {

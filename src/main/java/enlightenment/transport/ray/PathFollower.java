@@ -138,7 +138,7 @@ public final class PathFollower {
 
     private void beginFrom(boolean light) {
         scattering.fromLight = light;
-        glass.border.fromLight = light;
+        glass.atInterface.fromLight = light;
     }
 
     private void begin(int left) {
@@ -303,8 +303,8 @@ public final class PathFollower {
     }
 
     /** The scattering function where the path is at a rough interface of two media, with s set; null elsewhere. */
-    public Bsdf roughBorder(Ray ray, Scattering s) {
-        return glass.roughBorder(ray, at.hit, s);
+    public Bsdf roughInterface(Ray ray, Scattering s) {
+        return glass.roughInterface(ray, at.hit, s);
     }
 
     /** The number of scattering events of the path. */
@@ -351,7 +351,7 @@ public final class PathFollower {
         }
         filter(rgb);
         passedStraight = true;
-        return goesOn();
+        return continues();
     }
 
     /** Multiplies by the colours of the glass that has just transmitted the ray. */
@@ -384,11 +384,11 @@ public final class PathFollower {
      *
      * @return whether the path may go on
      */
-    public boolean goesOn() {
+    public boolean continues() {
         surfaces++;
-        boolean goesOn = passedStraight ? bounces.passed() : bounces.bounced();
+        boolean continues = passedStraight ? bounces.passed() : bounces.bounced();
         passedStraight = false;
-        if (!goesOn) {
+        if (!continues) {
             return false;
         }
         poll.tick();

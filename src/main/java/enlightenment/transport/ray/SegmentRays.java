@@ -20,7 +20,7 @@ public final class SegmentRays {
     /** Follows rays through glass that keeps their direction; null if the scene has none. */
     private final PathFollower walk;
 
-    private boolean isBorder;
+    private boolean isInterface;
     private boolean isBeyond;
     private double dx;
     private double dy;
@@ -45,11 +45,11 @@ public final class SegmentRays {
     /**
      * Begins at the path's current vertex.
      *
-     * @param atBorder whether the vertex is on a rough interface of two media
+     * @param atInterface whether the vertex is on a rough interface of two media
      * @param through whether the rays leave on the far side of the interface, as the path came
      */
-    public void begin(boolean atBorder, boolean through) {
-        isBorder = atBorder;
+    public void begin(boolean atInterface, boolean through) {
+        isInterface = atInterface;
         isBeyond = through;
     }
 
@@ -76,7 +76,7 @@ public final class SegmentRays {
     /** Starts the ray; returns whether a surface that coincides with the vertex occludes it. */
     private boolean start() {
         ray.set(hit.px, hit.py, hit.pz, dx, dy, dz, 0);
-        return Departure.from(path, ray, isBorder, isBeyond);
+        return Departure.from(path, ray, isInterface, isBeyond);
     }
 
     private boolean walks() {

@@ -113,8 +113,8 @@ public final class ShadowWalk {
     }
 
     private double slack(PathFollower.Event event) {
-        boolean isBorder = event == PathFollower.Event.GLASS && scene.primitives[follower.at.id].isSolid();
-        return event == PathFollower.Event.LIGHT || isBorder ? 0 : slack;
+        boolean isInterface = event == PathFollower.Event.GLASS && scene.primitives[follower.at.id].isSolid();
+        return event == PathFollower.Event.LIGHT || isInterface ? 0 : slack;
     }
 
     private boolean isOn(PhysicalLight light, Ray ray, double left) {

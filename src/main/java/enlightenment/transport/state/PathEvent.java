@@ -5,7 +5,7 @@ public enum PathEvent {
     /** A delta lobe: a mirror, smooth glass, or such a lobe of another surface. No next-event estimation. */
     SPECULAR,
     /** Rough glass: next-event estimation on both sides; the caustic pass connects none of its vertices to the eye. */
-    ROUGH_BORDER,
+    ROUGH_INTERFACE,
     /** A {@linkplain enlightenment.bsdf.Bsdf#isNarrow narrow} glossy lobe, in a scene whose caustic pass covers such lobes. */
     NARROW,
     /** Any other lobe. */

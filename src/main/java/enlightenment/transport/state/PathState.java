@@ -99,7 +99,7 @@ public final class PathState {
      * @param toCoincident whether the next hit coincides with the glass
      */
     public void extendAtRoughGlass(Scattering sampled, boolean leavesSmallLights, boolean toCoincident) {
-        extend(PathEvent.ROUGH_BORDER, sampled, leavesSmallLights);
+        extend(PathEvent.ROUGH_INTERFACE, sampled, leavesSmallLights);
         nextIsCoincident = toCoincident;
         hasDirect = !toCoincident;
     }
@@ -113,7 +113,7 @@ public final class PathState {
         if (first == null) {
             first = event;
         }
-        boolean scatters = event != PathEvent.SPECULAR && event != PathEvent.ROUGH_BORDER;
+        boolean scatters = event != PathEvent.SPECULAR && event != PathEvent.ROUGH_INTERFACE;
         if (scatters && firstScattering == null) {
             firstScattering = event;
         }
@@ -135,7 +135,7 @@ public final class PathState {
      * path.
      */
     public boolean isSeenBySpecular() {
-        return first == PathEvent.SPECULAR || first == PathEvent.ROUGH_BORDER || wasInRefractiveMedium;
+        return first == PathEvent.SPECULAR || first == PathEvent.ROUGH_INTERFACE || wasInRefractiveMedium;
     }
 
     /**

@@ -72,7 +72,7 @@ public final class RussianRoulette {
      * The survival probability after an event of this weight at an interface of media. It may reach 1: inside a white medium only the
      * interface changes the throughput, and the usual {@link PathValue#LARGEST_SURVIVAL} would only add noise.
      */
-    public double survivalAtBorder(double r, double g, double b) {
+    public double survivalAtInterface(double r, double g, double b) {
         events++;
         double most = Math.max(r, Math.max(g, b));
         return Math.min(most, 1) * thinning();

@@ -3,7 +3,7 @@ package enlightenment.world.check;
 import enlightenment.primitive.Primitive;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.light.CausticPass;
-import enlightenment.world.light.SpecularThings;
+import enlightenment.world.light.SpecularCasters;
 import enlightenment.world.material.SurfaceMaterial;
 
 /**
@@ -29,8 +29,8 @@ public final class NarrowChains {
             boolean isSharp = false;
             for (int face = 0; face < scene.primitives[id].faceCount(); face++) {
                 SurfaceMaterial material = scene.material(id, face);
-                isSharp |= material.any(SpecularThings::isSharp);
-                if (material.any(SpecularThings::isNarrow)) {
+                isSharp |= material.any(SpecularCasters::isSharp);
+                if (material.any(SpecularCasters::isNarrow)) {
                     isNarrow = true;
                     if (mayFollowItself(scene.primitives[id], material)) {
                         return true;

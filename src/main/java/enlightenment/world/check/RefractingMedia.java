@@ -23,7 +23,7 @@ public final class RefractingMedia {
     /**
      * Whether a scene has such solids, with any interfaces: there is no next-event estimation through several interfaces, smooth or not.
      */
-    public static boolean areThere(CompiledScene scene) {
+    public static boolean existIn(CompiledScene scene) {
         for (int solid : scene.glassSolids) {
             SurfaceMaterial inside = scene.inside(solid);
             if (inside.medium != null && inside.indexOfRefraction != 1) {
@@ -34,9 +34,9 @@ public final class RefractingMedia {
     }
 
     /** Whether a scene has solids of scattering media whose interface is rough. */
-    public static boolean haveRoughBorders(CompiledScene scene) {
+    public static boolean haveRoughInterfaces(CompiledScene scene) {
         for (int id = 0; scene.physical.hasScattering && id < scene.primitives.length; id++) {
-            if (hasBorder(scene, id, false)) {
+            if (hasInterface(scene, id, false)) {
                 return true;
             }
         }
@@ -46,14 +46,14 @@ public final class RefractingMedia {
     /** Whether a light outside of such a solid is so small that hardly any path from inside hits it. */
     public static boolean areLitBySmallLights(CompiledScene scene) {
         for (int id = 0; scene.physical.hasScattering && id < scene.primitives.length; id++) {
-            if (hasBorder(scene, id, true) && isLitBySmall(scene.physical, scene.primitives[id].bounds())) {
+            if (hasInterface(scene, id, true) && isLitBySmall(scene.physical, scene.primitives[id].bounds())) {
                 return true;
             }
         }
         return false;
     }
 
-    private static boolean hasBorder(CompiledScene scene, int id, boolean isSmooth) {
+    private static boolean hasInterface(CompiledScene scene, int id, boolean isSmooth) {
         for (int face = 0; face < scene.primitives[id].faceCount(); face++) {
             SurfaceMaterial m = scene.material(id, face);
             if (m.medium != null && m.indexOfRefraction != 1 && m.isDelta == isSmooth) {

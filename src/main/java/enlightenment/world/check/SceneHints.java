@@ -77,15 +77,15 @@ public final class SceneHints {
 
     /** Adds hints for lights in exactly the same place as another emitting surface, which alone is seen and emits. */
     private void hiddenLight(List<String> found) {
-        boolean[] isThere = new boolean[compiled.objects];
+        boolean[] hasPrimitive = new boolean[compiled.objects];
         for (int id = 0; id < compiled.primitives.length; id++) {
-            isThere[compiled.object[id]] = true;
+            hasPrimitive[compiled.object[id]] = true;
         }
         // The surfaces of lights come after the objects of the scene.
         int next = scene.objects().size();
         for (int i = 0; i < scene.lights().size(); i++) {
             boolean hasSurface = scene.lights().get(i).hasSurface();
-            if (hasSurface && !isThere[next++]) {
+            if (hasSurface && !hasPrimitive[next++]) {
                 found.add("/lights/" + i
                         + ": is in exactly the same place as another surface that glows, which is seen in its stead:"
                         + " it gives no light");

@@ -6,7 +6,7 @@ import enlightenment.primitive.Primitive;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.camera.EyeProjection;
 import enlightenment.world.light.PhysicalLight;
-import enlightenment.world.light.SpecularThings;
+import enlightenment.world.light.SpecularCasters;
 import enlightenment.world.material.SurfaceMaterial;
 
 /**
@@ -45,7 +45,7 @@ public final class SmallReflections {
         for (int face = 0; face < p.faceCount(); face++) {
             SurfaceMaterial material = scene.material(id, face);
             boolean isCurved = !p.support(face).isFlat() || material.turnsNormals();
-            if (isCurved && material.any(SpecularThings::isSharp)) {
+            if (isCurved && material.any(SpecularCasters::isSharp)) {
                 return true;
             }
         }

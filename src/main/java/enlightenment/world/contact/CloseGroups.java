@@ -29,27 +29,27 @@ final class CloseGroups {
     }
 
     /** Partitions these objects, given in ascending order. */
-    void part(int[] things) {
-        part(things, 0);
+    void part(int[] items) {
+        part(items, 0);
     }
 
     /** By each number, a chain of overlapping intervals is one group. */
-    private void part(int[] things, int level) {
-        if (things.length < 2) {
+    private void part(int[] items, int level) {
+        if (items.length < 2) {
             return;
         }
         if (level == numbers.length) {
-            each.accept(things);
+            each.accept(items);
             return;
         }
-        double[] low = new double[things.length];
-        double[] high = new double[things.length];
-        for (int i = 0; i < things.length; i++) {
+        double[] low = new double[items.length];
+        double[] high = new double[items.length];
+        for (int i = 0; i < items.length; i++) {
             if (level > 0) {
                 poll.run();
             }
-            double number = numbers[level].applyAsDouble(things[i]);
-            double by = margin.applyAsDouble(things[i]);
+            double number = numbers[level].applyAsDouble(items[i]);
+            double by = margin.applyAsDouble(items[i]);
             low[i] = number - by;
             high[i] = number + by;
         }
@@ -58,21 +58,21 @@ final class CloseGroups {
         double end = high[order[0]];
         for (int i = 1; i < order.length; i++) {
             if (low[order[i]] > end) {
-                part(things, order, start, i, level + 1);
+                part(items, order, start, i, level + 1);
                 start = i;
             }
             end = Math.max(end, high[order[i]]);
         }
-        part(things, order, start, order.length, level + 1);
+        part(items, order, start, order.length, level + 1);
     }
 
-    private void part(int[] things, int[] order, int from, int to, int level) {
+    private void part(int[] items, int[] order, int from, int to, int level) {
         if (to - from < 2) {
             return;
         }
         int[] members = new int[to - from];
         for (int i = from; i < to; i++) {
-            members[i - from] = things[order[i]];
+            members[i - from] = items[order[i]];
         }
         Arrays.sort(members);
         part(members, level);

@@ -56,13 +56,13 @@ final class CoincidenceFinder {
         for (int id = 0; found != null && id < found.length; id++) {
             if (found[id] != null) {
                 pollPairs(found[id].size());
-                found[id].end(found, this::isBorderOfGlass);
+                found[id].end(found, this::isInterfaceOfGlass);
             }
         }
         return found;
     }
 
-    private boolean isBorderOfGlass(int id, int face) {
+    private boolean isInterfaceOfGlass(int id, int face) {
         return compiled.materials().of(id, face).isGlass && primitives[id].isSolid();
     }
 

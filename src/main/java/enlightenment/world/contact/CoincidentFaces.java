@@ -22,7 +22,7 @@ public final class CoincidentFaces {
     static final double REACH = EndFaces.REACH;
 
     /** Whether a face is the interface of a solid of glass. */
-    interface BorderOfGlass {
+    interface InterfaceOfGlass {
         boolean test(int id, int face);
     }
 
@@ -82,7 +82,7 @@ public final class CoincidentFaces {
      * @param all by id
      * @param isGlass whether a face of a primitive, by their numbers, is the interface of a solid of glass
      */
-    void end(CoincidentFaces[] all, BorderOfGlass isGlass) {
+    void end(CoincidentFaces[] all, InterfaceOfGlass isGlass) {
         if (size < others.length) {
             others = Arrays.copyOf(others, size);
             faces = Arrays.copyOf(faces, size);

@@ -247,7 +247,7 @@ public final class CoincidentHits {
      * limit of overlaps; in classic shading that of the medium that is entered. Painted faces do not count: the ray may have been inside of
      * their solid all along, in a part that another medium filled.
      */
-    public int border(int entered, int left) {
+    public int boundary(int entered, int left) {
         int of = surfaceOf(entered);
         int other = surfaceOf(left);
         if (of == NONE || other == NONE) {

@@ -40,7 +40,7 @@ public final class CausticPass {
     public final double[] ballRadius;
 
     /** The number of casters. */
-    public final int things;
+    public final int casters;
 
     /** By light, then caster: the probability of the pair. */
     public final double[] probability;
@@ -75,10 +75,10 @@ public final class CausticPass {
             PhysicalLight[] lights,
             Sun[] suns,
             double ofUltraviolet,
-            SpecularThings balls,
+            SpecularCasters balls,
             boolean[] isSmall,
             CompiledPrimitives compiled) {
-        hasSmallLights = SmallLights.areThere(SmallLights.of(lights, suns, balls));
+        hasSmallLights = SmallLights.any(SmallLights.of(lights, suns, balls));
         this.lights = lights;
         this.isSmall = isSmall;
         this.suns = suns;
@@ -86,7 +86,7 @@ public final class CausticPass {
         SceneBall around = SceneBall.around(compiled.primitives());
         center = around.center();
         radius = around.radius();
-        things = balls.count();
+        casters = balls.count();
         ballX = balls.x;
         ballY = balls.y;
         ballZ = balls.z;
@@ -101,7 +101,7 @@ public final class CausticPass {
         isBeam = new boolean[n];
         shinesOutside = new boolean[n];
         shinesInside = new boolean[n];
-        int pairs = (n + suns.length) * things;
+        int pairs = (n + suns.length) * casters;
         probability = new double[pairs];
         cumulative = new double[pairs];
         for (int l = 0; l < n; l++) {
@@ -111,7 +111,7 @@ public final class CausticPass {
             prepareSun(i);
         }
         for (int pair = 0; pair < probability.length; pair++) {
-            if (!balls.isSharp[pair % things] && !isSmall[pair / things]) {
+            if (!balls.isSharp[pair % casters] && !isSmall[pair / casters]) {
                 probability[pair] = 0;
             }
         }
@@ -144,8 +144,8 @@ public final class CausticPass {
             return null;
         }
         int most = Math.max(Math.min(MOST_THINGS, MOST_PAIRS / n), 1);
-        boolean[] isSmall = SmallLights.of(lights, suns, SpecularThings.of(compiled, most, false, true));
-        SpecularThings balls = SpecularThings.of(compiled, most, true, SmallLights.areThere(isSmall));
+        boolean[] isSmall = SmallLights.of(lights, suns, SpecularCasters.of(compiled, most, false, true));
+        SpecularCasters balls = SpecularCasters.of(compiled, most, true, SmallLights.any(isSmall));
         if (balls.count() == 0) {
             return null;
         }
@@ -156,22 +156,22 @@ public final class CausticPass {
     private void prepare(int l) {
         PhysicalLight light = lights[l];
         boolean isApart = true;
-        for (int s = 0; s < things; s++) {
+        for (int s = 0; s < casters; s++) {
             isApart &= distance(light, s) > ballRadius[s] + light.ballRadius;
         }
         isBeam[l] = isApart && light.isBall;
         // Light that a solid emits on its inside reaches no caster outside of it.
         shinesOutside[l] = light.shinesOutside;
         shinesInside[l] = light.shinesInside && !(isApart && light.surface.isSolid());
-        for (int s = 0; s < things; s++) {
-            probability[l * things + s] = brightest > 0 ? brightness(light) / brightest * reach(l, s) : 0;
+        for (int s = 0; s < casters; s++) {
+            probability[l * casters + s] = brightest > 0 ? brightness(light) / brightest * reach(l, s) : 0;
         }
     }
 
     private void prepareSun(int i) {
         Sun sun = suns[i];
-        int first = (lights.length + i) * things;
-        for (int s = 0; s < things; s++) {
+        int first = (lights.length + i) * casters;
+        for (int s = 0; s < casters; s++) {
             probability[first + s] = sun.max() / brightest * sun.solidAngle * Math.PI * ballRadius[s] * ballRadius[s];
         }
     }
@@ -249,10 +249,10 @@ public final class CausticPass {
 
     /** Whether any light is small. */
     public boolean takesNarrow() {
-        return SmallLights.areThere(isSmall);
+        return SmallLights.any(isSmall);
     }
 
-    /** Samples a pair by a number in 0..1: {@code light · things + thing}. */
+    /** Samples a pair by a number in 0..1: {@code light · casters + caster}. */
     public int choose(double number) {
         int at = Arrays.binarySearch(cumulative, number);
         int pair = at < 0 ? -at - 1 : at + 1;

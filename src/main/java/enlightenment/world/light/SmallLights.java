@@ -21,7 +21,7 @@ final class SmallLights {
      *
      * @param narrow the surfaces with narrow lobes
      */
-    static boolean[] of(PhysicalLight[] lights, Sun[] suns, SpecularThings narrow) {
+    static boolean[] of(PhysicalLight[] lights, Sun[] suns, SpecularCasters narrow) {
         boolean[] small = new boolean[lights.length + suns.length];
         for (int l = 0; l < lights.length; l++) {
             for (int s = 0; s < narrow.count(); s++) {
@@ -33,7 +33,7 @@ final class SmallLights {
         return small;
     }
 
-    private static boolean isSmall(PhysicalLight light, SpecularThings narrow, int s) {
+    private static boolean isSmall(PhysicalLight light, SpecularCasters narrow, int s) {
         double x = narrow.x[s] - light.ballX;
         double y = narrow.y[s] - light.ballY;
         double z = narrow.z[s] - light.ballZ;
@@ -41,7 +41,7 @@ final class SmallLights {
         return Math.PI * radius * radius < SMALL * (x * x + y * y + z * z);
     }
 
-    static boolean areThere(boolean[] small) {
+    static boolean any(boolean[] small) {
         for (boolean isSmall : small) {
             if (isSmall) {
                 return true;

@@ -59,7 +59,7 @@ public final class MaterialBsdfs {
         if (material instanceof Glass glass) {
             return glass.smoothRefraction()
                     ? SmoothRefraction.INSTANCE
-                    : border(glass.roughness(), glass.multipleScattering());
+                    : roughInterface(glass.roughness(), glass.multipleScattering());
         }
         if (material instanceof Material.Fluorescent || !material.parts().isEmpty()) {
             return Lambert.INSTANCE;
@@ -85,7 +85,7 @@ public final class MaterialBsdfs {
                     : Lambert.INSTANCE;
         }
         if (material instanceof Material.Scattering scattering) {
-            return border(Texture.Amount.of(scattering.roughness()), true);
+            return roughInterface(Texture.Amount.of(scattering.roughness()), true);
         }
         throw new AssertionError("no physical form of the material " + material.type());
     }
@@ -174,11 +174,11 @@ public final class MaterialBsdfs {
      * The scattering function of a rough interface; for a textured roughness, one that stands for those of all its levels where no position
      * is given.
      */
-    private Bsdf border(Texture.Amount roughness, boolean losesNothing) {
+    private Bsdf roughInterface(Texture.Amount roughness, boolean losesNothing) {
         double value = roughness instanceof Texture.Amount.Constant constant ? constant.value() : 1;
         double alpha = value * value;
         return Microfacets.isSmooth(alpha)
                 ? SmoothDielectric.INSTANCE
-                : once(() -> new RoughDielectric(alpha, losesNothing), "border", alpha, losesNothing);
+                : once(() -> new RoughDielectric(alpha, losesNothing), "rough interface", alpha, losesNothing);
     }
 }

@@ -55,7 +55,7 @@ public final class SceneExtent {
             throw SceneException.of(
                     farthest(scene, frame),
                     "is about 1e" + Math.round(-exponent * StrictMath.log10(2))
-                            + " times as far from the eye as the smallest thing near it is large; physical shading is computed up to 1e120");
+                            + " times as far from the eye as the smallest object near it is large; physical shading is computed up to 1e120");
         }
     }
 

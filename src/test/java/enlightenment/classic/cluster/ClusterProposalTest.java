@@ -106,7 +106,7 @@ class ClusterProposalTest {
     /** A lobe of which a good part lies outside the disk: what falls there is lost, and must be. */
     @ParameterizedTest
     @ValueSource(strings = {"normal", "zeta", "linear"})
-    void weightsAreOneInTheMeanAtTheBorderToo(String family) {
+    void weightsAreOneInTheMeanAtTheInterfaceToo(String family) {
         ClusterProposal cluster = new ClusterProposal(Distribution.of(family));
         cluster.begin(1, 0, 0);
         Random random = new Random(6);

@@ -130,7 +130,7 @@ class BidirectionalWeightsTest {
         final Scattering s = new Scattering();
 
         final double survival;
-        final boolean isBorder;
+        final boolean isInterface;
 
         /** The vertices that it is one of, and which; null for a point of a light. */
         final PathVertices of;
@@ -152,7 +152,7 @@ class BidirectionalWeightsTest {
             bsdf = v.bsdf(k);
             v.get(k, s);
             survival = v.survival(k);
-            isBorder = bsdf.transmits();
+            isInterface = bsdf.transmits();
             of = v;
             number = k;
         }
@@ -162,7 +162,7 @@ class BidirectionalWeightsTest {
             this.place = place;
             bsdf = null;
             survival = 0;
-            isBorder = false;
+            isInterface = false;
             of = null;
             number = 0;
         }
@@ -294,9 +294,9 @@ class BidirectionalWeightsTest {
     }
 
     private double aimed(PhysicalLight light, int index, double cosine, Vertex point, Vertex x) {
-        double nx = x.isBorder ? 0 : x.s.nx;
-        double ny = x.isBorder ? 0 : x.s.ny;
-        double nz = x.isBorder ? 0 : x.s.nz;
+        double nx = x.isInterface ? 0 : x.s.nx;
+        double ny = x.isInterface ? 0 : x.s.ny;
+        double nz = x.isInterface ? 0 : x.s.nz;
         double probability =
                 scene.physical.picker.probability(index, x.place.x(), x.place.y(), x.place.z(), nx, ny, nz, choice);
         if (light.isPoint) {

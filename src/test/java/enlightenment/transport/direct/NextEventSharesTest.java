@@ -88,7 +88,7 @@ class NextEventSharesTest {
             state.begin();
             state.extend(PathEvent.WIDE, s, false);
             double ofSample = PowerHeuristic.weight(s.pdf, sampled.density);
-            assertTrue(path.goesOn());
+            assertTrue(path.continues());
             assertEquals(PathFollower.Event.SURFACE, path.next(ray));
             int light = path.at.light;
             assertTrue(light >= 0);

@@ -32,7 +32,7 @@ class StrategySharesTest {
     private static final int SMALL = 0;
     private static final int LARGE = 1;
 
-    /** What vertices are made of. Rough borders of glass may have narrow lobes or wide ones. */
+    /** What vertices are made of. Rough interfaces of glass may have narrow lobes or wide ones. */
     private enum Matter {
         MIRROR("\"mirror\""),
         CLEAR_GLASS("\"glass\", \"indexOfRefraction\": 1.5"),
@@ -111,7 +111,7 @@ class StrategySharesTest {
             case MIRROR, CLEAR_GLASS -> PathEvent.SPECULAR;
             case POLISHED_METAL -> PathEvent.NARROW;
             case METAL, MATTE -> PathEvent.WIDE;
-            case POLISHED_GLASS, FROSTED_GLASS -> PathEvent.ROUGH_BORDER;
+            case POLISHED_GLASS, FROSTED_GLASS -> PathEvent.ROUGH_INTERFACE;
             case FOG -> PathEvent.MEDIUM;
             case FOG_IN_GLASS -> PathEvent.REFRACTIVE_MEDIUM;
         };
@@ -147,12 +147,14 @@ class StrategySharesTest {
         for (int k = path.size() - 1; k >= 0; k--) {
             Matter matter = path.get(k);
             boolean isMedium = matter.material == null;
-            if (isMedium ? matter == Matter.FOG_IN_GLASS || !count.counts() : !count.goesOn(BSDF[matter.ordinal()])) {
+            if (isMedium
+                    ? matter == Matter.FOG_IN_GLASS || !count.counts()
+                    : !count.continues(BSDF[matter.ordinal()])) {
                 return 0;
             }
             if (k == 0) {
-                boolean isBorder = event(matter) == PathEvent.ROUGH_BORDER;
-                return isMedium || !isBorder && count.countsAt(BSDF[matter.ordinal()]) ? 1 : 0;
+                boolean isInterface = event(matter) == PathEvent.ROUGH_INTERFACE;
+                return isMedium || !isInterface && count.countsAt(BSDF[matter.ordinal()]) ? 1 : 0;
             }
             if (!isMedium) {
                 count.leave(event(matter) == PathEvent.SPECULAR, new Hit(), 1);

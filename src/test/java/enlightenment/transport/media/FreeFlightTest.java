@@ -83,7 +83,7 @@ class FreeFlightTest {
             Walk walk = new Walk(began.clone());
             for (int step = 0; step < 6; step++) {
                 walk.fly(in, random);
-                // Borders that turn the path on its way.
+                // Interfaces that turn the path on its way.
                 if (walk.flight.length > 0.3) {
                     walk.flight.pass(0.3);
                     step--;

@@ -285,7 +285,7 @@ class CausticTest {
 
     /** What stands between eye and caustic turns no ray: the pass sees through it, so that even the light of points is found. */
     @Test
-    void aBorderOfIndexOneBeforeTheEyeDimsACausticByItsAbsorption() {
+    void anInterfaceOfIndexOneBeforeTheEyeDimsACausticByItsAbsorption() {
         String smoke =
                 """
                 { "type": "box", "min": [-1, 3, -1], "max": [1, 4, 1],

@@ -219,7 +219,7 @@ class PathLightTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.3, 0.6, 1})
     void aLampIsSeenThroughRoughGlassAsItsLobesSay(double roughness) {
-        // The eye is in the glass and looks up at its border.
+        // The eye is in the glass and looks up at its interface.
         Scene.Builder scene = PathIntegratorTest.scene()
                 .camera(new Camera.Orthographic(ExactPoint.of(-0.3, -1, 0), ExactPoint.of(0, 0, 0), Vec3.Z, 1e-6))
                 .shading(new Shading.Physical(OptionalInt.of(1), Rgb.BLACK))

@@ -154,10 +154,10 @@ class RandomWalkTest {
         paths.means(16)[0].agreesWith(1);
     }
 
-    /** Rough borders give back what single facets lose, in the mean. */
+    /** Rough interfaces give back what single facets lose, in the mean. */
     @ParameterizedTest
     @CsvSource({"2, 0.3, 1.4, 0.3", "5, 0, 1.5, 0.7"})
-    void norCanItBehindARoughBorder(double sigma, double g, double index, double roughness) {
+    void norCanItBehindARoughInterface(double sigma, double g, double index, double roughness) {
         Scene scene = seenFrom(3, 45)
                 .object(BALL, new Material.Scattering(medium(sigma, 0, g), index, roughness, 0))
                 .build();

@@ -68,11 +68,11 @@ class SmoothRefractionConvergenceTest {
             Vec3 exit = p.minus(within.times(2 * within.dot(p)));
             Vec3 expected = refracted(within, exit.negated(), INDEX);
             path.begin(ray);
-            for (int border = 0; border < 2; border++) {
+            for (int crossed = 0; crossed < 2; crossed++) {
                 assertEquals(PathFollower.Event.GLASS, path.next(ray));
                 path.glass.choose(0.99999, new double[2]);
                 assertTrue(path.cross(ray) && path.glass.weight() == 1);
-                path.goesOn();
+                path.continues();
             }
             Vec3 seen = new Vec3(ray.dx, ray.dy, ray.dz).normalized();
             sum += seen.minus(expected).lengthSquared();

@@ -30,7 +30,7 @@ class StraightGlassTest {
     private static final String RING =
             "'type': 'torus', 'center': [0, 0, 0], 'axis': [0, 1, 0], 'majorRadius': 1, 'minorRadius': 0.4";
 
-    private static boolean isThere(String first, String second, double index, int priority) {
+    private static boolean interfaceExists(String first, String second, double index, int priority) {
         String text = SCENE.replace("FIRST", first.replace('\'', '"'))
                 .replace("SECOND", second.replace('\'', '"'))
                 .replace("INDEX", Double.toString(index))
@@ -67,6 +67,6 @@ class StraightGlassTest {
             })
     void onlyPanesEqualIndicesAndSolidsThatMeetAsk(
             String first, String second, double index, int priority, boolean expected) {
-        assertEquals(expected, isThere(first, second, index, priority));
+        assertEquals(expected, interfaceExists(first, second, index, priority));
     }
 }

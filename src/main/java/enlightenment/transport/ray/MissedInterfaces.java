@@ -7,7 +7,7 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.contact.GlassBoxes;
 
 /** Finds interfaces of glass that coincide with the surface that a ray leaves and that rounding put behind its origin. One per thread. */
-final class MissedBorders {
+final class MissedInterfaces {
     static final int NONE = -1;
 
     private final CompiledScene scene;
@@ -18,7 +18,7 @@ final class MissedBorders {
     /**
      * @param inside the solids that the ray is inside of, without interfaces that were missed
      */
-    MissedBorders(CompiledScene scene, MediumStack inside) {
+    MissedInterfaces(CompiledScene scene, MediumStack inside) {
         this.scene = scene;
         this.inside = inside;
         boxes = scene.glassBoxes.search();

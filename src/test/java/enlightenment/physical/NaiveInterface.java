@@ -3,7 +3,7 @@ package enlightenment.physical;
 import enlightenment.math.Vec3;
 
 /** What becomes of light that rough glass loses by single scattering (docs/notes/bsdfs.md), by brute force. */
-final class NaiveBorder {
+final class NaiveInterface {
     private static final int NODES = 64;
     private static final int SIDE = 128;
 
@@ -19,7 +19,7 @@ final class NaiveBorder {
     /** The share of what is lost here that comes through. */
     private final double through;
 
-    NaiveBorder(double alpha, double from, double to) {
+    NaiveInterface(double alpha, double from, double to) {
         facets = new NaiveFacets(alpha);
         here = table(from, to);
         there = table(to, from);

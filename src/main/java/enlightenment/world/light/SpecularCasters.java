@@ -16,7 +16,7 @@ import java.util.function.Predicate;
  * The specular casters of a scene: mirrors, glass, and rough surfaces with narrow lobes, as a few balls around them at which light paths
  * for caustics are aimed.
  */
-public final class SpecularThings {
+public final class SpecularCasters {
     /** The centres and radii of the balls, in the frame. */
     final double[] x;
 
@@ -27,7 +27,7 @@ public final class SpecularThings {
     /** By ball: whether a mirror or glass is in it. */
     final boolean[] isSharp;
 
-    private SpecularThings(List<Group> groups) {
+    private SpecularCasters(List<Group> groups) {
         isSharp = new boolean[groups.size()];
         for (int k = 0; k < isSharp.length; k++) {
             isSharp[k] = groups.get(k).isSharp;
@@ -49,14 +49,14 @@ public final class SpecularThings {
      * @param withSharp whether mirrors and glass are included
      * @param withNarrow whether surfaces with narrow lobes are included
      */
-    static SpecularThings of(CompiledPrimitives compiled, int most, boolean withSharp, boolean withNarrow) {
+    static SpecularCasters of(CompiledPrimitives compiled, int most, boolean withSharp, boolean withNarrow) {
         int n = compiled.primitives().length;
         int[] wanted = new int[n];
         boolean[] sharp = new boolean[n];
         int count = 0;
         for (int id = 0; id < n; id++) {
-            sharp[id] = hasFace(compiled, id, SpecularThings::isSharp);
-            if (withSharp && sharp[id] || withNarrow && hasFace(compiled, id, SpecularThings::isNarrow)) {
+            sharp[id] = hasFace(compiled, id, SpecularCasters::isSharp);
+            if (withSharp && sharp[id] || withNarrow && hasFace(compiled, id, SpecularCasters::isNarrow)) {
                 wanted[count++] = id;
             }
         }
@@ -64,7 +64,7 @@ public final class SpecularThings {
         if (count > 0) {
             split(compiled.primitives(), sharp, Arrays.copyOf(wanted, count), most, groups);
         }
-        return new SpecularThings(groups);
+        return new SpecularCasters(groups);
     }
 
     private static boolean hasFace(CompiledPrimitives compiled, int id, Predicate<SurfaceMaterial> such) {

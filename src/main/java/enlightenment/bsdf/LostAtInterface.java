@@ -11,7 +11,7 @@ package enlightenment.bsdf;
  * (E. Heitz, J. Hanika, E. d'Eon and C. Dachsbacher, "Multiple-scattering microfacet BSDFs with the Smith model", 2016):
  * docs/notes/bsdfs.md.
  */
-final class LostAtBorder {
+final class LostAtInterface {
     /** The reduction of the reflected share at the roughest surface. */
     private static final double LESS_AT_ROUGHEST = 0.75;
 
@@ -28,9 +28,9 @@ final class LostAtBorder {
      *
      * @param index of the dense side over that of the rare side, at least 1
      */
-    LostAtBorder(Microfacets facets, double index) {
-        rare = new AlbedoTable(new VisibleNormals.OfBorder(facets, 1 / index));
-        dense = new AlbedoTable(new VisibleNormals.OfBorder(facets, index));
+    LostAtInterface(Microfacets facets, double index) {
+        rare = new AlbedoTable(new VisibleNormals.OfInterface(facets, 1 / index));
+        dense = new AlbedoTable(new VisibleNormals.OfInterface(facets, index));
         double back = meanReflectance(1 / index) * (1 - LESS_AT_ROUGHEST * facets.alpha);
         through = (1 - back) * rare.meanLoss;
     }

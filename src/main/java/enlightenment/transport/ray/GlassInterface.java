@@ -9,7 +9,7 @@ import enlightenment.world.contact.CoincidentHits;
  * The change of media where several surfaces of glass coincide: the media before and behind them, and which surface is the interface of the
  * two.
  */
-final class GlassBorder {
+final class GlassInterface {
     private static final int NONE = -1;
 
     private final CoincidentHits coincident;
@@ -23,7 +23,7 @@ final class GlassBorder {
     /** The index of the coincident surface that is the interface; -1 if the medium does not change. */
     private int boundary = NONE;
 
-    GlassBorder(CoincidentHits coincident, MediumStack inside, MediumStack before) {
+    GlassInterface(CoincidentHits coincident, MediumStack inside, MediumStack before) {
         this.coincident = coincident;
         this.inside = inside;
         this.before = before;
@@ -43,7 +43,7 @@ final class GlassBorder {
             }
         }
         int to = inside.current();
-        boundary = from == to ? NONE : coincident.border(to, from);
+        boundary = from == to ? NONE : coincident.boundary(to, from);
     }
 
     /** Undoes the last {@link #cross}. */
@@ -52,16 +52,16 @@ final class GlassBorder {
     }
 
     /** Whether the last {@link #cross} changed the medium. */
-    boolean isThere() {
+    boolean changesMedium() {
         return boundary != NONE;
     }
 
-    /** The scattering function of the interface; requires {@link #isThere}. */
+    /** The scattering function of the interface; requires {@link #changesMedium}. */
     Bsdf bsdf() {
         return coincident.bsdf(boundary);
     }
 
-    /** The hit on the interface; requires {@link #isThere}. */
+    /** The hit on the interface; requires {@link #changesMedium}. */
     Hit hit() {
         return coincident.hit(boundary);
     }

@@ -25,9 +25,9 @@ public interface ComputeDevice {
     double measureDoubleRate();
 
     /**
-     * Brings a scene to the device.
+     * Compiles the program for scenes of a kind.
      *
-     * @throws DeviceFailure if it does not take it, or does not compute as the processor does
+     * @throws DeviceFailure if the device does not take it, or does not compute as the processor does
      */
-    DeviceKernel prepare(DeviceScene scene);
+    DeviceProgram compile(DeviceScene.Program which);
 }

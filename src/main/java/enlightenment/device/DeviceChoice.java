@@ -19,6 +19,9 @@ public record DeviceChoice(Kind kind, int number) {
         AUTO
     }
 
+    /** The word for the processor alone. */
+    public static final String NONE = "cpu";
+
     /** What the words may be. */
     public static final String WORDS = "cpu, opencl, opencl:N with N from 0, or auto";
 
@@ -33,7 +36,7 @@ public record DeviceChoice(Kind kind, int number) {
      * @throws InvalidValueException key {@code device} for another word
      */
     public static DeviceChoice of(String word) {
-        if (word.equals("cpu")) {
+        if (word.equals(NONE)) {
             return new DeviceChoice(Kind.CPU, 0);
         }
         if (word.equals("auto")) {

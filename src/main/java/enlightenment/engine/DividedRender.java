@@ -1,7 +1,9 @@
 package enlightenment.engine;
 
+import enlightenment.device.share.DeviceShare;
+import enlightenment.device.share.DeviceTiles;
+import enlightenment.device.share.PreparedDevice;
 import enlightenment.film.SampleLog;
-import enlightenment.plan.Learned;
 import enlightenment.plan.MethodDecision;
 import enlightenment.plan.MethodPilot;
 import enlightenment.plan.Planner;
@@ -17,11 +19,9 @@ import enlightenment.work.Stopwatch;
 import enlightenment.work.Workers;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.SceneCompiler;
-import enlightenment.world.parts.RayCounters;
-import java.nio.ByteBuffer;
 import java.nio.file.Path;
+import java.util.Iterator;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
@@ -39,7 +39,7 @@ public final class DividedRender implements UnitSource {
     private final CompiledScene compiled;
     private final RenderOutline outline;
     private final WorkUnits units;
-    private final ResultForm form;
+    private final UnitMakers makers;
 
     /** What makes further plans, or null where it was planned elsewhere. */
     private final Planner planner;
@@ -60,7 +60,7 @@ public final class DividedRender implements UnitSource {
         this.planner = planner;
         this.outline = outline;
         units = WorkUnits.forMachines(outline.settings(), outline.plan());
-        form = ResultForm.of(units, outline);
+        makers = new UnitMakers(units, compiled, outline, ResultForm.of(units, outline));
         course = new RenderCourse(outline, phases, rounds, round, time, room);
         this.room = room;
     }
@@ -256,9 +256,14 @@ public final class DividedRender implements UnitSource {
 
     @Override
     public UnitMaker maker(BooleanSupplier cancelled) {
-        RayCounters counters = new RayCounters(compiled.kindNames.size());
-        UnitWork work = work(counters, cancelled, null);
-        return unit -> make(Objects.checkIndex(unit, units.count()), work, counters);
+        return makers.maker(cancelled);
+    }
+
+    @Override
+    public UnitMaker maker(DeviceShare device, BooleanSupplier cancelled) {
+        return device.tryPrepare(compiled, outline.settings())
+                .map(tiles -> makers.maker(tiles, cancelled))
+                .orElseGet(() -> makers.maker(cancelled));
     }
 
     /** Whether more samples can be added to the results of tiles: the method lets them, and the tiles are made in one pass. */
@@ -268,86 +273,39 @@ public final class DividedRender implements UnitSource {
 
     /** Whether the method has tiles, and lets more samples be added to their results. */
     public boolean methodCanGrow() {
-        if (!units.haveTiles()) {
-            return false;
-        }
-        RenderSettings.Crop region = outline.settings().region();
-        return work(new RayCounters(compiled.kindNames.size()), () -> false, null)
-                        .samples(region.x(), region.y())
-                > 0;
-    }
-
-    private UnitWork work(RayCounters counters, BooleanSupplier cancelled, SampleLog log) {
-        Learned learned = log == null ? Learned.UNSEEN : new Learned(null, null, log);
-        return new UnitWork(units, compiled, outline, counters, learned, cancelled);
-    }
-
-    /** Does units, for one thread, so that more samples can be added to them later. */
-    public interface Growing {
-        /**
-         * Whether the unit with this number can go on from a result.
-         *
-         * @param before what this made of the same tile with fewer samples; has been looked at ({@link FilmAssembly#problemOfKept})
-         */
-        boolean canGrow(int unit, byte[] before);
-
-        /**
-         * The result of a unit: that of {@link UnitMaker#make}, followed by what is needed to go on where the method can.
-         *
-         * @param before what it {@linkplain #canGrow can} go on from; null for nothing
-         */
-        byte[] make(int unit, byte[] before);
+        return makers.methodCanGrow();
     }
 
     /**
      * Does units, for one thread, so that more samples can be added to them later.
      *
      * @param cancelled as for {@link #maker(BooleanSupplier)}
+     * @param log receives the camera samples of each unit: all of them where it goes on from nothing; null for none
      */
-    public Growing growing(BooleanSupplier cancelled) {
-        return growing(cancelled, null);
+    public GrowingMaker growing(BooleanSupplier cancelled, SampleLog log) {
+        return makers.growing(cancelled, log);
     }
 
     /**
-     * The same, of whose camera samples a log is kept, which is given away with each unit: with all of them where it goes on from nothing.
+     * Does units by a device, for one thread, so that more samples can be added to them later.
      *
-     * @param log null for none
+     * @param tiles of this render's scene; not closed
      */
-    public Growing growing(BooleanSupplier cancelled, SampleLog log) {
-        RayCounters counters = new RayCounters(compiled.kindNames.size());
-        UnitWork work = work(counters, cancelled, log);
-        return new Growing() {
-            @Override
-            public boolean canGrow(int unit, byte[] before) {
-                return form.canGrow(unit, work, before);
-            }
-
-            @Override
-            public byte[] make(int unit, byte[] before) {
-                counters.clear();
-                if (before != null) {
-                    counters.add(ResultHeader.counters(before, outline.kinds().size()));
-                }
-                ResultHeader header = new ResultHeader();
-                ByteBuffer out = form.grow(unit, work, header, before);
-                header.write(out.position(0), counters);
-                if (log != null) {
-                    log.flush();
-                }
-                return out.array();
-            }
-        };
+    public GrowingMaker growing(DeviceTiles tiles, BooleanSupplier cancelled) {
+        return makers.growing(tiles, cancelled);
     }
 
-    private byte[] make(int unit, UnitWork work, RayCounters counters) {
-        counters.clear();
-        ResultHeader header = new ResultHeader();
-        ByteBuffer out = form.make(unit, work, header);
-        header.write(out.position(0), counters);
-        return out.array();
+    /**
+     * Copies the scene to the device that was asked for.
+     *
+     * @param notes receives messages for the user
+     * @throws enlightenment.math.InvalidValueException key {@code device}, if the device that was asked for by name cannot take part
+     */
+    public PreparedDevice prepare(String device, Consumer<String> notes) {
+        return PreparedDevice.of(device, compiled, outline.settings(), notes);
     }
 
-    /** Hears of units that are done, from several threads at once. */
+    /** Receives the results of units that are done, from several threads at once. */
     @FunctionalInterface
     public interface ResultSink {
         /** The unit is done. */
@@ -355,15 +313,19 @@ public final class DividedRender implements UnitSource {
     }
 
     /**
-     * Does some units with as many threads as the settings say.
+     * Does some units with as many threads as the settings say, and some more for a device.
      *
+     * @param device a thread each; not closed
      * @param cancelled asked from several threads at once; once true, or once the calling thread is interrupted, the rest is
      *     left undone
      */
-    public void make(int[] some, BooleanSupplier cancelled, ResultSink sink) {
+    public void make(int[] some, List<DeviceTiles> device, BooleanSupplier cancelled, ResultSink sink) {
         BooleanSupplier stop = Cancellation.of(cancelled);
-        Workers.run(outline.settings().threads(), some.length, stop, () -> {
-            UnitMaker maker = maker(stop);
+        Iterator<DeviceTiles> tiles = device.iterator();
+        Workers.run(outline.settings().threads() + device.size(), some.length, stop, () -> {
+            // Closed by their owner.
+            @SuppressWarnings("resource")
+            UnitMaker maker = tiles.hasNext() ? makers.maker(tiles.next(), stop) : maker(stop);
             return i -> sink.made(some[i], maker.make(some[i]));
         });
     }

@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.file.ContentHash;
 import enlightenment.image.Image;
 import enlightenment.picture.Rounding;
 import enlightenment.report.RenderReport;
@@ -119,7 +120,12 @@ public final class FilmAssembly implements UnitAssembly {
         return form.problemOf(unit, bytes, false);
     }
 
-    /** As {@link #problem}, of a result that was kept with what it can grow by ({@link DividedRender.Growing}). */
+    @Override
+    public ContentHash digest(int unit, byte[] bytes) {
+        return form.digest(bytes);
+    }
+
+    /** As {@link #problem}, of a result that was kept with what it can grow by ({@link GrowingMaker}). */
     public Optional<String> problemOfKept(int unit, byte[] bytes) {
         return form.problemOf(unit, bytes, true);
     }

@@ -1,8 +1,10 @@
 package enlightenment.engine;
 
+import enlightenment.device.share.DeviceShare;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.function.IntFunction;
 
 /**
@@ -39,7 +41,12 @@ public final class FilmUnits implements UnitSource {
 
     @Override
     public UnitMaker maker(BooleanSupplier cancelled) {
-        return new Maker(cancelled);
+        return new Maker(frame -> frame.maker(cancelled));
+    }
+
+    @Override
+    public UnitMaker maker(DeviceShare device, BooleanSupplier cancelled) {
+        return new Maker(frame -> frame.maker(device, cancelled));
     }
 
     private synchronized DividedRender render(int frame) {
@@ -61,25 +68,40 @@ public final class FilmUnits implements UnitSource {
         return UnitGroups.of(render.outline(), groups[frame]);
     }
 
-    /** One thread's, with what it has of the frame that it made a unit of last. */
+    /** Does units for one thread, with what it has of the frame of its last unit. */
     private final class Maker implements UnitMaker {
-        private final BooleanSupplier cancelled;
+        private final Function<DividedRender, UnitMaker> makers;
         private int frame = -1;
-        private UnitMaker ofFrame;
 
-        Maker(BooleanSupplier cancelled) {
-            this.cancelled = cancelled;
+        /** Of that frame's units; null before the first. */
+        private UnitMaker ofUnits;
+
+        private UnitMaker ofGroups;
+
+        Maker(Function<DividedRender, UnitMaker> makers) {
+            this.makers = makers;
         }
 
         @Override
         public byte[] make(int unit) {
             int wanted = layout.frame(unit);
             if (wanted != frame) {
+                close();
                 DividedRender render = render(wanted);
-                ofFrame = groups(wanted, render).maker(render.maker(cancelled));
+                ofUnits = makers.apply(render);
+                ofGroups = groups(wanted, render).maker(ofUnits);
                 frame = wanted;
             }
-            return ofFrame.make(unit - layout.first(wanted));
+            return ofGroups.make(unit - layout.first(wanted));
+        }
+
+        @Override
+        public void close() {
+            if (ofUnits != null) {
+                ofUnits.close();
+                ofUnits = null;
+                frame = -1;
+            }
         }
     }
 }

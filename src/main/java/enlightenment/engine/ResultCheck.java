@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.file.ContentHash;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -27,5 +28,10 @@ public final class ResultCheck {
     /** Why these bytes cannot be the result of this unit: wrong size, what is no number or out of range; empty if they can. */
     public Optional<String> problem(int unit, byte[] bytes) {
         return form.problemOf(unit, bytes, false);
+    }
+
+    /** The hash of a result without problems, as {@link UnitAssembly#digest}. */
+    public ContentHash digest(byte[] bytes) {
+        return form.digest(bytes);
     }
 }

@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.file.ContentHash;
 import enlightenment.scene.RenderSettings;
 import java.nio.ByteBuffer;
 import java.util.Optional;
@@ -61,6 +62,11 @@ abstract class ResultForm {
 
     /** Whether taking a result out needs what was put. */
     abstract boolean needsStore();
+
+    /** The hash of a result without problems but for its counters. */
+    final ContentHash digest(byte[] bytes) {
+        return ResultHeader.digest(bytes, kinds);
+    }
 
     /** Where the header ends. */
     final int start() {

@@ -1,7 +1,9 @@
 package enlightenment.engine;
 
+import enlightenment.file.ContentHash;
 import enlightenment.world.parts.RayCounters;
 import java.nio.ByteBuffer;
+import java.security.MessageDigest;
 import java.util.Optional;
 import java.util.OptionalLong;
 
@@ -96,6 +98,15 @@ final class ResultHeader {
             c.hits[i] = in.getLong();
         }
         return c;
+    }
+
+    /** The hash of a result without problems but for its counters: a device tests other primitives for the same pixels. */
+    static ContentHash digest(byte[] result, int kinds) {
+        MessageDigest digest = ContentHash.sha256();
+        digest.update(result, 0, Long.BYTES);
+        int end = length(kinds) - Long.BYTES;
+        digest.update(result, end, result.length - end);
+        return ContentHash.fromBytes(digest.digest());
     }
 
     static long surveyRays(byte[] result) {

@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.file.ContentHash;
 import enlightenment.image.Image;
 import java.util.List;
 import java.util.Optional;
@@ -14,6 +15,13 @@ public interface UnitAssembly {
 
     /** Why these bytes cannot be the result of this unit: wrong size, what is no number or out of range; empty if they can. */
     Optional<String> problem(int unit, byte[] bytes);
+
+    /**
+     * The hash by which results of a unit are compared: of all but their counters, which depend on what rendered them.
+     *
+     * @param bytes a result without {@linkplain #problem problems}
+     */
+    ContentHash digest(int unit, byte[] bytes);
 
     /**
      * Puts the result of a unit, in place of what is there of it.

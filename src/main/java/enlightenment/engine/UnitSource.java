@@ -1,5 +1,6 @@
 package enlightenment.engine;
 
+import enlightenment.device.share.DeviceShare;
 import java.util.function.BooleanSupplier;
 
 /** Units of work that may be done anywhere, by anyone, in any order: those of a picture, or of many pictures. */
@@ -14,4 +15,11 @@ public interface UnitSource {
      *     java.util.concurrent.CancellationException}, in the middle of a unit if need be
      */
     UnitMaker maker(BooleanSupplier cancelled);
+
+    /**
+     * Does units with a device, for one of its threads; where the device cannot take part the processor does.
+     *
+     * @param cancelled as for {@link #maker(BooleanSupplier)}
+     */
+    UnitMaker maker(DeviceShare device, BooleanSupplier cancelled);
 }

@@ -132,7 +132,7 @@ final class Coordination implements ServerConnection.Host {
 
     private void startLocal(int threads) {
         if (local == null) {
-            local = new LocalWorker(job.units(), threads, this::handle, this::failed);
+            local = new LocalWorker(job.units(), threads, job::result, this::handle, this::failed);
             local.start();
         }
     }

@@ -9,7 +9,6 @@ import enlightenment.job.Build;
 import enlightenment.net.job.Canary;
 import enlightenment.net.job.JobContent;
 import enlightenment.net.job.Results;
-import enlightenment.net.job.TileData;
 import enlightenment.net.schedule.Action;
 import enlightenment.net.server.ServerJob;
 import enlightenment.render.RenderProgress;
@@ -135,7 +134,7 @@ public final class EngineJob implements Closeable {
         });
         if (!film.has(tile)) {
             Origin origin = Origin.Peer.of(machine.getBytes(StandardCharsets.UTF_8));
-            job.keep(new Action.Keep(tile, origin, TileData.of(bytes)));
+            job.keep(new Action.Keep(tile, origin, job.result(tile, bytes)));
         }
     }
 

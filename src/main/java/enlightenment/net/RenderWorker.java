@@ -1,8 +1,12 @@
 package enlightenment.net;
 
 import enlightenment.check.Check;
+import enlightenment.device.DeviceChoice;
+import enlightenment.device.DeviceFailure;
+import enlightenment.device.share.DeviceShare;
 import enlightenment.file.ContentHash;
 import enlightenment.job.Build;
+import enlightenment.math.InvalidValueException;
 import enlightenment.net.job.Canary;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Timing;
@@ -11,7 +15,6 @@ import enlightenment.net.secure.Tls;
 import enlightenment.net.secure.Token;
 import enlightenment.net.worker.MachineIdentity;
 import enlightenment.net.worker.Patience;
-import enlightenment.net.worker.RenderPool;
 import enlightenment.net.worker.SessionEnd;
 import enlightenment.net.worker.WorkerJobs;
 import enlightenment.net.worker.WorkerSession;
@@ -63,6 +66,7 @@ public final class RenderWorker {
      * @param cancelled asked a few times a second by several threads; once true, or once the calling thread is interrupted, the
      *     worker says good-bye and ends
      * @throws IOException if a file of the options cannot be used
+     * @throws enlightenment.math.InvalidValueException key {@code device}, if the device of the options cannot be used
      * @throws IllegalStateException if the library for CBOR, which is optional, is not there
      */
     public static Outcome run(String host, int port, Options options, BooleanSupplier cancelled) throws IOException {
@@ -80,7 +84,8 @@ public final class RenderWorker {
         var identity = new WorkerSession.Identity(options.version, options.threads, process, options.machine);
         AtomicReference<WorkerSession> current = new AtomicReference<>();
         RepeatedLines lines = new RepeatedLines(log);
-        try (WorkerJobs jobs = new WorkerJobs(options.threads, options.version, options.tamper)) {
+        try (DeviceShare device = device(options, log);
+                WorkerJobs jobs = new WorkerJobs(options.threads, device, options.version, options.tamper)) {
             return work(
                     () -> new WorkerSession(server, identity, options.timing, jobs, current, lines::say, isOver),
                     options.reconnectSeconds,
@@ -89,6 +94,15 @@ public final class RenderWorker {
                     isOver);
         } finally {
             lines.settle();
+        }
+    }
+
+    /** The device of the options; null for none. */
+    private static DeviceShare device(Options options, Consumer<String> log) {
+        try {
+            return DeviceShare.of(options.device, log).orElse(null);
+        } catch (DeviceFailure e) {
+            throw new InvalidValueException("device", "cannot be used: " + e.getMessage());
         }
     }
 
@@ -167,6 +181,7 @@ public final class RenderWorker {
      */
     public static final class Options {
         final int threads;
+        final DeviceChoice device;
         final Optional<Path> tokenFile;
         final Optional<byte[]> token;
         final Optional<Path> authorities;
@@ -176,10 +191,11 @@ public final class RenderWorker {
         final String version;
         final byte[] machine;
         final Timing timing;
-        final RenderPool.Tamper tamper;
+        final WorkerJobs.Tamper tamper;
 
         private Options(Builder b) {
             threads = b.threads;
+            device = b.device;
             tokenFile = b.tokenFile;
             token = b.token;
             authorities = b.authorities;
@@ -202,6 +218,7 @@ public final class RenderWorker {
             private static final int MAX_THREADS = Limits.THREADS;
 
             private int threads = Runtime.getRuntime().availableProcessors();
+            private DeviceChoice device = DeviceChoice.of(DeviceChoice.NONE);
             private Optional<Path> tokenFile = Optional.empty();
             private Optional<byte[]> token = Optional.empty();
             private Optional<Path> authorities = Optional.empty();
@@ -211,13 +228,24 @@ public final class RenderWorker {
             private String version = Build.number();
             private byte[] machine = MachineIdentity.secret();
             private Timing timing = Timing.DEFAULT;
-            private RenderPool.Tamper tamper = (tile, bytes) -> bytes;
+            private WorkerJobs.Tamper tamper = (tile, bytes) -> bytes;
 
             private Builder() {}
 
             /** How many tiles are rendered at once, at least 1. */
             public Builder threads(int threads) {
                 this.threads = threads;
+                return this;
+            }
+
+            /**
+             * What renders tiles beside the threads, where it can take part: {@code cpu} for nothing, {@code opencl} or {@code opencl:N}
+             * for the N-th device, from 0, that a driver for OpenCL offers, {@code auto} for a graphics processor if there is one.
+             *
+             * @throws enlightenment.math.InvalidValueException if it is something else
+             */
+            public Builder device(String word) {
+                device = DeviceChoice.of(word);
                 return this;
             }
 
@@ -290,7 +318,7 @@ public final class RenderWorker {
             }
 
             /** For tests. */
-            Builder tamper(RenderPool.Tamper tamper) {
+            Builder tamper(WorkerJobs.Tamper tamper) {
                 this.tamper = tamper;
                 return this;
             }

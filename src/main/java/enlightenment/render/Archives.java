@@ -3,6 +3,7 @@ package enlightenment.render;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.EarlierUnits;
 import enlightenment.engine.FilmAssembly;
+import enlightenment.engine.GrowingMaker;
 import enlightenment.engine.KeptPlan;
 import enlightenment.engine.RenderOutline;
 import enlightenment.film.SampleLog;
@@ -184,7 +185,7 @@ final class Archives {
     }
 
     /** What a tile can go on from; null for nothing. */
-    byte[] earlier(int unit, FilmAssembly film, DividedRender.Growing maker) {
+    byte[] earlier(int unit, FilmAssembly film, GrowingMaker maker) {
         List<byte[]> found = new ArrayList<>();
         each(kept -> {
             for (Earlier earlier : kept.earlier) {

@@ -1,8 +1,11 @@
 package enlightenment.render;
 
+import enlightenment.device.share.DeviceTiles;
+import enlightenment.device.share.PreparedDevice;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.FilmPlace;
+import enlightenment.engine.GrowingMaker;
 import enlightenment.engine.PictureFilm;
 import enlightenment.engine.Preview;
 import enlightenment.image.Image;
@@ -12,6 +15,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.work.Phases;
 import enlightenment.work.Workers;
 import enlightenment.world.CompiledScene;
+import java.util.Iterator;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -29,11 +33,14 @@ final class KeptRender implements PictureRender {
     /** What is shown where nothing is finished yet, or null. */
     private final Preview preview;
 
+    private final PreparedDevice device;
+
     /**
      * A render of which nothing is done yet.
      *
      * @param preview what is shown where nothing is finished yet, or null
      * @param place where the finished pixels are
+     * @param device takes part; keeps no camera samples
      */
     KeptRender(
             RenderRequest request,
@@ -42,7 +49,9 @@ final class KeptRender implements PictureRender {
             Archives archives,
             int round,
             Preview preview,
-            FilmPlace place) {
+            FilmPlace place,
+            PreparedDevice device) {
+        this.device = device;
         this.request = request;
         this.archives = archives;
         this.round = round;
@@ -59,10 +68,14 @@ final class KeptRender implements PictureRender {
         int[] missing = assembly.missing();
         tell();
         Archives.Ticker ticker = archives.startTicking();
+        Iterator<DeviceTiles> tiles = device.tiles().iterator();
+        int threads = settings.threads() + device.tiles().size();
         try {
-            Workers.run(settings.threads(), missing.length, cancelled, () -> {
+            Workers.run(threads, missing.length, cancelled, () -> {
                 Archives.Samples samples = archives.samples(settings.width());
-                DividedRender.Growing maker = render.growing(cancelled, samples.log());
+                GrowingMaker maker = tiles.hasNext()
+                        ? render.growing(tiles.next(), cancelled)
+                        : render.growing(cancelled, samples.log());
                 return i -> {
                     int unit = missing[i];
                     samples.beginUnit(unit);
@@ -78,6 +91,7 @@ final class KeptRender implements PictureRender {
         } finally {
             ticker.close();
         }
+        device.note();
     }
 
     private void tell() {

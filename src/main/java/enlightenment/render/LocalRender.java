@@ -1,6 +1,8 @@
 package enlightenment.render;
 
 import enlightenment.classic.cluster.ClusterStatistics;
+import enlightenment.device.share.DeviceTiles;
+import enlightenment.device.share.PreparedDevice;
 import enlightenment.engine.FilmPlace;
 import enlightenment.engine.PictureFilm;
 import enlightenment.engine.Preview;
@@ -21,6 +23,7 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.Iterator;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import jdk.jfr.FlightRecorder;
@@ -47,8 +50,7 @@ final class LocalRender implements PictureRender {
     /** Gathers chains, or null. */
     private List<RenderResult.PathChain> chains;
 
-    /** The device that takes part, or null. */
-    private DeviceShare device;
+    private final PreparedDevice device;
 
     private long peakMemory;
 
@@ -57,6 +59,7 @@ final class LocalRender implements PictureRender {
      *
      * @param preview what is shown where nothing is finished yet, or null
      * @param place where the finished pixels are
+     * @param device takes part
      */
     LocalRender(
             String sceneName,
@@ -66,7 +69,9 @@ final class LocalRender implements PictureRender {
             RenderProgress progress,
             BooleanSupplier cancelled,
             Preview preview,
-            FilmPlace place) {
+            FilmPlace place,
+            PreparedDevice device) {
+        this.device = device;
         this.scene = scene;
         this.preview = preview;
         this.progress = progress;
@@ -74,11 +79,6 @@ final class LocalRender implements PictureRender {
         outline = RenderOutline.of(sceneName, scene, settings, plan);
         units = WorkUnits.forThreads(settings, plan);
         film = PictureFilm.of(units, outline, place);
-    }
-
-    /** Says before the start that a device takes part. */
-    void share(DeviceShare with) {
-        device = with;
     }
 
     /** Says before the start that ray clusters are to be gathered. */
@@ -117,24 +117,18 @@ final class LocalRender implements PictureRender {
 
     @Override
     public void run() {
-        int ofDevice = device == null ? 0 : device.threads();
-        Workers.run(outline.settings().threads() + ofDevice, units.count(), cancelled, () -> {
+        Iterator<DeviceTiles> tiles = device.tiles().iterator();
+        int threads = outline.settings().threads() + device.tiles().size();
+        double samples = outline.plan().level();
+        Workers.run(threads, units.count(), cancelled, () -> {
             RayCounters mine = new RayCounters(scene.kindNames.size());
             counters.add(mine);
-            UnitWork work = counters.size() <= ofDevice
-                    ? new UnitWork(
-                            units,
-                            scene,
-                            outline,
-                            mine,
-                            device.tiles(counters.size() - 1, outline.plan().level(), mine),
-                            cancelled)
+            UnitWork work = tiles.hasNext()
+                    ? new UnitWork(units, scene, outline, mine, tiles.next().integrator(samples, mine), cancelled)
                     : new UnitWork(units, scene, outline, mine, learned(), cancelled);
             return unit -> render(unit, work);
         });
-        if (device != null) {
-            device.tell(counters.stream().mapToLong(c -> c.cameraRays).sum());
-        }
+        device.note();
     }
 
     private void render(int unit, UnitWork work) {

@@ -1,5 +1,6 @@
 package enlightenment.render;
 
+import enlightenment.device.share.PreparedDevice;
 import enlightenment.engine.FilmPlace;
 import enlightenment.engine.Preview;
 import enlightenment.plan.Planner;
@@ -22,17 +23,17 @@ final class PreparedRender {
     private final FilmChoice film;
     private final Phases phases;
     private final Stopwatch time;
-    private final DeviceShare device;
+    private final PreparedDevice device;
     private final BooleanSupplier cancelled;
 
-    /** @param device takes part, if not null */
+    /** @param device takes part */
     PreparedRender(
             RenderRequest request,
             CompiledScene scene,
             FilmChoice film,
             Phases phases,
             Stopwatch time,
-            DeviceShare device,
+            PreparedDevice device,
             BooleanSupplier cancelled) {
         this.request = request;
         settings = request.settings();

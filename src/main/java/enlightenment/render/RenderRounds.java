@@ -1,5 +1,6 @@
 package enlightenment.render;
 
+import enlightenment.device.share.PreparedDevice;
 import enlightenment.engine.FilmPlace;
 import enlightenment.engine.Preview;
 import enlightenment.engine.Reports;
@@ -35,8 +36,7 @@ final class RenderRounds {
 
     private final FilmPlace place;
 
-    /** The device that takes part, or null. */
-    private final DeviceShare device;
+    private final PreparedDevice device;
 
     /**
      * One render of the picture.
@@ -52,7 +52,7 @@ final class RenderRounds {
      * @param time since the render began
      * @param archives where the results of units are kept, or null
      * @param place where finished pixels are
-     * @param device takes part, if not null
+     * @param device takes part
      */
     RenderRounds(
             RenderRequest request,
@@ -65,7 +65,7 @@ final class RenderRounds {
             Stopwatch time,
             Archives archives,
             FilmPlace place,
-            DeviceShare device) {
+            PreparedDevice device) {
         this.device = device;
         this.request = request;
         settings = request.settings();
@@ -143,8 +143,15 @@ final class RenderRounds {
 
     private LocalRender local(RenderPlan plan) {
         LocalRender render = new LocalRender(
-                request.scene().name(), scene, settings, plan, request.progress(), request.cancelled(), preview, place);
-        render.share(device);
+                request.scene().name(),
+                scene,
+                settings,
+                plan,
+                request.progress(),
+                request.cancelled(),
+                preview,
+                place,
+                device);
         if (request.clusters()) {
             render.gatherClusters();
         }
@@ -155,8 +162,9 @@ final class RenderRounds {
     }
 
     private Round render(RenderPlan plan, int round) {
-        PictureRender render =
-                archives == null ? local(plan) : new KeptRender(request, scene, plan, archives, round, preview, place);
+        PictureRender render = archives == null
+                ? local(plan)
+                : new KeptRender(request, scene, plan, archives, round, preview, place, device);
         if (parts.isNeeded()) {
             // Before the picture: what is left of that if the render is stopped has its parts.
             phases.run("auxiliary", () -> parts.run(plan, request.cancelled()));

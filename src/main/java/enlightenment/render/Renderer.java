@@ -1,5 +1,7 @@
 package enlightenment.render;
 
+import enlightenment.device.DeviceChoice;
+import enlightenment.device.share.PreparedDevice;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.math.InvalidValueException;
@@ -196,10 +198,22 @@ public final class Renderer {
         if (request.denoised()) {
             Denoising.check(scene);
         }
-        DeviceShare device = DeviceShare.of(request, scene).orElse(null);
-        try (device) {
+        try (PreparedDevice device = device(request, scene)) {
             return new PreparedRender(request, scene, film, phases, time, device, cancelled).run();
         }
+    }
+
+    private static PreparedDevice device(RenderRequest request, CompiledScene scene) {
+        boolean keepsSamples = request.archives().stream()
+                .anyMatch(a -> a instanceof RenderResult.Archive.OfSamples samples && samples.keepsSamples());
+        if (keepsSamples && DeviceChoice.of(request.device()).kind() == DeviceChoice.Kind.OPENCL) {
+            throw new InvalidValueException("device", "cannot be " + request.device() + ": devices keep no samples");
+        }
+        return PreparedDevice.of(
+                keepsSamples ? DeviceChoice.NONE : request.device(),
+                scene,
+                request.settings(),
+                request.progress()::note);
     }
 
     /**

@@ -200,7 +200,7 @@ class ArchitectureTest {
             .whereLayer("method")
             .mayOnlyBeAccessedByLayers("device", "classic cluster", "plan", "render", "engine")
             .whereLayer("device")
-            .mayOnlyBeAccessedByLayers("render", "cli")
+            .mayOnlyBeAccessedByLayers("engine", "render", "net", "cli")
             .whereLayer("classic cluster")
             .mayOnlyBeAccessedByLayers("plan", "render")
             .whereLayer("probe")

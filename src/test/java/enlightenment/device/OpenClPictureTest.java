@@ -2,9 +2,7 @@ package enlightenment.device;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import enlightenment.device.opencl.OpenClDevices;
 import enlightenment.film.FilmTile;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -32,14 +30,7 @@ class OpenClPictureTest {
 
     @BeforeAll
     static void find() {
-        try {
-            devices = OpenClDevices.all().stream()
-                    .filter(d -> d.problem().isEmpty())
-                    .toList();
-        } catch (DeviceFailure e) {
-            // None.
-        }
-        assumeTrue(!devices.isEmpty(), "no driver for OpenCL is installed");
+        devices = OpenClDriver.assume();
     }
 
     /** Renders a scene on every device, and returns the share of samples that devices shaded. */
@@ -49,7 +40,9 @@ class OpenClPictureTest {
         FilmTile expected = TilePair.onProcessor(compiled, settings);
         double done = 0;
         for (ComputeDevice device : devices) {
-            try (DeviceKernel kernel = device.prepare(DeviceScene.of(compiled, settings))) {
+            DeviceScene flat = DeviceScene.of(compiled, settings);
+            try (DeviceProgram program = device.compile(flat.program());
+                    DeviceKernel kernel = program.prepare(flat)) {
                 DeviceTileShader shader =
                         new DeviceTileShader(compiled, settings, TilePair.counters(compiled), kernel, e -> {
                             throw e;

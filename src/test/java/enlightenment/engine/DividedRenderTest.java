@@ -118,7 +118,7 @@ class DividedRenderTest {
     void whatATileCanGrowByIsTakenOfWhatWasKeptAndRefusedOfAWorker() {
         DividedRender tiled = tiled(settings(Method.RAYTRACE));
         byte[] plain = tiled.maker().make(0);
-        byte[] grown = tiled.growing(() -> false).make(0, null);
+        byte[] grown = tiled.growing(() -> false, null).make(0, null);
         assertTrue(grown.length > plain.length);
         FilmAssembly assembly = tiled.assembly();
         assertEquals(Optional.empty(), assembly.problemOfKept(0, grown));

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.net.parts.RenderParts;
 import enlightenment.render.RenderProgress;
+import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
 import enlightenment.scene.Method;
@@ -72,14 +73,11 @@ class CancelledPlanNetTest {
         assertThrows(
                 CancellationException.class,
                 () -> RenderParts.render(
-                        Farm.SCENE,
-                        SURVEYED,
+                        RenderRequest.of(Farm.SCENE, SURVEYED).withCancelled(soon()),
                         1,
                         2,
                         samples -> Map.of(),
-                        folder.resolve("part.film"),
-                        RenderProgress.NONE,
-                        soon()));
+                        folder.resolve("part.film")));
         assertNothingIsKept();
     }
 

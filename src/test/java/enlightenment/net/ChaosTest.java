@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.net.protocol.Timing;
-import enlightenment.net.worker.RenderPool;
+import enlightenment.net.worker.WorkerJobs;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -191,7 +191,7 @@ class ChaosTest {
         }
     }
 
-    private void lie(RenderPool.Tamper tamper) {
+    private void lie(WorkerJobs.Tamper tamper) {
         join(Farm.worker(1).tamper(tamper).machine("liar " + random.nextInt()), port);
     }
 }

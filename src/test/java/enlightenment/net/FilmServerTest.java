@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.device.OpenClDriver;
 import enlightenment.engine.DividedRender;
 import enlightenment.image.Image;
 import enlightenment.physical.InvarianceScenes;
@@ -170,6 +171,16 @@ class FilmServerTest {
             assertTrue(worker.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS).isDone());
             assertTrue(worker.get().tiles() > 0);
         }
+    }
+
+    /** Its threads go from frame to frame, of both kinds of shading. */
+    @Test
+    void aWorkerWithADeviceMakesTheSameFrames() throws Exception {
+        OpenClDriver.assume();
+        CompletableFuture<Boolean> film = serve(4, Farm.options().awaitWorkers(1, Farm.TIMEOUT_SECONDS));
+        worker(Farm.worker(1).device("opencl"), server.port());
+        assertTrue(film.get(Farm.TIMEOUT_SECONDS, TimeUnit.SECONDS));
+        check(frames, 4);
     }
 
     /** What is left of a film may be one frame, whose units are a film's all the same. */

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.image.Image;
 import enlightenment.net.parts.RenderParts;
 import enlightenment.physical.MatterScenes;
-import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.render.Renderer;
@@ -92,8 +91,7 @@ class MatterUnitsTest {
         List<Path> files = new ArrayList<>();
         for (int part = 1; part <= 2; part++) {
             Path file = folder.resolve(part + ".film");
-            assertTrue(RenderParts.render(
-                    scene, settings, part, 2, n -> Map.of(), file, RenderProgress.NONE, () -> false));
+            assertTrue(RenderParts.render(RenderRequest.of(scene, settings), part, 2, n -> Map.of(), file));
             files.add(file);
         }
         RenderParts.Merged all = RenderParts.merge(files, Optional.empty());

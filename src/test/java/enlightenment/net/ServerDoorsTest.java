@@ -12,7 +12,7 @@ import enlightenment.net.protocol.Message;
 import enlightenment.net.schedule.Peers;
 import enlightenment.net.secure.Token;
 import enlightenment.net.worker.MachineIdentity;
-import enlightenment.net.worker.RenderPool;
+import enlightenment.net.worker.WorkerJobs;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
@@ -38,7 +38,7 @@ class ServerDoorsTest {
     @TempDir
     Path folder;
 
-    private static RenderPool.Tamper liar() {
+    private static WorkerJobs.Tamper liar() {
         return (tile, bytes) -> {
             byte[] wrong = bytes.clone();
             ByteBuffer.wrap(wrong).putDouble(wrong.length - 36, 0.125);

@@ -227,7 +227,7 @@ class ServerFaultsTest {
         byte[] nan =
                 ByteBuffer.allocate(length).putDouble(length - 36, Double.NaN).array();
         byte[] grown = DividedRender.prepare(Farm.SCENE, Farm.SETTINGS, () -> false)
-                .growing(() -> false)
+                .growing(() -> false, null)
                 .make(0, null);
         assertTrue(grown.length > length, "with what a tile grows by, of which workers know nothing");
         int n = 0;

@@ -140,7 +140,11 @@ class UnitKindsTest {
             Path file = folder.resolve(part + ".film");
             RenderProgress progress = (done, total, soFar) -> assertTrue(done <= total);
             assertTrue(RenderParts.render(
-                    kind.scene, kind.settings, part, 3, n -> Map.of("n", "" + n), file, progress, () -> false));
+                    RenderRequest.of(kind.scene, kind.settings).withProgress(progress),
+                    part,
+                    3,
+                    n -> Map.of("n", "" + n),
+                    file));
             files.add(file);
         }
         RenderParts.Merged some = RenderParts.merge(files.subList(0, 2), Optional.empty());

@@ -12,6 +12,7 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import enlightenment.work.Workers;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentHashMap;
@@ -101,7 +102,7 @@ class InterruptTest {
         DividedRender render = DividedRender.prepare(SCENE, QUICK.withThreads(1), () -> false);
         Set<Integer> made = ConcurrentHashMap.newKeySet();
         int[] all = {0, 1, 2};
-        render.make(all, () -> false, (tile, bytes) -> {
+        render.make(all, List.of(), () -> false, (tile, bytes) -> {
             made.add(tile);
             caller.interrupt();
         });

@@ -1,5 +1,6 @@
 package enlightenment.render;
 
+import enlightenment.device.share.PreparedDevice;
 import enlightenment.engine.FilmPlace;
 import enlightenment.engine.TilePicture;
 import enlightenment.film.Film;
@@ -38,8 +39,16 @@ final class ManySeeds {
     }
 
     static Picture render(CompiledScene compiled, RenderSettings settings, RenderPlan plan) {
-        LocalRender render =
-                new LocalRender("", compiled, settings, plan, RenderProgress.NONE, () -> false, null, FilmPlace.MEMORY);
+        LocalRender render = new LocalRender(
+                "",
+                compiled,
+                settings,
+                plan,
+                RenderProgress.NONE,
+                () -> false,
+                null,
+                FilmPlace.MEMORY,
+                PreparedDevice.NONE);
         render.run();
         Film film = ((TilePicture) render.film()).film();
         RenderSettings.Crop region = settings.region();
@@ -58,8 +67,16 @@ final class ManySeeds {
     static RenderReport.Sampling sampling(Scene scene, RenderSettings settings) {
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         RenderPlan plan = new Planner(compiled, settings, () -> false).plan(Stopwatch.started(), 0);
-        LocalRender render =
-                new LocalRender("", compiled, settings, plan, RenderProgress.NONE, () -> false, null, FilmPlace.MEMORY);
+        LocalRender render = new LocalRender(
+                "",
+                compiled,
+                settings,
+                plan,
+                RenderProgress.NONE,
+                () -> false,
+                null,
+                FilmPlace.MEMORY,
+                PreparedDevice.NONE);
         render.run();
         return render.report(new Phases(), 0, 1).sampling();
     }

@@ -2,6 +2,7 @@ package enlightenment.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import enlightenment.device.share.PreparedDevice;
 import enlightenment.engine.FilmPlace;
 import enlightenment.engine.TilePicture;
 import enlightenment.film.Film;
@@ -39,7 +40,8 @@ record RawPicture(int width, double[] rgb, byte[] png) {
                 RenderProgress.NONE,
                 () -> false,
                 null,
-                FilmPlace.MEMORY);
+                FilmPlace.MEMORY,
+                PreparedDevice.NONE);
         render.run();
         Film film = ((TilePicture) render.film()).film();
         double[] rgb = new double[3 * settings.width() * settings.height()];

@@ -234,7 +234,7 @@ class StampTest {
         FilmAssembly film = render.assembly();
         int[] tiles = new int[render.units()];
         Arrays.setAll(tiles, k -> k);
-        render.make(tiles, () -> false, film::put);
+        render.make(tiles, List.of(), () -> false, film::put);
         return film.result();
     }
 

@@ -45,10 +45,6 @@ public final class OptionRules {
 
     public static final List<OptionRule> RENDER = List.of(
             excludes(
-                    List.of("--device"),
-                    List.of("--part", "--checkpoint", "--store"),
-                    "--device must not be given with --part, --checkpoint and --store: devices keep no results yet"),
-            excludes(
                     List.of("--checkpoint", "--store"),
                     List.of("--part"),
                     "%s must not be given with --part: take more parts, of which each is short"),
@@ -95,7 +91,7 @@ public final class OptionRules {
             excludes(
                     List.of("--device"),
                     List.of("--server"),
-                    "--device must not be given with --server: devices keep no results yet"),
+                    "--device must not be given with --server: workers have devices of their own"),
             excludes(
                     List.of("--aov"),
                     List.of("--server"),

@@ -244,15 +244,15 @@ public final class RenderCommand extends Subcommand {
         RenderProgress display = progress.display(terminal.err());
         boolean complete;
         try {
+            RenderRequest request = device.addTo(RenderRequest.of(scene, settings))
+                    .withProgress(new BudgetNotes(display, settings.budget(), terminal))
+                    .withCancelled(terminal.stop());
             complete = RenderParts.render(
-                    scene,
-                    settings,
+                    request,
                     part.index(),
                     part.count(),
                     samples -> PictureText.of(scene, SettingsLine.replayable(settings, samples, frame.number())),
-                    output.file(),
-                    new BudgetNotes(display, settings.budget(), terminal),
-                    terminal.stop());
+                    output.file());
         } catch (CancellationException e) {
             throw output.nothingRendered();
         } catch (InvalidValueException e) {

@@ -5,6 +5,7 @@ import enlightenment.cli.option.OptionRule;
 import enlightenment.cli.option.OptionRules;
 import enlightenment.cli.option.Subcommand;
 import enlightenment.cli.option.WholeNumber;
+import enlightenment.cli.setting.DeviceOption;
 import enlightenment.cli.terminal.CliException;
 import enlightenment.cli.terminal.ExitCode;
 import enlightenment.cli.terminal.StandardStreams;
@@ -19,6 +20,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -37,6 +39,9 @@ public final class WorkerCommand extends Subcommand {
             converter = WholeNumber.Threads.class,
             description = "number of tiles rendered at once, 1..4096")
     private Integer threads;
+
+    @Mixin
+    private DeviceOption device = new DeviceOption();
 
     @Option(names = "--token-file", paramLabel = "FILE", description = "the server's secret; - for standard input")
     private Path token;
@@ -75,13 +80,21 @@ public final class WorkerCommand extends Subcommand {
         if (pin == null && authorities == null && !isLoopback(server.host())) {
             terminal.say("without --pin or --tls-ca whoever is on the network can see scene and picture");
         }
-        RenderWorker.Outcome outcome = RenderWorker.run(server.host(), server.port(), options, terminal.stop());
+        RenderWorker.Outcome outcome = run(options);
         String said = outcome.reason() + "; " + outcome.tiles() + " tiles made here";
         if (!outcome.isDone()) {
             throw CliException.failed(said);
         }
         terminal.say(said);
         return ExitCode.DONE;
+    }
+
+    private RenderWorker.Outcome run(RenderWorker.Options options) throws IOException {
+        try {
+            return RenderWorker.run(server.host(), server.port(), options, terminal.stop());
+        } catch (InvalidValueException e) {
+            throw CliException.wrongUsage("--device " + e.problem());
+        }
     }
 
     private static boolean isLoopback(String host) {
@@ -93,7 +106,8 @@ public final class WorkerCommand extends Subcommand {
     }
 
     private RenderWorker.Options options() throws IOException {
-        RenderWorker.Options.Builder o = RenderWorker.Options.builder().log(terminal::say);
+        RenderWorker.Options.Builder o =
+                RenderWorker.Options.builder().log(terminal::say).device(device.word());
         if (threads != null) {
             o.threads(threads);
         }

@@ -19,6 +19,11 @@ public final class DeviceOption {
 
     public DeviceOption() {}
 
+    /** The word for the device, which {@link DeviceChoice#of} reads. */
+    public String word() {
+        return device;
+    }
+
     /** The request with the device. */
     public RenderRequest addTo(RenderRequest request) {
         return request.withDevice(device);

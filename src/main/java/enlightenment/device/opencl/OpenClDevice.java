@@ -13,7 +13,7 @@ import static org.lwjgl.opencl.CL10.CL_DEVICE_TYPE_GPU;
 import static org.lwjgl.opencl.CL10.CL_DEVICE_VENDOR;
 
 import enlightenment.device.ComputeDevice;
-import enlightenment.device.DeviceKernel;
+import enlightenment.device.DeviceProgram;
 import enlightenment.device.DeviceScene;
 
 /** A device of a driver. */
@@ -81,13 +81,12 @@ final class OpenClDevice implements ComputeDevice {
     @Override
     public double measureDoubleRate() {
         try (OpenClProgram program = new OpenClProgram(this, DeviceScene.Program.CLASSIC)) {
-            OpenClTrial.checkArithmetic(program);
             return OpenClTrial.doubleRate(program);
         }
     }
 
     @Override
-    public DeviceKernel prepare(DeviceScene scene) {
-        return OpenClKernel.of(this, scene);
+    public DeviceProgram compile(DeviceScene.Program which) {
+        return new OpenClProgram(this, which);
     }
 }

@@ -7,38 +7,27 @@ import org.lwjgl.opencl.CL10;
 
 /** A scene in the memory of a device. */
 final class OpenClKernel implements DeviceKernel {
-    private final OpenClProgram program;
+    private final OpenClQueue queue;
     private final long kernel;
     private final long counts;
-    private final OpenClProgram.Buffer first;
-    private final OpenClProgram.Buffer start;
-    private final OpenClProgram.Buffer rgb;
-    private final OpenClProgram.Buffer states;
+    private final OpenClQueue.Buffer first;
+    private final OpenClQueue.Buffer start;
+    private final OpenClQueue.Buffer rgb;
+    private final OpenClQueue.Buffer states;
 
-    private OpenClKernel(OpenClProgram program, DeviceScene scene) {
-        this.program = program;
-        kernel = program.kernel("shade");
-        CL10.clSetKernelArg1p(kernel, 0, program.constant(scene.doubles()));
-        CL10.clSetKernelArg1p(kernel, 1, program.constant(scene.ints()));
-        CL10.clSetKernelArg1p(kernel, 2, program.constant(scene.floats()));
-        counts = program.constant(new int[COUNTS]);
+    /** @throws DeviceFailure if the device does not take the scene */
+    OpenClKernel(OpenClQueue queue, DeviceScene scene) {
+        this.queue = queue;
+        kernel = queue.kernel("shade");
+        CL10.clSetKernelArg1p(kernel, 0, queue.constant(scene.doubles()));
+        CL10.clSetKernelArg1p(kernel, 1, queue.constant(scene.ints()));
+        CL10.clSetKernelArg1p(kernel, 2, queue.constant(scene.floats()));
+        counts = queue.constant(new int[COUNTS]);
         CL10.clSetKernelArg1p(kernel, 14, counts);
-        first = program.new Buffer();
-        start = program.new Buffer();
-        rgb = program.new Buffer();
-        states = program.new Buffer();
-    }
-
-    /** Compiles the program, asks the device whether it computes as Java does, and gives it the scene. */
-    static OpenClKernel of(OpenClDevice device, DeviceScene scene) {
-        OpenClProgram program = new OpenClProgram(device, scene.program());
-        try {
-            OpenClTrial.checkArithmetic(program);
-            return new OpenClKernel(program, scene);
-        } catch (DeviceFailure e) {
-            program.close();
-            throw e;
-        }
+        first = queue.new Buffer();
+        start = queue.new Buffer();
+        rgb = queue.new Buffer();
+        states = queue.new Buffer();
     }
 
     @Override
@@ -49,7 +38,7 @@ final class OpenClKernel implements DeviceKernel {
             start.write(batch.start());
             rgb.reserve(3L * Double.BYTES * size);
             states.reserve((long) Integer.BYTES * size);
-            program.write(counts, new int[COUNTS]);
+            queue.write(counts, new int[COUNTS]);
             CL10.clSetKernelArg1l(kernel, 3, batch.seed());
             int[] numbers = {batch.x(), batch.y(), batch.width(), batch.first().length, batch.begin(), batch.end()};
             for (int k = 0; k < numbers.length; k++) {
@@ -59,18 +48,18 @@ final class OpenClKernel implements DeviceKernel {
             CL10.clSetKernelArg1p(kernel, 11, start.id);
             CL10.clSetKernelArg1p(kernel, 12, rgb.id);
             CL10.clSetKernelArg1p(kernel, 13, states.id);
-            program.run(kernel, size);
+            queue.run(kernel, size);
             rgb.read(colors, 3 * size);
             states.read(left, size);
-            program.read(counts, counted);
+            queue.read(counts, counted);
         } catch (DeviceFailure e) {
-            program.giveUp();
+            queue.giveUp();
             throw e;
         }
     }
 
     @Override
     public void close() {
-        program.close();
+        queue.close();
     }
 }

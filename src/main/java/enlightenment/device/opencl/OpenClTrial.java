@@ -15,32 +15,36 @@ final class OpenClTrial {
     private OpenClTrial() {}
 
     /** Fails if the device does not compute as Java does. */
-    static void checkArithmetic(OpenClProgram program) {
-        double[] inputs = Arithmetic.inputs();
-        int count = inputs.length / Arithmetic.INPUTS;
-        double[] found = new double[Arithmetic.RESULTS * count];
-        long out = program.memory((long) Double.BYTES * found.length);
-        long test = program.kernel("arithmetic");
-        CL10.clSetKernelArg1p(test, 0, program.constant(inputs));
-        CL10.clSetKernelArg1p(test, 1, out);
-        CL10.clSetKernelArg1i(test, 2, count);
-        program.run(test, count);
-        program.read(out, found);
-        Arithmetic.check(inputs, found);
+    static void checkArithmetic(OpenClProgram compiled) {
+        try (OpenClQueue queue = new OpenClQueue(compiled)) {
+            double[] inputs = Arithmetic.inputs();
+            int count = inputs.length / Arithmetic.INPUTS;
+            double[] found = new double[Arithmetic.RESULTS * count];
+            long out = queue.memory((long) Double.BYTES * found.length);
+            long test = queue.kernel("arithmetic");
+            CL10.clSetKernelArg1p(test, 0, queue.constant(inputs));
+            CL10.clSetKernelArg1p(test, 1, out);
+            CL10.clSetKernelArg1i(test, 2, count);
+            queue.run(test, count);
+            queue.read(out, found);
+            Arithmetic.check(inputs, found);
+        }
     }
 
     /** Operations in double precision in a second, a fused product and sum being two: the best of some runs. */
-    static double doubleRate(OpenClProgram program) {
-        long out = program.memory((long) Double.BYTES * ITEMS);
-        long chain = program.kernel("chain");
-        CL10.clSetKernelArg1p(chain, 0, out);
-        CL10.clSetKernelArg1i(chain, 1, STEPS);
-        long best = Long.MAX_VALUE;
-        for (int run = 0; run < RUNS; run++) {
-            long since = System.nanoTime();
-            program.run(chain, ITEMS);
-            best = Math.min(best, System.nanoTime() - since);
+    static double doubleRate(OpenClProgram compiled) {
+        try (OpenClQueue queue = new OpenClQueue(compiled)) {
+            long out = queue.memory((long) Double.BYTES * ITEMS);
+            long chain = queue.kernel("chain");
+            CL10.clSetKernelArg1p(chain, 0, out);
+            CL10.clSetKernelArg1i(chain, 1, STEPS);
+            long best = Long.MAX_VALUE;
+            for (int run = 0; run < RUNS; run++) {
+                long since = System.nanoTime();
+                queue.run(chain, ITEMS);
+                best = Math.min(best, System.nanoTime() - since);
+            }
+            return (double) ITEMS * STEPS * OPERATIONS_PER_STEP / (best * 1e-9);
         }
-        return (double) ITEMS * STEPS * OPERATIONS_PER_STEP / (best * 1e-9);
     }
 }

@@ -2,19 +2,23 @@ package enlightenment.net.job;
 
 import enlightenment.file.ContentHash;
 
-/**
- * The finished sums of one tile column as they travel. What the bytes mean is the renderer's affair; two results of the
- * same tile are the same exactly if their hashes are.
- */
+/** The result of a unit of work as it travels. Two results of a unit are the same picture exactly if their hashes are equal. */
 public interface TileData {
-    /** The sums; not to be changed. */
+    /** The result; not to be changed. */
     byte[] bytes();
 
-    /** The hash of {@link #bytes()}, computed on this machine: never what the sender says. */
+    /** The hash of {@link #bytes()} but for its counters, computed on this machine: never what the sender says. */
     ContentHash hash();
 
-    /** A result whose hash is computed here. */
-    static TileData of(byte[] bytes) {
+    /** Makes results of bytes. */
+    @FunctionalInterface
+    interface Maker {
+        /** @param bytes a result of this unit without problems */
+        TileData of(int unit, byte[] bytes);
+    }
+
+    /** A result whose hash is that of all its bytes: for a sender, who compares none. */
+    static TileData plain(byte[] bytes) {
         return new Bytes(bytes, ContentHash.of(bytes));
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.net.parts;
 
+import enlightenment.device.share.PreparedDevice;
 import enlightenment.engine.DividedRender;
 import enlightenment.engine.FilmAssembly;
 import enlightenment.engine.FilmRoom;
@@ -15,7 +16,6 @@ import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.render.RenderResult;
 import enlightenment.scene.RenderSettings;
-import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -26,7 +26,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.function.BooleanSupplier;
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 
@@ -42,6 +41,7 @@ public final class RenderParts {
     /**
      * Renders a part and writes its file, whole or not at all.
      *
+     * @param request its scene, settings, progress, cancellation and device count
      * @param part which part, 1..parts
      * @param parts how many there are
      * @param text what the picture's file is to say of itself, by the number of samples per pixel that is planned; kept in the part
@@ -51,24 +51,19 @@ public final class RenderParts {
      * @throws java.util.concurrent.CancellationException if it is cancelled before the render is planned: there is no file then
      */
     public static boolean render(
-            Scene scene,
-            RenderSettings settings,
-            int part,
-            int parts,
-            DoubleFunction<Map<String, String>> text,
-            Path file,
-            RenderProgress progress,
-            BooleanSupplier cancelled)
+            RenderRequest request, int part, int parts, DoubleFunction<Map<String, String>> text, Path file)
             throws IOException {
         if (part < 1 || part > parts) {
             throw new IllegalArgumentException("there is no part " + part + " of " + parts);
         }
+        RenderSettings settings = request.settings();
         if (settings.budget().seconds().isPresent()) {
             throw new IllegalArgumentException("parts of a render must not depend on the time that they take");
         }
-        DividedRender render = DividedRender.preparePart(scene, settings, cancelled);
-        render.notes().forEach(progress::note);
-        ContentHash job = JobContent.of(scene, render.outline(), Build.number()).hash();
+        DividedRender render = DividedRender.preparePart(request.scene(), settings, request.cancelled());
+        render.notes().forEach(request.progress()::note);
+        ContentHash job =
+                JobContent.of(request.scene(), render.outline(), Build.number()).hash();
         requireSamePart(file, part, parts);
         int[] tiles = IntStream.range(0, render.units())
                 .filter(tile -> tile % parts == part - 1)
@@ -77,13 +72,7 @@ public final class RenderParts {
                 job, render.outline(), text.apply(render.plan().samples()), part, parts);
         Path folder = file.toAbsolutePath().getParent();
         try (PartResults results = new PartResults(tiles, folder)) {
-            make(
-                    render,
-                    tiles,
-                    results,
-                    PictureRoom.of(Optional.of(RenderRequest.ScratchFolder.of(folder))),
-                    progress,
-                    cancelled);
+            make(request, render, tiles, results, PictureRoom.of(Optional.of(RenderRequest.ScratchFolder.of(folder))));
             PartFile.write(file, head, results.units(), results::get);
             return results.made() == tiles.length;
         } catch (UncheckedIOException e) {
@@ -115,23 +104,22 @@ public final class RenderParts {
     }
 
     private static void make(
-            DividedRender render,
-            int[] tiles,
-            PartResults results,
-            FilmRoom room,
-            RenderProgress progress,
-            BooleanSupplier cancelled) {
+            RenderRequest request, DividedRender render, int[] tiles, PartResults results, FilmRoom room) {
+        RenderProgress progress = request.progress();
         RenderSettings.Crop region = render.outline().settings().region();
         long pixels = (long) region.width() * region.height() * tiles.length / render.units();
-        render.make(tiles, cancelled, (tile, bytes) -> {
-            results.keep(tile, bytes);
-            synchronized (progress) {
-                progress.progress(
-                        (long) ((double) pixels * results.made() / tiles.length),
-                        pixels,
-                        () -> picture(render, results, room));
-            }
-        });
+        try (PreparedDevice device = render.prepare(request.device(), progress::note)) {
+            render.make(tiles, device.tiles(), request.cancelled(), (tile, bytes) -> {
+                results.keep(tile, bytes);
+                synchronized (progress) {
+                    progress.progress(
+                            (long) ((double) pixels * results.made() / tiles.length),
+                            pixels,
+                            () -> picture(render, results, room));
+                }
+            });
+            device.note();
+        }
     }
 
     /** The part so far, made of its results: hardly anybody looks, and others need no memory for it. */
@@ -189,8 +177,8 @@ public final class RenderParts {
 
     private static void add(PartFile part, FilmAssembly film, ContentHash[] hashes, Path[] from) throws IOException {
         for (PartFile.Tile t = part.next(film); t != null; t = part.next(film)) {
-            ContentHash hash = ContentHash.of(t.bytes());
             int tile = t.tile();
+            ContentHash hash = film.digest(tile, t.bytes());
             if (hashes[tile] != null && !hashes[tile].equals(hash)) {
                 throw new IOException(part.file() + ": tile " + tile + " differs from that in " + from[tile]
                         + "; one of the machines computes wrongly");

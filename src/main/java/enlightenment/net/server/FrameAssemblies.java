@@ -7,10 +7,12 @@ import enlightenment.engine.ResultCheck;
 import enlightenment.engine.ResultStore;
 import enlightenment.engine.UnitAssembly;
 import enlightenment.engine.UnitGroups;
+import enlightenment.file.ContentHash;
 import enlightenment.image.Image;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
@@ -201,6 +203,17 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
             }
         }
         return Optional.empty();
+    }
+
+    @Override
+    public ContentHash digest(int unit, byte[] bytes) {
+        int frame = layout.frame(unit);
+        ResultCheck check = frames.check(frame);
+        MessageDigest digest = ContentHash.sha256();
+        for (byte[] result : frames.groups(frame).split(within(unit), bytes).orElseThrow()) {
+            digest.update(check.digest(result).toBytes());
+        }
+        return ContentHash.fromBytes(digest.digest());
     }
 
     @Override

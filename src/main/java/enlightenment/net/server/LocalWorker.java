@@ -2,6 +2,7 @@ package enlightenment.net.server;
 
 import enlightenment.checkpoint.Origin;
 import enlightenment.engine.UnitSource;
+import enlightenment.net.job.TileData;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.schedule.Event;
 import enlightenment.net.schedule.WorkerCore;
@@ -21,13 +22,15 @@ public final class LocalWorker implements AutoCloseable {
     /**
      * A worker without work.
      *
+     * @param results makes what is delivered
      * @param events takes what it says, from any thread
      * @param failed hears of what went wrong in a thread, which has then ended
      */
-    public LocalWorker(UnitSource units, int threads, Consumer<Event> events, Consumer<Throwable> failed) {
+    public LocalWorker(
+            UnitSource units, int threads, TileData.Maker results, Consumer<Event> events, Consumer<Throwable> failed) {
         this.threads = threads;
         this.events = events;
-        pool = new RenderPool(units, threads, Integer.MAX_VALUE / 2, failed);
+        pool = new RenderPool(units, threads, Integer.MAX_VALUE / 2, results, failed);
     }
 
     public void start() {

@@ -5,7 +5,6 @@ import enlightenment.file.ContentHash;
 import enlightenment.listen.ServerLog;
 import enlightenment.listen.Strangers;
 import enlightenment.net.job.Canary;
-import enlightenment.net.job.TileData;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;
 import enlightenment.net.protocol.MessageChannel;
@@ -239,7 +238,8 @@ public final class ServerConnection {
         String problem = job.film().problem(result.tile(), result.data()).orElse(null);
         server.handle(
                 problem == null
-                        ? new Event.Delivered(id, result.lease(), result.tile(), TileData.of(result.data()))
+                        ? new Event.Delivered(
+                                id, result.lease(), result.tile(), job.result(result.tile(), result.data()))
                         : new Event.Misbehaved(id, "tile " + result.tile() + ": " + problem));
     }
 

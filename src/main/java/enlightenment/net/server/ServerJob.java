@@ -13,6 +13,7 @@ import enlightenment.engine.UnitSource;
 import enlightenment.file.ContentHash;
 import enlightenment.job.RenderIdentity;
 import enlightenment.net.job.JobContent;
+import enlightenment.net.job.TileData;
 import enlightenment.net.schedule.Action;
 import enlightenment.render.RenderResult;
 import java.io.Closeable;
@@ -170,7 +171,7 @@ public final class ServerJob implements Closeable {
             }
             film.put(tile.tile(), result);
             places.put(tile.tile(), place);
-            builder.add(new JournalRecord.Kept(tile.tile(), tile.origin(), result));
+            builder.kept(tile.tile(), tile.origin(), film.digest(tile.tile(), result));
         }
     }
 
@@ -227,7 +228,7 @@ public final class ServerJob implements Closeable {
         archives.begin(plan.toBytes(), restored().expelled(), film, (tile, bytes) -> {
             film.put(tile, bytes);
             // They are ours: whoever can write there can write anything.
-            kept[tile] = ContentHash.of(bytes);
+            kept[tile] = film.digest(tile, bytes);
             tiles.add(new Restored.Tile(tile, Origin.SERVER, kept[tile], null));
             write(key, new JournalRecord.Kept(tile, Origin.SERVER, bytes));
         });
@@ -240,6 +241,15 @@ public final class ServerJob implements Closeable {
         tiles.sort(Comparator.comparingInt(Restored.Tile::tile));
         restored = new Restored(tiles, restored.expelled());
         archives.start();
+    }
+
+    /**
+     * A result of a unit, with the hash by which it is compared.
+     *
+     * @param bytes without problems
+     */
+    public TileData result(int unit, byte[] bytes) {
+        return new TileData.Bytes(bytes, film.digest(unit, bytes));
     }
 
     /** The result that the journal brought of a tile. */

@@ -1,5 +1,6 @@
 package enlightenment.net.worker;
 
+import enlightenment.device.share.DeviceShare;
 import enlightenment.engine.UnitMaker;
 import enlightenment.engine.UnitSource;
 import enlightenment.net.job.TileData;
@@ -10,21 +11,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /** Threads that render what a {@link WorkerCore} says. All waits end by themselves when the pool is closed. */
 public final class RenderPool implements AutoCloseable {
     private static final long WAIT_MILLIS = 500;
 
-    /** What a machine makes of a tile that it has rendered: the same, but for faulty machines in tests. */
-    @FunctionalInterface
-    public interface Tamper {
-        byte[] change(int tile, byte[] bytes);
-    }
-
-    private final UnitSource units;
+    private final TileData.Maker results;
     private final WorkerCore core;
     private final Consumer<Throwable> failed;
-    private final Tamper tamper;
     private final List<Thread> threads = new ArrayList<>();
     private Runnable flush = () -> {};
     private volatile boolean closed;
@@ -34,22 +29,38 @@ public final class RenderPool implements AutoCloseable {
      * A pool that waits for work.
      *
      * @param window largest number of tiles that are sent and not acknowledged
-     * @param failed hears of what went wrong in a thread, which has then ended
+     * @param results makes what is delivered
+     * @param failed receives what went wrong in a thread, which has then ended
      */
-    public RenderPool(UnitSource units, int threads, int window, Consumer<Throwable> failed) {
-        this(units, threads, window, failed, (tile, bytes) -> bytes);
+    public RenderPool(UnitSource units, int threads, int window, TileData.Maker results, Consumer<Throwable> failed) {
+        this(units, threads, null, window, results, failed);
     }
 
-    /** @param tamper what a faulty machine makes of a tile, for tests */
-    public RenderPool(UnitSource units, int threads, int window, Consumer<Throwable> failed, Tamper tamper) {
-        this.tamper = tamper;
-        this.units = units;
+    /**
+     * A pool that waits for work, some of whose threads have a device.
+     *
+     * @param device takes part with threads of its own; null for none
+     */
+    RenderPool(
+            UnitSource units,
+            int threads,
+            DeviceShare device,
+            int window,
+            TileData.Maker results,
+            Consumer<Throwable> failed) {
+        this.results = results;
         this.failed = failed;
-        core = new WorkerCore(threads, window, Long.MAX_VALUE);
-        for (int i = 0; i < threads; i++) {
-            Thread thread = new Thread(this::work, "tiles-" + i);
+        int ofDevice = device == null ? 0 : DeviceShare.THREADS;
+        core = new WorkerCore(threads + ofDevice, window, Long.MAX_VALUE);
+        add(threads, "tiles-", () -> units.maker(() -> closed));
+        add(ofDevice, "device-", () -> units.maker(device, () -> closed));
+    }
+
+    private void add(int count, String name, Supplier<UnitMaker> makers) {
+        for (int i = 0; i < count; i++) {
+            Thread thread = new Thread(() -> work(makers), name + i);
             thread.setDaemon(true);
-            this.threads.add(thread);
+            threads.add(thread);
         }
     }
 
@@ -63,11 +74,10 @@ public final class RenderPool implements AutoCloseable {
         threads.forEach(Thread::start);
     }
 
-    private void work() {
-        try {
-            UnitMaker maker = units.maker(() -> closed);
+    private void work(Supplier<UnitMaker> makers) {
+        try (UnitMaker maker = makers.get()) {
             for (WorkerCore.Task task = next(); task != null; task = next()) {
-                TileData data = TileData.of(tamper.change(task.tile(), checked(maker.make(task.tile()))));
+                TileData data = results.of(task.tile(), checked(maker.make(task.tile())));
                 finished(task, data);
                 flush.run();
             }

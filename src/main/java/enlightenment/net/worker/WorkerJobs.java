@@ -1,7 +1,9 @@
 package enlightenment.net.worker;
 
+import enlightenment.device.share.DeviceShare;
 import enlightenment.engine.UnitSource;
 import enlightenment.file.ContentHash;
+import enlightenment.net.job.TileData;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Message;
 import java.io.IOException;
@@ -14,22 +16,34 @@ import java.util.Map;
 public final class WorkerJobs implements AutoCloseable {
     private final int threads;
     private final String version;
-    private final RenderPool.Tamper tamper;
+    private final Tamper tamper;
+
+    /** Null for none. */
+    private final DeviceShare device;
+
     private final Map<ContentHash, byte[]> contents = new HashMap<>();
     private ContentHash job;
     private RenderPool pool;
     private long madeBefore;
     private Throwable failure;
 
+    /** What a machine makes of a tile that it has rendered: the same, but for faulty machines in tests. */
+    @FunctionalInterface
+    public interface Tamper {
+        byte[] change(int tile, byte[] bytes);
+    }
+
     /**
      * No job yet.
      *
-     * @param threads number of tiles that are rendered at once
+     * @param threads number of tiles that are rendered at once by the processor
+     * @param device renders others; null for none
      * @param version of this program: only jobs of the same are taken
      * @param tamper what becomes of each tile before it is sent
      */
-    public WorkerJobs(int threads, String version, RenderPool.Tamper tamper) {
+    public WorkerJobs(int threads, DeviceShare device, String version, Tamper tamper) {
         this.threads = threads;
+        this.device = device;
         this.version = version;
         this.tamper = tamper;
     }
@@ -62,7 +76,13 @@ public final class WorkerJobs implements AutoCloseable {
             end();
             job = wanted.job();
             contents.keySet().retainAll(wanted.contents());
-            pool = new RenderPool(units, threads, Limits.UNACKNOWLEDGED_TILES, this::failed, tamper);
+            pool = new RenderPool(
+                    units,
+                    threads,
+                    device,
+                    Limits.UNACKNOWLEDGED_TILES,
+                    (tile, bytes) -> TileData.plain(tamper.change(tile, bytes)),
+                    this::failed);
             pool.start(whenFinished);
             return pool;
         }
@@ -103,6 +123,9 @@ public final class WorkerJobs implements AutoCloseable {
     public synchronized void close() {
         if (pool != null) {
             pool.close();
+        }
+        if (device != null && made() > 0) {
+            device.note();
         }
     }
 }

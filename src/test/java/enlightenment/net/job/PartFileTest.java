@@ -10,7 +10,6 @@ import enlightenment.engine.RenderOutline;
 import enlightenment.file.ContentHash;
 import enlightenment.file.ScratchFile;
 import enlightenment.net.parts.RenderParts;
-import enlightenment.render.RenderProgress;
 import enlightenment.render.RenderRequest;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
@@ -53,8 +52,7 @@ class PartFileTest {
                 "part");
         file = folder.resolve("part.film");
         RenderSettings settings = RenderSettings.of(scene).withAntialias(1).withThreads(1);
-        RenderParts.render(
-                scene, settings, 1, 1, samples -> Map.of("Title", "part"), file, RenderProgress.NONE, () -> false);
+        RenderParts.render(RenderRequest.of(scene, settings), 1, 1, samples -> Map.of("Title", "part"), file);
         good = Files.readAllBytes(file);
         assertEquals(
                 List.of(), RenderParts.merge(List.of(file), Optional.empty()).missing());
@@ -76,15 +74,7 @@ class PartFileTest {
     private void renders(double radius, int part, int parts) throws IOException {
         Scene scene = other(radius);
         RenderSettings settings = RenderSettings.of(scene).withAntialias(1).withThreads(1);
-        RenderParts.render(
-                scene,
-                settings,
-                part,
-                parts,
-                samples -> Map.of("Title", "part"),
-                file,
-                RenderProgress.NONE,
-                () -> false);
+        RenderParts.render(RenderRequest.of(scene, settings), part, parts, samples -> Map.of("Title", "part"), file);
     }
 
     @Test

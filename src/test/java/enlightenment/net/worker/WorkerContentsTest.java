@@ -42,7 +42,7 @@ class WorkerContentsTest {
     @Test
     void aWorkerTakesNoJobOfMoreThanOneGibibyte() throws Exception {
         ContentHash hash = ContentHash.of(new byte[1]);
-        WorkerJobs jobs = new WorkerJobs(1, Build.number(), (tile, bytes) -> bytes);
+        WorkerJobs jobs = new WorkerJobs(1, null, Build.number(), (tile, bytes) -> bytes);
         SessionEnd end = fetch(hash, new Message.Content(hash, 0, Limits.JOB + 1, new byte[9]), jobs);
         assertTrue(end.isFinal());
         assertTrue(end.reason().contains("more than 1073741824 bytes"), end.reason());
@@ -52,7 +52,7 @@ class WorkerContentsTest {
     void contentWithAnotherHashIsNotKept() throws Exception {
         byte[] content = "the right one".getBytes(StandardCharsets.US_ASCII);
         ContentHash hash = ContentHash.of(content);
-        WorkerJobs jobs = new WorkerJobs(1, Build.number(), (tile, bytes) -> bytes);
+        WorkerJobs jobs = new WorkerJobs(1, null, Build.number(), (tile, bytes) -> bytes);
         IOException e =
                 assertThrows(IOException.class, () -> fetch(hash, new Message.Content(hash, 0, 3, new byte[3]), jobs));
         assertTrue(e.getMessage().contains("came with other bytes"), e.getMessage());

@@ -1,0 +1,167 @@
+package enlightenment.device.share;
+
+import enlightenment.device.ComputeDevice;
+import enlightenment.device.DeviceChoice;
+import enlightenment.device.DeviceFailure;
+import enlightenment.device.DeviceProgram;
+import enlightenment.device.DeviceScene;
+import enlightenment.device.opencl.OpenClDevices;
+import enlightenment.scene.Method;
+import enlightenment.scene.RenderSettings;
+import enlightenment.world.CompiledScene;
+import java.util.EnumMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/**
+ * A device that takes part in renders: some threads hand it the samples of the units that they make. Which thread makes a unit has no
+ * influence on the picture, since all shade alike. A program is compiled once for all scenes of its kind. For use by several threads at
+ * once; to be closed.
+ */
+public final class DeviceShare implements AutoCloseable {
+    /** The threads that a device keeps busy: one makes pixels of samples while the device shades those of the other. */
+    public static final int THREADS = 2;
+
+    private final ComputeDevice device;
+    private final Consumer<String> notes;
+    private final Map<DeviceScene.Program, DeviceProgram> programs = new EnumMap<>(DeviceScene.Program.class);
+
+    /** Those that are open. */
+    private final Set<DeviceTiles> tiles = new HashSet<>();
+
+    private final Tally tally = new Tally();
+    private boolean hasFailed;
+    private String lastRefusal = "";
+
+    private DeviceShare(ComputeDevice device, Consumer<String> notes) {
+        this.device = device;
+        this.notes = notes;
+    }
+
+    /**
+     * Finds the device of a choice.
+     *
+     * @param notes receives messages for the user
+     * @return empty if the choice is the processor, or is automatic and there is no graphics processor
+     * @throws DeviceFailure if the device that was chosen by name does not exist or cannot be used
+     */
+    public static Optional<DeviceShare> of(DeviceChoice choice, Consumer<String> notes) {
+        return switch (choice.kind()) {
+            case CPU -> Optional.empty();
+            case OPENCL -> Optional.of(new DeviceShare(numbered(choice.number()), notes));
+            case AUTO -> graphicsProcessor().map(device -> new DeviceShare(device, notes));
+        };
+    }
+
+    private static Optional<ComputeDevice> graphicsProcessor() {
+        try {
+            return OpenClDevices.all().stream()
+                    .filter(d -> d.isGpu() && d.problem().isEmpty())
+                    .findFirst();
+        } catch (DeviceFailure e) {
+            return Optional.empty();
+        }
+    }
+
+    private static ComputeDevice numbered(int number) {
+        List<ComputeDevice> all = OpenClDevices.all();
+        if (number >= all.size()) {
+            throw new DeviceFailure("there is no such device; 'devices' lists " + all.size());
+        }
+        ComputeDevice device = all.get(number);
+        if (!device.problem().isEmpty()) {
+            throw new DeviceFailure(device.problem());
+        }
+        return device;
+    }
+
+    /**
+     * Copies a scene to the device, for one thread.
+     *
+     * @param settings of the render, whose method is not {@link Method#AUTO}
+     * @throws DeviceFailure if the device cannot take part in this render
+     */
+    public DeviceTiles prepare(CompiledScene scene, RenderSettings settings) {
+        if (settings.method() != Method.RAYTRACE) {
+            throw new DeviceFailure("devices render by the method " + Method.RAYTRACE.word() + ", not by "
+                    + settings.method().word());
+        }
+        DeviceScene.refusal(scene).ifPresent(why -> {
+            throw new DeviceFailure("the scene has " + why + ", which no device can do yet");
+        });
+        DeviceScene flat = DeviceScene.of(scene, settings);
+        long needed = THREADS * flat.bytes();
+        if (needed > device.memory()) {
+            throw new DeviceFailure("the scene takes " + needed + " bytes, and the device has " + device.memory());
+        }
+        return prepare(flat, scene, settings);
+    }
+
+    private synchronized DeviceTiles prepare(DeviceScene flat, CompiledScene scene, RenderSettings settings) {
+        DeviceProgram program = programs.computeIfAbsent(flat.program(), device::compile);
+        DeviceTiles made = new DeviceTiles(scene, settings, program.prepare(flat), this::failed, this::closed);
+        tiles.add(made);
+        return made;
+    }
+
+    /** As {@link #prepare}, but empty if the device cannot take part; the reason is a note, once for all scenes with the same. */
+    public Optional<DeviceTiles> tryPrepare(CompiledScene scene, RenderSettings settings) {
+        try {
+            return Optional.of(prepare(scene, settings));
+        } catch (DeviceFailure e) {
+            refused(e.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private synchronized void refused(String reason) {
+        if (!reason.equals(lastRefusal)) {
+            lastRefusal = reason;
+            notes.accept(device.name() + " takes no part: " + reason);
+        }
+    }
+
+    private synchronized void failed(DeviceFailure failure) {
+        if (!hasFailed) {
+            hasFailed = true;
+            notes.accept(device.name() + ": " + failure.getMessage() + "; the processor goes on alone");
+        }
+    }
+
+    private synchronized void closed(DeviceTiles one) {
+        tally.add(one);
+        tiles.remove(one);
+    }
+
+    /** Notes how many samples the device has shaded so far: all of them if no thread renders with it. */
+    public synchronized void note() {
+        Tally sum = new Tally();
+        sum.done = tally.done;
+        sum.left = tally.left;
+        tiles.forEach(sum::add);
+        notes.accept(device.name() + " shaded " + sum.done + " samples"
+                + (sum.left > 0 ? " and left " + sum.left + " to the processor" : ""));
+    }
+
+    /** Samples by who shaded them. */
+    private static final class Tally {
+        long done;
+        long left;
+
+        void add(DeviceTiles from) {
+            done += from.done();
+            left += from.leftToHost();
+        }
+    }
+
+    /** Closes what no {@link DeviceTiles} still uses; these are closed by their threads. */
+    @Override
+    public synchronized void close() {
+        programs.values().forEach(DeviceProgram::close);
+        programs.clear();
+    }
+}

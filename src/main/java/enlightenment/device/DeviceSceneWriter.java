@@ -163,7 +163,7 @@ final class DeviceSceneWriter {
                     areFew ? doubles.add(contacts) : 0,
                     areFew ? contacts.length / CONTACT : NONE,
                     scene.glassSolids.length == 0 ? 0 : scene.mediumRank[id],
-                    doubles.add(scene.inside(id).indexOfRefraction),
+                    medium(scene.inside(id)),
                     traits(p),
                     faceLights(id));
         }
@@ -172,6 +172,13 @@ final class DeviceSceneWriter {
             records.add(form.kind().ordinal(), write(form, NONE), 0, 0, 0, 0, 0, 0, 0, NONE);
         }
         set(DeviceScene.Int.PRIMITIVES, ints.add(records.toArray()));
+    }
+
+    /** The numbers of a primitive's inside, as glass.cl reads them. */
+    private int medium(SurfaceMaterial inside) {
+        int place = doubles.add(inside.indexOfRefraction, inside.absorbs ? 1 : 0);
+        doubles.add(inside.absorption());
+        return place;
     }
 
     /** As rays.cl has them. */

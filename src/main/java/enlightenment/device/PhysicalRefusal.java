@@ -30,9 +30,6 @@ final class PhysicalRefusal {
         if (physical.hasMasks) {
             return Optional.of("surfaces with holes");
         }
-        if (physical.hasAbsorption) {
-            return Optional.of("glass that absorbs light");
-        }
         if (physical.hasDispersion) {
             return Optional.of("glass that disperses light");
         }

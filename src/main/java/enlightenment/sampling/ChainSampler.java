@@ -1,5 +1,6 @@
 package enlightenment.sampling;
 
+import enlightenment.numeric.Exponential;
 import java.util.Arrays;
 
 /**

@@ -1,5 +1,7 @@
 package enlightenment.sampling;
 
+import enlightenment.numeric.Exponential;
+
 /**
  * Integrals of the normal density and their inverse, for z ≥ 0. Each is accurate to a few units in the last place, in the
  * tails too, until it underflows.

@@ -1,5 +1,7 @@
 package enlightenment.sampling;
 
+import enlightenment.numeric.Exponential;
+
 /** The truncated normal density: exp(−t(a + t/2)) times a constant; a is 0 around the mean. */
 final class TruncatedNormal extends Truncated {
     /** From here on, positions are computed from the logarithm of the tail, which does not underflow. */

@@ -1,5 +1,7 @@
 package enlightenment.sampling;
 
+import enlightenment.numeric.Exponential;
+
 /** The truncated zeta density. Inside, x is the position in units of {@link ZetaSum}. */
 final class TruncatedZeta extends Truncated {
     private static final double SCALE = ZetaSum.DEVIATION;

@@ -1,5 +1,7 @@
 package enlightenment.sampling;
 
+import enlightenment.numeric.Exponential;
+
 /**
  * Sums over the terms n = 2 … 50 of the zeta function for x ≥ 0: f(x) = Σ n^-x, its integral from x to ∞,
  * H(x) = Σ n^-x / ln n, the integral from 0 to x, and the inverses of both. Each is accurate to a few units in the last place.

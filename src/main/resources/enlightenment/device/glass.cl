@@ -17,8 +17,20 @@ int mediumOf(const Scene *s, const Solids *inside) {
     return best;
 }
 
+// The numbers of a medium: its index of refraction, whether it absorbs light, and its coefficients of absorption.
+#define ABSORBS 1
+#define ABSORPTION 2
+
+__global const double *numbersOfMedium(const Scene *s, int medium) {
+    return s->d + primitive(s, medium)[MEDIUM];
+}
+
 double indexOf(const Scene *s, int medium) {
-    return medium < 0 ? 1 : s->d[primitive(s, medium)[INDEX_OF_REFRACTION]];
+    return medium < 0 ? 1 : numbersOfMedium(s, medium)[0];
+}
+
+bool absorbsLight(const Scene *s, int medium) {
+    return medium >= 0 && numbersOfMedium(s, medium)[ABSORBS] != 0;
 }
 
 // Enters a solid through its border, or leaves it.

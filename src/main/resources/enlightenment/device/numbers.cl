@@ -51,6 +51,33 @@ double smaller(double a, double b) {
 // numeric.Scale.gamma
 #define GAMMA(n) ((n) * 0x1p-53 / (1 - (n) * 0x1p-53))
 
+// numeric.Exponential
+double powerOfTwo(int n) {
+    return as_double((long) (n + 1023) << 52);
+}
+
+double expOf(double x) {
+    if (!(x >= -746 && x <= 710)) {
+        return x < 0 ? 0 : x > 0 ? INFINITY : x;
+    }
+    double k = floor(fma(x, 1.4426950408889634, 0.5));
+    double r = fma(k, -2.3190468138462996e-17, fma(k, -0.6931471805599453, x));
+    double s = r * r;
+    double even = fma(s, 1.0 / 479001600, 1.0 / 3628800);
+    double odd = fma(s, 1.0 / 6227020800L, 1.0 / 39916800);
+    even = fma(s, even, 1.0 / 40320);
+    odd = fma(s, odd, 1.0 / 362880);
+    even = fma(s, even, 1.0 / 720);
+    odd = fma(s, odd, 1.0 / 5040);
+    even = fma(s, even, 1.0 / 24);
+    odd = fma(s, odd, 1.0 / 120);
+    even = fma(s, even, 0.5);
+    odd = fma(s, odd, 1.0 / 6);
+    double rest = fma(s, fma(r, odd, even), r);
+    int first = (int) k >> 1;
+    return (rest + 1) * powerOfTwo(first) * powerOfTwo((int) k - first);
+}
+
 // numeric.Products
 double difference(double a, double b, double c, double d) {
     double cd = c * d;

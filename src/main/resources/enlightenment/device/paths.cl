@@ -182,9 +182,10 @@ bool seesMirroredLamps(const Scene *s, const Path *path) {
             && mediumOf(s, &path->solids) == NOTHING;
 }
 
-// At any other surface: adds direct light, and samples the direction in which the path goes on.
+// At any other surface: adds direct light, and samples the direction in which the path goes on. Shadow rays in media that absorb light are
+// left to the host.
 bool scatter(Scene *s, Path *path, __global const int *material, Scattering *by) {
-    if (seesMirroredLamps(s, path)) {
+    if (seesMirroredLamps(s, path) || absorbsLight(s, mediumOf(s, &path->solids))) {
         s->state = LEFT_TO_HOST;
         return false;
     }
@@ -296,6 +297,13 @@ bool crossGlass(Scene *s, Path *path, __global const int *material) {
     return survives(path, weight) && continues(s, path);
 }
 
+// Multiplies the throughput by the transmittance of a medium along the ray up to its hit: transport.state.PathValue.
+void absorb(const Scene *s, Path *path, int medium) {
+    __global const double *a = numbersOfMedium(s, medium) + ABSORPTION;
+    double length = (path->hit.t - path->ray.tMin) * sqrt(path->ray.dd);
+    filterPath(path, expOf(-a[0] * length), expOf(-a[1] * length), expOf(-a[2] * length));
+}
+
 // Follows the ray to the next vertex and shades it; whether the path goes on.
 bool step(Scene *s, Path *path) {
     Closest best;
@@ -312,6 +320,10 @@ bool step(Scene *s, Path *path) {
     if (touchesOther(s, hit)) {
         s->state = LEFT_TO_HOST;
         return false;
+    }
+    int medium = mediumOf(s, &path->solids);
+    if (absorbsLight(s, medium)) {
+        absorb(s, path, medium);
     }
     __global const int *material = materialAt(s, hit);
     Vec n = hit->n;

@@ -63,8 +63,8 @@ typedef struct {
 } Scene;
 
 // A record of a primitive among the integers: what it is, where its numbers are, where the materials of its faces are, whether it encloses
-// a volume, where the boxes are in which its faces touch others and how many, its rank as a medium, where that one's index of refraction
-// is, whether it is flat, convex, or has flat faces only, and where the lights are that its faces are (or -1).
+// a volume, where the boxes are in which its faces touch others and how many, its rank as a medium, where the numbers of that
+// are, whether it is flat, convex, or has flat faces only, and where the lights are that its faces are (or -1).
 #define PRIMITIVE_SIZE 10
 #define KIND 0
 #define NUMBERS 1
@@ -73,7 +73,7 @@ typedef struct {
 #define CONTACTS 4
 #define CONTACT_COUNT 5
 #define RANK 6
-#define INDEX_OF_REFRACTION 7
+#define MEDIUM 7
 #define TRAITS 8
 #define FACE_LIGHTS 9
 

@@ -36,7 +36,7 @@ class DeviceSceneTest {
         "knot, surfaces with holes",
         "minerals, a fluorescent material",
         "panorama, a lens or a panorama",
-        "caustics, glass that absorbs light",
+        "caustics, 'glass that does not turn rays, such as panes'",
         "prism, glass that disperses light",
         "furnace, rough glass",
         "matter, 'a light that is no point, ball or rectangle'",

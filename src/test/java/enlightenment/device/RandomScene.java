@@ -297,6 +297,9 @@ final class RandomScene {
     private Glass glass() {
         Texture color = random.nextBoolean() ? Texture.of(Rgb.WHITE) : texture();
         Glass glass = new Glass(color, 1.2 + random.nextDouble(), 1, random.nextInt(3), true);
+        if (isPhysical && random.nextBoolean()) {
+            glass = glass.withAbsorption(new Rgb(0.5 * random.nextInt(3), random.nextDouble(), 0));
+        }
         return random.nextBoolean() ? glass : glass.withSmoothRefraction(true);
     }
 

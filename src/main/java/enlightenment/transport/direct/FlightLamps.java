@@ -1,6 +1,7 @@
 package enlightenment.transport.direct;
 
 import enlightenment.math.Vec3;
+import enlightenment.numeric.Exponential;
 import enlightenment.primitive.Ray;
 import enlightenment.transport.media.Equiangular;
 import enlightenment.world.PhysicalScene;
@@ -162,7 +163,7 @@ final class FlightLamps {
      */
     private double weight(int i) {
         Equiangular point = points[i];
-        double w = strengths[i] * point.integral() * StrictMath.exp(-extinction * Math.sqrt(point.squareAtStart()));
+        double w = strengths[i] * point.integral() * Exponential.exp(-extinction * Math.sqrt(point.squareAtStart()));
         return w > 0 && w < Double.POSITIVE_INFINITY ? w : 0;
     }
 

@@ -1,5 +1,6 @@
 package enlightenment.transport.media;
 
+import enlightenment.numeric.Exponential;
 import enlightenment.world.material.HomogeneousMedium;
 
 /**
@@ -170,6 +171,6 @@ public final class FreeFlight {
     }
 
     private static double transmittance(double extinction, double flown) {
-        return extinction > 0 ? StrictMath.exp(-extinction * flown) : 1;
+        return extinction > 0 ? Exponential.exp(-extinction * flown) : 1;
     }
 }

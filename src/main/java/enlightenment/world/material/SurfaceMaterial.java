@@ -9,6 +9,7 @@ import enlightenment.bsdf.SpecularReflection;
 import enlightenment.color.Rgb;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
+import enlightenment.numeric.Exponential;
 import enlightenment.primitive.Ray;
 import enlightenment.texture.ImageTexture;
 import java.util.Arrays;
@@ -260,9 +261,14 @@ public final class SurfaceMaterial {
      * @param rgb light by band
      */
     public void absorb(double length, double[] rgb) {
-        rgb[0] *= StrictMath.exp(-absorptionR * length);
-        rgb[1] *= StrictMath.exp(-absorptionG * length);
-        rgb[2] *= StrictMath.exp(-absorptionB * length);
+        rgb[0] *= Exponential.exp(-absorptionR * length);
+        rgb[1] *= Exponential.exp(-absorptionG * length);
+        rgb[2] *= Exponential.exp(-absorptionB * length);
+    }
+
+    /** The coefficients of absorption by band, per length in the frame. */
+    public double[] absorption() {
+        return new double[] {absorptionR, absorptionG, absorptionB};
     }
 
     /**

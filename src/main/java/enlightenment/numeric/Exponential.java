@@ -1,24 +1,22 @@
-package enlightenment.sampling;
+package enlightenment.numeric;
 
 /**
- * The exponential function and the natural logarithm by fused operations only: the same on every machine, several times as
- * fast as {@link StrictMath}, accurate to 2 units in the last place.
- *
- * <p>The argument is reduced by powers of two, the rest is Taylor's series. Extreme arguments go to {@link StrictMath}.
+ * The exponential function and the natural logarithm by fused operations only: the same on every machine and device, several times as
+ * fast as {@link StrictMath}. The argument is reduced by powers of two, the rest is Taylor's series.
  */
-final class Exponential {
+public final class Exponential {
     /** ln 2 and the error of its rounding. */
-    private static final double LN_2 = StrictMath.log(2);
+    private static final double LN_2 = 0.6931471805599453;
 
     private static final double LN_2_REST = 2.3190468138462996e-17;
 
-    private static final double PER_LN_2 = 1 / LN_2;
+    private static final double PER_LN_2 = 1.4426950408889634;
 
-    /** Up to this absolute value of x, the powers of two involved are normal numbers. */
-    private static final int ORDINARY = 700;
-
-    /** Below this x, the result is less than half of the smallest positive double. */
+    /** Below this the result is less than half of the smallest positive double. */
     private static final int UNDERFLOW = -746;
+
+    /** From here up the result is infinite. */
+    private static final int OVERFLOW = 710;
 
     private static final int MANTISSA_BITS = 52;
     private static final long BIAS = 1023;
@@ -26,13 +24,16 @@ final class Exponential {
 
     private Exponential() {}
 
-    /** e to the power of x. */
-    static double exp(double x) {
-        if (!(Math.abs(x) <= ORDINARY)) {
-            // Common far from the mean of a density, where the library function is slow.
-            return x < UNDERFLOW ? 0 : StrictMath.exp(x);
+    /**
+     * e to the power of x.
+     *
+     * @return with an error below 1 unit in the last place
+     */
+    public static double exp(double x) {
+        if (!(x >= UNDERFLOW && x <= OVERFLOW)) {
+            return x < 0 ? 0 : x > 0 ? Double.POSITIVE_INFINITY : x;
         }
-        double k = Math.rint(x * PER_LN_2);
+        double k = Math.floor(Math.fma(x, PER_LN_2, 0.5));
         double r = Math.fma(k, -LN_2_REST, Math.fma(k, -LN_2, x));
         // |r| ≤ ln(2)/2: the first omitted term, r^14/14!, is below 2^-57. Even and odd terms apart halve the latency.
         double s = r * r;
@@ -47,12 +48,22 @@ final class Exponential {
         even = Math.fma(s, even, 0.5);
         odd = Math.fma(s, odd, 1.0 / 6);
         double rest = Math.fma(s, Math.fma(r, odd, even), r);
-        double power = Double.longBitsToDouble(((long) k + BIAS) << MANTISSA_BITS);
-        return Math.fma(power, rest, power);
+        // Two factors: one alone may be no normal number. Only the last product is rounded.
+        int half = (int) k >> 1;
+        return (rest + 1) * powerOfTwo(half) * powerOfTwo((int) k - half);
     }
 
-    /** The natural logarithm of x. */
-    static double log(double x) {
+    /** 2 to the power of n, a normal number. */
+    private static double powerOfTwo(int n) {
+        return Double.longBitsToDouble((n + BIAS) << MANTISSA_BITS);
+    }
+
+    /**
+     * The natural logarithm of x.
+     *
+     * @return accurate to 2 units in the last place; that of {@link StrictMath} for what is no positive normal number
+     */
+    public static double log(double x) {
         if (!(x >= Double.MIN_NORMAL && x <= Double.MAX_VALUE)) {
             return StrictMath.log(x);
         }

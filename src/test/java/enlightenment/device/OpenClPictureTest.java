@@ -15,16 +15,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.LongFunction;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/**
- * Pictures of devices have the bits of the processor's. Skipped where no driver for OpenCL is installed; {@code -Ddevice.scenes=1000} takes
- * more scenes than usual.
- */
+/** Pictures of devices have the bits of the processor's. Skipped where no driver for OpenCL is installed. */
 class OpenClPictureTest {
-    private static final int SCENES = Integer.getInteger("device.scenes", 40);
+    private static final int FEW = 40;
+    private static final int MANY = 1000;
 
     private static List<ComputeDevice> devices = List.of();
 
@@ -68,17 +67,29 @@ class OpenClPictureTest {
 
     @Test
     void anySceneOfClassicShadingHasTheSameBits() {
-        assertSameBits(RandomScene::classic);
+        assertSameBits(RandomScene::classic, FEW);
     }
 
     @Test
     void anySceneOfPhysicalShadingHasTheSameBits() {
-        assertSameBits(RandomScene::physical);
+        assertSameBits(RandomScene::physical, FEW);
     }
 
-    private static void assertSameBits(LongFunction<Scene> scenes) {
+    @Test
+    @Tag("full")
+    void aThousandScenesOfClassicShadingHaveTheSameBits() {
+        assertSameBits(RandomScene::classic, MANY);
+    }
+
+    @Test
+    @Tag("full")
+    void aThousandScenesOfPhysicalShadingHaveTheSameBits() {
+        assertSameBits(RandomScene::physical, MANY);
+    }
+
+    private static void assertSameBits(LongFunction<Scene> scenes, int count) {
         double done = 0;
-        for (int seed = 0; seed < SCENES; seed++) {
+        for (int seed = 0; seed < count; seed++) {
             Scene scene = scenes.apply(seed);
             RenderSettings settings =
                     RenderSettings.of(scene).toBuilder().antialias(2).build();
@@ -87,6 +98,6 @@ class OpenClPictureTest {
                 done += assertSameBits("scene " + seed, scene, settings);
             }
         }
-        assertTrue(done > 0.5 * SCENES, "devices shade most of it: " + done);
+        assertTrue(done > 0.5 * count, "devices shade most of it: " + done);
     }
 }

@@ -1,9 +1,9 @@
 """Measures how well `--method auto` chooses: squared error times CPU-seconds of each fixed method and of auto, its pilot included.
 
-    python3 src/bench/scripts/auto.py race --data FOLDER [--jar JAR] [--samples N] [--seeds K] [--scenes NAME...] [--work FOLDER]
+    python3 src/bench/scripts/auto.py race --data FOLDER [--jar JAR] [--samples N] [--seeds K] [--scenes NAME...] [--pixels N] [--work FOLDER]
     python3 src/bench/scripts/auto.py costs --work FOLDER
 
-`race` renders small pictures of scenes of this repository and of those below FOLDER (reference/*, scenes/*: folders with reference.pfm
+`race` renders pictures of at most N pixels of scenes of this repository and of those below FOLDER (reference/*, scenes/*: folders with reference.pfm
 and scene.json or scene.xml) by every method that can, with K seeds each, and prints the table of docs/guide/methods.md. Scenes without a
 reference.pfm get one by a long render of the method that is named here. The error is that of light, relative: squares over
 m^2 + (0.05 M)^2, with m the pixel and M the picture's mean, as `relativeError` of reports. CPU-seconds are user and system time of the
@@ -37,7 +37,6 @@ OWN = {
     "metals": ("96x48", "raytrace"),
 }
 REFERENCE_SAMPLES = 1024
-MOST_PIXELS = 96 * 96
 
 
 def cpu(command):
@@ -69,12 +68,12 @@ def relative(picture, reference):
     return float(numpy.mean((picture - reference) ** 2 / (reference**2 + (0.05 * mean) ** 2)))
 
 
-def given(folder, work):
+def given(folder, work, most):
     """Scene file, size and reference of a folder with a reference.pfm, made smaller."""
     reference = read_pfm(folder / "reference.pfm")
     height, width, _ = reference.shape
     factor = 1
-    while width * height > MOST_PIXELS * factor**2 or width % factor or height % factor:
+    while width * height > most * factor**2 or width % factor or height % factor:
         factor += 1
     scene = folder / "scene.json"
     if not scene.exists():
@@ -86,8 +85,11 @@ def given(folder, work):
     return scene, f"{width // factor}x{height // factor}", shrunk(reference, factor)
 
 
-def own(name, jar, work):
+def own(name, jar, work, most):
     size, by = OWN[name]
+    width, height = map(int, size.split("x"))
+    factor = max(math.isqrt(most // (width * height)), 1)
+    size = f"{factor * width}x{factor * height}"
     scene = REPOSITORY / "scenes" / f"{name}.json"
     file = work / f"{name}-reference.pfm"
     if not file.exists():
@@ -97,12 +99,12 @@ def own(name, jar, work):
 
 def scenes(chosen, work):
     for name in OWN:
-        yield name, lambda name=name: own(name, chosen.jar, work)
+        yield name, lambda name=name: own(name, chosen.jar, work, chosen.pixels)
     for folder in sorted(chosen.data.glob("reference/*/")) + sorted(chosen.data.glob("scenes/*/")):
         if (folder / "reference.pfm").exists():
             is_classic = (folder / "scene.json").exists() and '"physical"' not in (folder / "scene.json").read_text()
             if not is_classic:
-                yield folder.name, lambda folder=folder: given(folder, work)
+                yield folder.name, lambda folder=folder: given(folder, work, chosen.pixels)
 
 
 def known(file):
@@ -209,6 +211,7 @@ def parsed():
     parser.add_argument("--jar", default=str(REPOSITORY / "target" / "enlightenment.jar"))
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--seeds", type=int, default=1)
+    parser.add_argument("--pixels", type=int, default=96 * 96, help="at most")
     parser.add_argument("--scenes", nargs="*", default=[])
     parser.add_argument("--methods", nargs="*", default=FIXED + ["auto"])
     parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("target/auto"))

@@ -137,14 +137,16 @@ public final class DeviceShare implements AutoCloseable {
         tiles.remove(one);
     }
 
-    /** Notes how many samples the device has shaded so far: all of them if no thread renders with it. */
+    /** Notes how many samples the device has shaded so far, unless it took no part: all of them if no thread renders with it. */
     public synchronized void note() {
         Tally sum = new Tally();
         sum.done = tally.done;
         sum.left = tally.left;
         tiles.forEach(sum::add);
-        notes.accept(device.name() + " shaded " + sum.done + " samples"
-                + (sum.left > 0 ? " and left " + sum.left + " to the processor" : ""));
+        if (sum.done + sum.left > 0) {
+            notes.accept(device.name() + " shaded " + sum.done + " samples"
+                    + (sum.left > 0 ? " and left " + sum.left + " to the processor" : ""));
+        }
     }
 
     /** Samples by who shaded them. */

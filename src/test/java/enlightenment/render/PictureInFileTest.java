@@ -5,15 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import enlightenment.file.ScratchFile;
 import enlightenment.image.Image;
 import enlightenment.image.ImageFiles;
 import enlightenment.image.ImageFormat;
 import enlightenment.math.InvalidValueException;
 import enlightenment.physical.InvarianceScenes;
 import enlightenment.picture.Exposure;
+import enlightenment.process.JavaProcess;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
@@ -43,6 +42,12 @@ class PictureInFileTest {
 
     /** No picture is small enough for memory. */
     private static final long NOTHING = 0;
+
+    /** Of the process that stops a large picture. */
+    private static final int HEAP_MIB = 64;
+
+    private static final int LARGE_WIDTH = 3000;
+    private static final int LARGE_HEIGHT = 2000;
 
     @TempDir
     private Path folder;
@@ -164,20 +169,32 @@ class PictureInFileTest {
         assertTrue(seen.get() > 0);
     }
 
-    /** Nothing is allocated for a picture that was stopped before it was planned. */
+    /**
+     * Nothing is allocated per pixel for a picture that was stopped before it was planned: three floats per pixel would be more than the
+     * memory of the process.
+     */
     @Test
-    void aLargePictureThatIsStoppedWhileItIsPlannedTakesNoMemory() {
-        assumeTrue(ScratchFile.usableSpace(folder) > 40_000_000_000L, "a disk that would hold the picture");
+    void aLargePictureThatIsStoppedWhileItIsPlannedTakesNoMemory() throws IOException, InterruptedException {
+        long image = 3L * Float.BYTES * LARGE_WIDTH * LARGE_HEIGHT;
+        assertTrue(image > (long) HEAP_MIB << 20, image + " bytes would fit");
+        ProcessBuilder builder = JavaProcess.of(PictureInFileTest.class, folder).redirectErrorStream(true);
+        builder.command().replaceAll(o -> o.startsWith("-Xmx") ? "-Xmx" + HEAP_MIB + "m" : o);
+        Process process = builder.start();
+        String output = new String(process.getInputStream().readAllBytes());
+        assertEquals(0, process.waitFor(), output);
+        assertTrue(output.contains("complete: false, shown pixels: 0"), output);
+    }
+
+    /** Stops a large picture while it is planned. */
+    public static void main(String[] args) {
         RenderSettings settings = of(ROOM, BuiltInMethod.RAYTRACE, 1)
-                .withSize(20_000, 12_000)
+                .withSize(LARGE_WIDTH, LARGE_HEIGHT)
                 .withBudget(RenderSettings.Budget.NONE.withError(0.001));
         AtomicInteger asked = new AtomicInteger();
-        RenderRequest request = RenderRequest.of(ROOM, settings)
-                .withScratch(new RenderRequest.ScratchFolder(folder, NOTHING))
-                .withCancelled(() -> asked.incrementAndGet() > 20);
-        RenderResult stopped = Renderer.render(request);
-        assertFalse(stopped.complete());
-        assertEquals(0, stopped.shownPixels());
+        RenderResult stopped = Renderer.render(RenderRequest.of(ROOM, settings)
+                .withScratch(new RenderRequest.ScratchFolder(Path.of(args[0]), NOTHING))
+                .withCancelled(() -> asked.incrementAndGet() > 20));
+        System.out.println("complete: " + stopped.complete() + ", shown pixels: " + stopped.shownPixels());
     }
 
     @Test

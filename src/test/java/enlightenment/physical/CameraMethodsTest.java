@@ -29,7 +29,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.SplittableRandom;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,8 +51,7 @@ class CameraMethodsTest {
             "panorama", new Camera.Panorama(at(0.1, 1.1, -0.2), at(0, 0.9, 1), Vec3.Y),
             "stereo", new Camera.Panorama(at(0.1, 1.1, -0.2), at(0, 0.9, 1), Vec3.Y, 0.3, Camera.Handedness.RIGHT));
 
-    /** Pictures by single paths, by the camera's name and the number of objects. */
-    private static final Map<String, List<Image>> TRACED = new ConcurrentHashMap<>();
+    private static final PathTracedReferences REFERENCES = new PathTracedReferences(12, 3);
 
     /** Looks through the square that the pinhole's picture is in the plane in focus, from a point beside the pinhole. */
     private static Camera.Window window(ExactPoint eye, double pupil, double share) {
@@ -95,9 +93,7 @@ class CameraMethodsTest {
     @MethodSource("methodsAndCameras")
     void everyMethodMakesThePictureOfSinglePaths(BuiltInMethod method, String camera) {
         Scene scene = scene(method).camera(CAMERAS.get(camera)).build();
-        List<Image> traced = TRACED.computeIfAbsent(
-                camera + scene.objects().size(),
-                c -> Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE, 3), 100, 12));
+        List<Image> traced = REFERENCES.of(camera + scene.objects().size(), scene);
         List<Image> others = Rendered.seeds(scene, settings(scene, method, 3), 1, 12);
         Rendered.assertPartsAgree(traced, others, 12 * 20);
     }

@@ -26,6 +26,7 @@ class DirectedLightsTest {
     private static final double REFLECTANCE = 0.6;
 
     private static final Map<String, Scene> SCENES = DirectedLights.scenes();
+    private static final PathTracedReferences REFERENCES = new PathTracedReferences(12, 3);
 
     record Case(BuiltInMethod method, String name) {}
 
@@ -120,7 +121,7 @@ class DirectedLightsTest {
     @MethodSource("partners")
     void allMethodsMakeThePictureOfSinglePaths(Case c) {
         Scene scene = SCENES.get(c.name);
-        List<Image> traced = Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE, 3), 100, 12);
+        List<Image> traced = REFERENCES.of(c.name, scene);
         List<Image> others = Rendered.seeds(scene, settings(scene, c.method, 3), 1, 12);
         Rendered.assertPartsAgree(traced, others, 12 * partners().size());
     }

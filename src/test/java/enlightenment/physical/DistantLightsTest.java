@@ -32,7 +32,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -43,7 +42,7 @@ class DistantLightsTest {
     private static final double REFLECTANCE = 0.6;
     private static final Vec3 SLANTED = new Vec3(1, -2, 0.5);
     private static final Map<String, Scene> SCENES = scenes();
-    private static final Map<String, List<Image>> TRACED = new ConcurrentHashMap<>();
+    private static final PathTracedReferences REFERENCES = new PathTracedReferences(12, 8);
 
     record Case(BuiltInMethod method, String name) {}
 
@@ -241,8 +240,7 @@ class DistantLightsTest {
     @MethodSource("partners")
     void allMethodsMakeThePictureOfSinglePaths(Case c) {
         Scene scene = SCENES.get(c.name);
-        List<Image> traced = TRACED.computeIfAbsent(
-                c.name, name -> Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE, 8), 100, 12));
+        List<Image> traced = REFERENCES.of(c.name, scene);
         List<Image> others = Rendered.seeds(scene, settings(scene, c.method, 8), 1, 12);
         Rendered.assertPartsAgree(traced, others, 12 * partners().size());
     }

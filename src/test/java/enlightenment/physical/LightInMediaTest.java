@@ -41,6 +41,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Light that media scatter, from the lights and from the eye: one picture. */
 class LightInMediaTest {
     private static final int SEEDS = 12;
+    private static final PathTracedReferences REFERENCES = new PathTracedReferences(SEEDS, 4);
     private static final int PARTS = 12;
     private static final Map<String, Scene.Builder> SCENES = scenes();
 
@@ -139,7 +140,7 @@ class LightInMediaTest {
         Scene scene = SCENES.get(name).build();
         RenderSettings settings = by(method, scene);
         List<Image> light = Rendered.seeds(scene, settings, 1, SEEDS);
-        List<Image> eye = Rendered.seeds(scene, by(BuiltInMethod.RAYTRACE, scene), 1, SEEDS);
+        List<Image> eye = REFERENCES.of(name, scene);
         double level = Welch.sidak(0.01, 2 * PARTS * SCENES.size());
         for (int k = 0; k < PARTS; k++) {
             int x = k / 3 % 2 * 8;

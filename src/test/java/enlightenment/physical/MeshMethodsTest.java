@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  */
 class MeshMethodsTest {
     private static final Map<String, Scene> SCENES = PartnerScenes.all();
+    private static final PathTracedReferences REFERENCES = new PathTracedReferences(12, 3);
 
     private static RenderSettings settings(Scene scene, BuiltInMethod method) {
         return RenderSettings.of(scene).withMethod(method).withThreads(1);
@@ -38,8 +39,7 @@ class MeshMethodsTest {
     })
     void othersMakeThePictureOfSinglePaths(BuiltInMethod method, String name) {
         Scene scene = SCENES.get(name);
-        List<Image> traced =
-                Rendered.seeds(scene, settings(scene, BuiltInMethod.RAYTRACE).withAntialias(3), 100, 12);
+        List<Image> traced = REFERENCES.of(name, scene);
         List<Image> others = Rendered.seeds(scene, settings(scene, method).withAntialias(3), 1, 12);
         Rendered.assertPartsAgree(traced, others, 156);
     }

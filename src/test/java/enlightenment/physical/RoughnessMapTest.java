@@ -35,6 +35,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** Images say how rough surfaces are, and where they are of metal. */
 class RoughnessMapTest {
     private static final int SEEDS = 12;
+    private static final int ANTIALIAS = 7;
+    private static final PathTracedReferences REFERENCES = new PathTracedReferences(SEEDS, ANTIALIAS);
 
     @TempDir
     private static Path folder;
@@ -60,7 +62,7 @@ class RoughnessMapTest {
     }
 
     private static List<Image> pictures(Scene scene, BuiltInMethod method, int seed) {
-        return Rendered.seeds(scene, RenderSettings.of(scene).withMethod(method).withAntialias(7), seed, SEEDS);
+        return Rendered.seeds(scene, RenderSettings.of(scene).withMethod(method).withAntialias(ANTIALIAS), seed, SEEDS);
     }
 
     private static void assertAlike(List<Image> expected, List<Image> found) {
@@ -177,7 +179,7 @@ class RoughnessMapTest {
         // Each level would make tables of lost light, again for each picture.
         Scene scene =
                 stand(Glass.of(linear(0.9, 1, 0.8), 1.5).withRoughness(frost).withMultipleScattering(false));
-        assertAlike(pictures(scene, BuiltInMethod.RAYTRACE, 101), pictures(scene, method, 1));
+        assertAlike(REFERENCES.of("frost", scene), pictures(scene, method, 1));
     }
 
     @ParameterizedTest
@@ -187,7 +189,7 @@ class RoughnessMapTest {
     void allMethodsMakeOnePictureOfAClearCoatByAnImage(BuiltInMethod method) throws IOException {
         Scene scene = scene(
                 varnished(new Texture.Amount.Textured(image("varnish", 0.4, 1), Texture.Amount.Channel.GREEN, 1)));
-        assertAlike(pictures(scene, BuiltInMethod.RAYTRACE, 101), pictures(scene, method, 1));
+        assertAlike(REFERENCES.of("clear coat", scene), pictures(scene, method, 1));
     }
 
     @ParameterizedTest
@@ -200,6 +202,6 @@ class RoughnessMapTest {
                 .withRoughness(new Texture.Amount.Textured(image, Texture.Amount.Channel.GREEN, 1))
                 .withMetallic(new Texture.Amount.Textured(image, Texture.Amount.Channel.BLUE, 0.75))
                 .withClearcoat(0.5, 0.5));
-        assertAlike(pictures(scene, BuiltInMethod.RAYTRACE, 101), pictures(scene, method, 1));
+        assertAlike(REFERENCES.of("roughness and metal", scene), pictures(scene, method, 1));
     }
 }

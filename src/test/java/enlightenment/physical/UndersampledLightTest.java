@@ -168,8 +168,11 @@ class UndersampledLightTest {
             for (Path file :
                     files.filter(f -> f.toString().endsWith(".json")).sorted().toList()) {
                 Scene scene = SceneReader.read(file);
+                CompiledScene compiled = SceneCompiler.compile(scene, RenderSettings.of(scene));
                 for (BuiltInMethod method : BuiltInMethod.values()) {
-                    String reason = Method.supports(method, scene) ? reason(method, scene) : "";
+                    String reason = Method.supports(method, scene)
+                            ? String.join("; ", Integrators.undersampled(method, compiled))
+                            : "";
                     if (!reason.isEmpty()) {
                         String what = method == BuiltInMethod.LIGHT ? "small lamps" : "small lamps and caustics";
                         assertEquals("few paths find " + what + " that are seen in mirrors or through glass", reason);

@@ -75,7 +75,7 @@ class TouchingGlassTest {
     })
     void theTintBetweenTouchingSlabsIsThatOfTheOneThatFillsOverlaps(
             BuiltInMethod method, double eye, int lower, int upper) {
-        int antialias = method == BuiltInMethod.LIGHT ? 60 : 4;
+        int antialias = method == BuiltInMethod.LIGHT ? 20 : 4;
         for (double overlap : new double[] {0, OVERLAP}) {
             Statistics[] found = means(method, tinted(eye, overlap, lower, upper), antialias);
             for (int band = 0; band < 3; band++) {
@@ -106,9 +106,9 @@ class TouchingGlassTest {
     @CsvSource({"0.5, 0.9, -1", "0.5, 0.9, 1", "0, 0.7, -1"})
     void roughInterfacesOfTouchingSlabsAreReciprocal(double lower, double upper, int priority) {
         Scene scene = rough(0, lower, upper, priority);
-        Statistics eye = means(BuiltInMethod.RAYTRACE, rough(OVERLAP, lower, upper, priority), 30)[0];
-        GreyFloor.assertSame("raytrace", means(BuiltInMethod.RAYTRACE, scene, 30)[0], eye, 0.015);
-        GreyFloor.assertSame("bidirectional", means(BuiltInMethod.BIDIRECTIONAL, scene, 30)[0], eye, 0.015);
+        Statistics eye = means(BuiltInMethod.RAYTRACE, rough(OVERLAP, lower, upper, priority), 24)[0];
+        GreyFloor.assertSame("raytrace", means(BuiltInMethod.RAYTRACE, scene, 24)[0], eye, 0.015);
+        GreyFloor.assertSame("bidirectional", means(BuiltInMethod.BIDIRECTIONAL, scene, 24)[0], eye, 0.015);
         GreyFloor.assertSame("light", means(BuiltInMethod.LIGHT, scene, 55)[0], eye, 0.015);
     }
 
@@ -122,9 +122,9 @@ class TouchingGlassTest {
         Scene joined = slabs(0.4, 1, OVERLAP, glass(BELOW, 1.5, lower, 0), glass(ABOVE, 1.5, upper, 0))
                 .light(PhysicalScenes.panel(0, 1.4, 0, 0.8, Rgb.gray(5), false))
                 .build();
-        Statistics[] overlap = means(BuiltInMethod.BIDIRECTIONAL, joined, 20);
+        Statistics[] overlap = means(BuiltInMethod.BIDIRECTIONAL, joined, 12);
         for (BuiltInMethod method : BuiltInMethod.values()) {
-            Statistics[] contact = means(method, scene, method == BuiltInMethod.BIDIRECTIONAL ? 20 : 50);
+            Statistics[] contact = means(method, scene, method == BuiltInMethod.BIDIRECTIONAL ? 12 : 40);
             for (int band = 0; band < 3; band++) {
                 GreyFloor.assertSame(method + ", band " + band, contact[band], overlap[band], COARSE);
             }

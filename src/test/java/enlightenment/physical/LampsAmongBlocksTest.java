@@ -25,7 +25,7 @@ class LampsAmongBlocksTest {
     private static final int WIDTH = 12;
     private static final int HEIGHT = 8;
 
-    private final RandomBlocks blocks = new RandomBlocks(15);
+    private final RandomBlocks blocks = new RandomBlocks(19);
 
     private Rgb radiance() {
         return Rgb.gray(1 << blocks.random.nextInt(4));

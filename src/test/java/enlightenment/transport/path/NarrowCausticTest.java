@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.world.CompiledScene;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -63,9 +64,27 @@ class NarrowCausticTest {
         return CausticTest.scene("", CAMERA, lights, objects);
     }
 
-    private static void assertSame(CompiledScene scene) {
+    /** How many times the usual number of paths is followed. */
+    private int more = 1;
+
+    /** Standard errors of the mean are below 1 % of the light, 0.4 % in most scenes: what is wrong by 4 % of it is found everywhere. */
+    private void assertSame(CompiledScene scene) {
         assertTrue(scene.physical.caustics.takesNarrow());
-        CausticTest.assertSame(scene, 2_048, 65_536);
+        CausticTest.assertSame(scene, more * 512, more * 16_384);
+    }
+
+    @Tag("full")
+    @Test
+    void allOfThemWithFourTimesAsManyPaths() {
+        more = 4;
+        aRingOfPolishedMetal();
+        aBallOfSlightlyRoughGlass();
+        polishedSurfacesThatAreSeenThemselves(0.2);
+        polishedSurfacesThatAreSeenThemselves(0.5);
+        withMirrorsAndClearGlass();
+        ofSeveralLampsTheSmallOnes();
+        inFog();
+        theSunBesideASky();
     }
 
     @Test

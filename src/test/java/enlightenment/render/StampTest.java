@@ -127,6 +127,11 @@ class StampTest {
         return Renderer.render(RenderRequest.of(SCENE, settings));
     }
 
+    /** Markov chains take some ten times as long as the other methods to keep an error of stripes. */
+    private static int seeds(Method method, int usual, int ofChains) {
+        return method == Method.METROPOLIS ? ofChains : usual;
+    }
+
     private static double distance(Image a, Image b) {
         float[] p = a.toArray();
         float[] q = b.toArray();
@@ -140,8 +145,8 @@ class StampTest {
     @ParameterizedTest
     @ClassicMethods
     void theErrorIsKeptWithNearlyAllSeedsAndNeverSaidToBeMetByAnEstimateAboveIt(Method method) {
-        // One in forty is allowed to be above: of 5, two or more have a probability of 0.6 %.
-        errorIsKept(method, 5, 1);
+        // One in forty is allowed to be above: of 5, two or more have a probability of 0.6 %, of 3 one of 0.2 %.
+        errorIsKept(method, seeds(method, 5, 3), 1);
     }
 
     @ParameterizedTest
@@ -175,7 +180,7 @@ class StampTest {
     @ParameterizedTest
     @ClassicMethods
     void aPictureOfSeveralRoundsIsThatOfItsSamples(Method method) {
-        severalRounds(method, 2);
+        severalRounds(method, seeds(method, 2, 1));
     }
 
     @ParameterizedTest
@@ -287,7 +292,7 @@ class StampTest {
     void ofACropItsOwnErrorCounts(Method method) {
         Image truth = truth(CROP);
         double asked = 0.02;
-        for (int seed = 0; seed < 3; seed++) {
+        for (int seed = 0; seed < seeds(method, 3, 1); seed++) {
             RenderSettings settings = settings(method)
                     .withSeed(seed)
                     .withCrop(CROP)

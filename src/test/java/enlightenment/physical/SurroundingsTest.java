@@ -94,7 +94,7 @@ class SurroundingsTest {
         Scene scene = floor(matte(0.5, 0.5, 0.5))
                 .shading(new Shading.Physical(OptionalInt.empty(), even, Optional.of(medium)))
                 .build();
-        assertShown(scene, method, 8, new double[] {0.5, 0, 0});
+        assertShown(scene, method, 3, new double[] {0.5, 0, 0});
     }
 
     /** Half of all directions are bright: a matte floor sends back its albedo. */

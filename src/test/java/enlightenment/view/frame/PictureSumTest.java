@@ -138,7 +138,7 @@ class PictureSumTest {
         RenderSettings usual = RenderSettings.of(scene);
         RenderSettings small = usual.withSize(24, 24);
         Image truth = Renderer.render(
-                scene, small.withSeed(1).withBudget(usual.budget().withSamples(1024)));
+                scene, small.withSeed(1).withBudget(usual.budget().withSamples(256)));
         double estimated = 0;
         double measured = 0;
         for (int seed = 0; seed < 12; seed++) {

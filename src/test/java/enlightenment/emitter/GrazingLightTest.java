@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import enlightenment.math.Vec3;
 import java.math.BigDecimal;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -27,9 +28,19 @@ class GrazingLightTest {
 
     @Test
     void rectanglesAreSampledEvenlyFromAnywhereDownToTheSmallestSolidAngles() {
+        checkRectangles(500);
+    }
+
+    @Tag("full")
+    @Test
+    void soAreThousandsOfRectangles() {
+        checkRectangles(5000);
+    }
+
+    private void checkRectangles(int rectangles) {
         SphericalRectangle r = new SphericalRectangle();
         int checked = 0;
-        for (int k = 0; k < 1500; k++) {
+        for (int k = 0; k < rectangles; k++) {
             double width = random.nextBoolean() ? 1 : scaled(1e-8, 1);
             double length = random.nextBoolean() ? 1 : scaled(1e-8, 1);
             double height = scaled(1e-12, 10);
@@ -44,7 +55,7 @@ class GrazingLightTest {
             checked++;
             check(r, x, width, y, length, height);
         }
-        assertTrue(checked > 1000);
+        assertTrue(checked > rectangles * 2 / 3, checked + " of " + rectangles);
     }
 
     private void check(SphericalRectangle r, double x, double width, double y, double length, double height) {
@@ -146,8 +157,18 @@ class GrazingLightTest {
 
     @Test
     void trianglesAreSampledEvenlyUpToTheRoundingOfWhereTheyAreSeenFrom() {
+        checkTriangles(700);
+    }
+
+    @Tag("full")
+    @Test
+    void soAreThousandsOfTriangles() {
+        checkTriangles(7000);
+    }
+
+    private void checkTriangles(int triangles) {
         int checked = 0;
-        for (int k = 0; k < 2000; k++) {
+        for (int k = 0; k < triangles; k++) {
             double aspect = random.nextInt(3) == 0 ? 1 : scaled(1e-7, 1);
             Vec3[] corners = {
                 Vec3.ZERO, Vec3.X, new Vec3(random.nextBoolean() ? random.nextDouble() : signed(1e-5, 3), aspect, 0)
@@ -165,7 +186,7 @@ class GrazingLightTest {
             Vec3 receiver = inside.plus(new Vec3(0, aside, height));
             checked += check(p, q, r, receiver, Math.hypot(aside, height)) ? 1 : 0;
         }
-        assertTrue(checked > 500, checked + " were sampled by solid angle");
+        assertTrue(checked > triangles / 4, checked + " of " + triangles + " were sampled by solid angle");
     }
 
     private boolean check(Vec3 p, Vec3 q, Vec3 r, Vec3 receiver, double distance) {

@@ -48,11 +48,7 @@ final class PreparedRender {
     RenderResult run() {
         Preview preview = preview();
         if (preview != null && !preview.isKept()) {
-            // Before all that takes long: planning, too.
-            phases.run("preview", () -> preview.begin(cancelled));
-            if (!cancelled.getAsBoolean()) {
-                request.progress().coarse(preview::image);
-            }
+            showCoarsely(preview);
         }
         AuxiliaryPass pass = new AuxiliaryPass(scene, settings, request.neededAuxiliary());
         if (request.neededAuxiliary().stream().anyMatch(RenderResult.Auxiliary::needsRays)) {
@@ -80,22 +76,34 @@ final class PreparedRender {
                             time,
                             null,
                             film.place(planner.none()),
-                            null)
+                            PreparedDevice.NONE)
                     .nothing();
         }
         FilmPlace place = film.place(plan);
         planner.notes().forEach(request.progress()::note);
-        if (kept.isPresent() && settings.budget().seconds().isPresent()) {
-            request.progress()
-                    .note("the plan that is kept is gone on with: " + Rounds.number(plan.samples())
-                            + " samples per pixel, whatever time is left");
-        }
-        request.progress().planned(plan.samples(), plan.decidedBy());
+        notePlan(plan, kept.isPresent());
         if (preview != null) {
             phases.run("preview", () -> refine(preview, planner, plan));
         }
         return new RenderRounds(stoppable, scene, planner, preview, pass, parts, phases, time, archives, place, device)
                 .run(plan);
+    }
+
+    /** Shows the whole picture before all that takes long: planning, too. */
+    private void showCoarsely(Preview preview) {
+        phases.run("preview", () -> preview.begin(cancelled));
+        if (!cancelled.getAsBoolean()) {
+            request.progress().coarse(preview::image);
+        }
+    }
+
+    private void notePlan(RenderPlan plan, boolean isKept) {
+        if (isKept && settings.budget().seconds().isPresent()) {
+            request.progress()
+                    .note("the plan that is kept is gone on with: " + Rounds.number(plan.samples())
+                            + " samples per pixel, whatever time is left");
+        }
+        request.progress().planned(plan.samples(), plan.decidedBy());
     }
 
     /** What is shown of a picture where it is not finished; null for nothing. */

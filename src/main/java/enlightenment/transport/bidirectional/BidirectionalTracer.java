@@ -275,6 +275,7 @@ public final class BidirectionalTracer implements Shader {
         }
     }
 
+    /** Connects a vertex of the light subpath to the current vertex of the eye subpath. */
     private void connect(int k, int t) {
         PathVertices v = light.vertices;
         Scattering s = eye.s;
@@ -299,17 +300,7 @@ public final class BidirectionalTracer implements Shader {
         if (!(bsdf.transmits() || beyond > 0)) {
             return;
         }
-        eye.bsdf.evaluate(s);
-        if (eye.isInterface) {
-            Optics.turn(s, eye.color);
-        }
-        bsdf.evaluate(there);
-        if (beyond < 0) {
-            // The colours of an interface are those of transmitted light.
-            there.valueR *= there.red;
-            there.valueG *= there.green;
-            there.valueB *= there.blue;
-        }
+        evaluate(bsdf, beyond);
         double r = s.valueR * there.valueR * v.red(k) / d2;
         double g = s.valueG * there.valueG * v.green(k) / d2;
         double b = s.valueB * there.valueB * v.blue(k) / d2;
@@ -323,6 +314,21 @@ public final class BidirectionalTracer implements Shader {
             boolean isColored = wavelength != null && (colors(true) || v.isColored(k));
             double[] left = segments.rgb;
             add(isColored, weight, r * left[0], g * left[1], b * left[2], u * left[2]);
+        }
+    }
+
+    /** Evaluates the BSDFs of both vertices for the edge between them. */
+    private void evaluate(Bsdf bsdf, double beyond) {
+        eye.bsdf.evaluate(eye.s);
+        if (eye.isInterface) {
+            Optics.turn(eye.s, eye.color);
+        }
+        bsdf.evaluate(there);
+        if (beyond < 0) {
+            // The colours of an interface are those of transmitted light.
+            there.valueR *= there.red;
+            there.valueG *= there.green;
+            there.valueB *= there.blue;
         }
     }
 

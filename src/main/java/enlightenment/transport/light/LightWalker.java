@@ -159,6 +159,11 @@ abstract class LightWalker extends LightPathTracer {
         if (flight != null) {
             flight.begin();
         }
+        return surface();
+    }
+
+    /** Connects the path to the eye from an opaque surface, and scatters it there; returns whether it goes on. */
+    private boolean surface() {
         SurfaceMaterial material = path.at.material;
         Bsdf bsdf = path.at.bsdf;
         if (material.isBlack || !caustic.continues(bsdf)) {

@@ -153,7 +153,7 @@ public final class ExactPoint {
 
     private double difference(long mine, long other, ExactPoint o, int axis) {
         double d = ShortDecimal.difference(mine, other);
-        return Double.isNaN(d) ? component(axis).subtract(o.component(axis)).doubleValue() : d;
+        return Double.isNaN(d) ? Decimals.nearest(component(axis).subtract(o.component(axis))) : d;
     }
 
     /**

@@ -12,6 +12,12 @@ public final class Decimals {
     /** Powers of ten from 1 on, as long as they are doubles. */
     private static final double[] POWERS = new double[23];
 
+    /** Powers of ten from 1 on. */
+    private static final BigInteger[] TENS = new BigInteger[128];
+
+    /** Bits of a quotient before it is rounded: some more than the 54 that decide. */
+    private static final int QUOTIENT_BITS = 64;
+
     /** Below this the rounding of a product is less than a thousandth. */
     private static final double SAFE = 0x1p40;
 
@@ -19,6 +25,10 @@ public final class Decimals {
         POWERS[0] = 1;
         for (int k = 1; k < POWERS.length; k++) {
             POWERS[k] = 10 * POWERS[k - 1];
+        }
+        TENS[0] = BigInteger.ONE;
+        for (int k = 1; k < TENS.length; k++) {
+            TENS[k] = TENS[k - 1].multiply(BigInteger.TEN);
         }
     }
 
@@ -41,6 +51,21 @@ public final class Decimals {
         return k >= 0
                 ? v.multiply(new BigDecimal(BigInteger.TWO.pow(k)))
                 : v.multiply(new BigDecimal(BigInteger.valueOf(5).pow(-k), -k));
+    }
+
+    /** The nearest double, as {@link BigDecimal#doubleValue} returns, which before Java 21 takes the detour of a text. */
+    public static double nearest(BigDecimal v) {
+        int scale = v.scale();
+        if (scale <= 0 || scale >= TENS.length || v.signum() == 0) {
+            return v.doubleValue();
+        }
+        BigInteger digits = v.unscaledValue().abs();
+        int shift = Math.max(0, QUOTIENT_BITS + TENS[scale].bitLength() - digits.bitLength());
+        BigInteger[] quotient = digits.shiftLeft(shift).divideAndRemainder(TENS[scale]);
+        // With any remainder the quotient is no number in the middle between two doubles.
+        BigInteger rounded = quotient[1].signum() == 0 ? quotient[0] : quotient[0].setBit(0);
+        // Not subnormal: v is at least 10^-127.
+        return v.signum() * Math.scalb(rounded.doubleValue(), -shift);
     }
 
     /** An estimate of the binary exponent of |v|, off by a few at most; {@link Integer#MIN_VALUE} for zero. */

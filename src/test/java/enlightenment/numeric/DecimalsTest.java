@@ -33,4 +33,36 @@ class DecimalsTest {
         assertEquals(0, new BigDecimal(Double.MIN_VALUE).compareTo(Decimals.near(Double.MIN_VALUE, -1100)));
         assertEquals(0, new BigDecimal(Double.MAX_VALUE).compareTo(Decimals.near(Double.MAX_VALUE, -2)));
     }
+
+    @Test
+    void theNearestDoubleOfAnExactOneIsItself() {
+        for (int i = 0; i < 2000; i++) {
+            double v = Math.scalb((double) Hash.of(10, i), -(int) (Hash.of(11, i) & 63) - 64);
+            assertEquals(v, Decimals.nearest(new BigDecimal(v)));
+        }
+    }
+
+    @Test
+    void theMiddleBetweenTwoDoublesGoesToTheEvenOneAndALittleMoreToTheUpperOne() {
+        BigDecimal little = BigDecimal.ONE.movePointLeft(120);
+        for (int i = 0; i < 2000; i++) {
+            double low = Math.scalb((double) (Hash.of(12, i) >>> 11 | 1L << 52), -53);
+            double high = Math.nextUp(low);
+            BigDecimal middle = new BigDecimal(low).add(new BigDecimal(high)).divide(BigDecimal.valueOf(2));
+            boolean isLowEven = (Double.doubleToLongBits(low) & 1) == 0;
+            assertEquals(isLowEven ? low : high, Decimals.nearest(middle));
+            assertEquals(high, Decimals.nearest(middle.add(little)));
+            assertEquals(low, Decimals.nearest(middle.subtract(little)));
+            assertEquals(-low, Decimals.nearest(middle.subtract(little).negate()));
+        }
+    }
+
+    @Test
+    void theNearestDoubleIsFoundAtTheEndsOfTheRange() {
+        assertEquals(0, Decimals.nearest(new BigDecimal("0.000")));
+        assertEquals(Double.POSITIVE_INFINITY, Decimals.nearest(new BigDecimal("1e400").setScale(3)));
+        assertEquals(Double.MAX_VALUE, Decimals.nearest(new BigDecimal(Double.MAX_VALUE).setScale(5)));
+        assertEquals(Double.MIN_VALUE, Decimals.nearest(new BigDecimal(Double.MIN_VALUE)));
+        assertEquals(1e-127, Decimals.nearest(new BigDecimal("1e-127")));
+    }
 }

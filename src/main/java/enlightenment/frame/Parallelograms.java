@@ -2,6 +2,7 @@ package enlightenment.frame;
 
 import enlightenment.check.Check;
 import enlightenment.math.ExactPoint;
+import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 
 /** Checks and normals of triangles and parallelograms, whose vertices must span an area. */
@@ -43,10 +44,12 @@ public final class Parallelograms {
         Vec3 closing = new SceneFrame(lowerRight, e).toFrame(upperRight);
         double miss = closing.minus(up).length();
         double size = Math.max(up.length(), right.length());
-        Check.that(
-                miss <= CORNER_TOLERANCE * size,
-                key + "/2",
-                "must close the parallelogram (first corner + (second − first) + (fourth − first)); it is off by "
-                        + miss / size + " of the longer edge");
+        // The message is only built where it is needed: a scene may have thousands of rectangles.
+        if (!(miss <= CORNER_TOLERANCE * size)) {
+            throw new InvalidValueException(
+                    key + "/2",
+                    "must close the parallelogram (first corner + (second − first) + (fourth − first)); it is off by "
+                            + miss / size + " of the longer edge");
+        }
     }
 }

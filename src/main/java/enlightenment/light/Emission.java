@@ -30,9 +30,11 @@ public record Emission(Quantity quantity, Rgb value, double ultraviolet) {
         /** Irradiance, W/m²: of a distant light, at an unoccluded surface perpendicular to its direction. */
         IRRADIANCE;
 
+        private final String key = name().toLowerCase(Locale.ROOT);
+
         /** The quantity's key in the scene format. */
         public String key() {
-            return name().toLowerCase(Locale.ROOT);
+            return key;
         }
     }
 

@@ -4,6 +4,7 @@ import enlightenment.check.Check;
 import enlightenment.check.Radiance;
 import enlightenment.color.Color;
 import enlightenment.color.Rgb;
+import enlightenment.math.InvalidValueException;
 import java.util.Objects;
 
 /** Checks the emission of each kind of light. */
@@ -13,20 +14,22 @@ final class Emissions {
     /** Checks the emission of a light with a surface: radiance or power. */
     static void checkSurface(String type, Color color, Emission emission) {
         check(color, emission);
-        Check.that(
-                emission.quantity() != Emission.Quantity.INTENSITY,
-                "intensity",
-                "belongs to point lights; a " + type + " light has \"radiance\" or \"power\"");
+        // Messages are only built where they are needed: a scene may have thousands of lights.
+        if (emission.quantity() == Emission.Quantity.INTENSITY) {
+            throw new InvalidValueException(
+                    "intensity", "belongs to point lights; a " + type + " light has \"radiance\" or \"power\"");
+        }
         checkNear(type, "radiance", emission);
     }
 
     /** Checks the emission of a light without extent: intensity or power. */
     static void checkPoint(String type, Color color, Emission emission) {
         check(color, emission);
-        Check.that(
-                emission.quantity() != Emission.Quantity.RADIANCE,
-                "radiance",
-                "belongs to lights with a surface; a " + type + " light has \"intensity\" or \"power\"");
+        if (emission.quantity() == Emission.Quantity.RADIANCE) {
+            throw new InvalidValueException(
+                    "radiance",
+                    "belongs to lights with a surface; a " + type + " light has \"intensity\" or \"power\"");
+        }
         checkNear(type, "intensity", emission);
     }
 
@@ -46,10 +49,10 @@ final class Emissions {
     }
 
     private static void checkNear(String type, String usual, Emission emission) {
-        Check.that(
-                emission.quantity() != Emission.Quantity.IRRADIANCE,
-                "irradiance",
-                "belongs to distant lights; a " + type + " light has \"" + usual + "\" or \"power\"");
+        if (emission.quantity() == Emission.Quantity.IRRADIANCE) {
+            throw new InvalidValueException(
+                    "irradiance", "belongs to distant lights; a " + type + " light has \"" + usual + "\" or \"power\"");
+        }
     }
 
     private static void check(Color color, Emission emission) {

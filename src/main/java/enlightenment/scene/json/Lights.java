@@ -82,7 +82,7 @@ final class Lights {
 
     /** How much the light gives: in the quantity that is usual for it, or as power; not as both. */
     private static Emission visible(Fields f, Emission unlessGiven) {
-        String usual = Fields.word(unlessGiven.quantity());
+        String usual = unlessGiven.quantity().key();
         if (!f.has("power")) {
             return f.has(usual) ? new Emission(unlessGiven.quantity(), f.bands(usual, Rgb.WHITE)) : unlessGiven;
         }
@@ -93,7 +93,7 @@ final class Lights {
     }
 
     private static void write(Emission emission, Emission usual, JsonObjectBuilder p) {
-        String key = Fields.word(emission.quantity());
+        String key = emission.quantity().key();
         if (emission.quantity() != usual.quantity() || !emission.value().equals(usual.value()) || p.animated(key)) {
             p.bands(key, emission.value());
         }

@@ -112,16 +112,20 @@ public final class LightSampler {
                 .toArray();
     }
 
-    private record Entry(AreaLight light, Vec3 position, IntensityProfile profile, double strength, double[] key)
+    private record Entry(
+            String kind, AreaLight light, Vec3 position, IntensityProfile profile, double strength, double[] key)
             implements Comparable<Entry> {
-        private String kind() {
-            Object form = light == null ? profile : light;
+        Entry(AreaLight light, Vec3 position, IntensityProfile profile, double strength, double[] key) {
+            this(kind(light == null ? profile : light), light, position, profile, strength, key);
+        }
+
+        private static String kind(Object form) {
             return form == null ? "" : form.getClass().getSimpleName();
         }
 
         @Override
         public int compareTo(Entry o) {
-            int byKind = kind().compareTo(o.kind());
+            int byKind = kind.compareTo(o.kind);
             int byShape = byKind != 0 ? byKind : Arrays.compare(key, o.key);
             return byShape != 0 ? byShape : Double.compare(strength, o.strength);
         }

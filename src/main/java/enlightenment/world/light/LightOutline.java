@@ -55,7 +55,7 @@ final class LightOutline {
     /**
      * Finds the polygon around a light.
      *
-     * @return whether there is one: all of the light lies before the eye, and its emitting side may be visible
+     * @return whether there is one in the picture: all of the light lies before the eye, and its emitting side may be visible
      */
     boolean find(PhysicalLight l) {
         SupportSurface s = l.surface.support(l.face);
@@ -73,7 +73,7 @@ final class LightOutline {
         while (corners < MOST_CORNERS && corners < wanted) {
             corners *= 2;
         }
-        return (corners == LEAST_CORNERS || trace(l, s, corners)) && wrap();
+        return (corners == LEAST_CORNERS || trace(l, s, corners)) && reachesPicture() && wrap();
     }
 
     /** Whether the eye is on an emitting side of a plane: not behind a face of an opaque solid, whose other faces hide it. */
@@ -159,6 +159,21 @@ final class LightOutline {
         points[size][1] = eye.y * camera.rows;
         isBefore &= Math.abs(points[size][0]) < FAR && Math.abs(points[size][1]) < FAR;
         size++;
+    }
+
+    /** Whether the box around the points overlaps the picture: hulls of others are of no use. */
+    private boolean reachesPicture() {
+        double left = points[0][0];
+        double right = left;
+        double top = points[0][1];
+        double bottom = top;
+        for (int k = 1; k < size; k++) {
+            left = Math.min(left, points[k][0]);
+            right = Math.max(right, points[k][0]);
+            top = Math.min(top, points[k][1]);
+            bottom = Math.max(bottom, points[k][1]);
+        }
+        return left < camera.columns && right > 0 && top < camera.rows && bottom > 0;
     }
 
     /**

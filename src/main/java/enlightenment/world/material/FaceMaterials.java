@@ -67,7 +67,14 @@ public final class FaceMaterials {
 
     /** Whether some surface's material satisfies a condition. */
     public boolean any(Predicate<SurfaceMaterial> such) {
-        return Arrays.stream(distinct).anyMatch(m -> m.any(such));
+        // A loop, which needs less of the just-in-time compiler than a stream: thousands of lights are thousands of
+        // materials.
+        for (SurfaceMaterial m : distinct) {
+            if (m.any(such)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The material that fills a solid of glass: that of the first of its faces of glass; if there is none, of face 0. */

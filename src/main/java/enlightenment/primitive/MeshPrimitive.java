@@ -307,6 +307,11 @@ public final class MeshPrimitive extends Primitive {
         return new MeshPrimitive(mesh, placing.scaledBy(k));
     }
 
+    @Override
+    public double firstParameter() {
+        return placing.offset(0);
+    }
+
     /** The placing, and the digest of the mesh. */
     @Override
     public double[] parameters() {
@@ -315,7 +320,7 @@ public final class MeshPrimitive extends Primitive {
         int pieces = 8;
         double[] all = Arrays.copyOf(placed, placed.length + pieces);
         for (int i = 0; i < pieces; i++) {
-            all[placed.length + i] = Long.parseLong(digest.substring(8 * i, 8 * i + 8), 16);
+            all[placed.length + i] = Long.parseLong(digest, 8 * i, 8 * i + 8, 16);
         }
         return all;
     }

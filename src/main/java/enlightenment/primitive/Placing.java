@@ -190,7 +190,12 @@ final class Placing implements PlacedVertices {
 
     @Override
     public int hashCode() {
-        return Arrays.hashCode(numbers);
+        int hash = 1;
+        // The inverse is given by the other numbers.
+        for (int k = 0; k < INVERSE; k++) {
+            hash = 31 * hash + Double.hashCode(numbers[k]);
+        }
+        return hash;
     }
 
     /** The numbers for code on another device: offset, matrix and inverse, whether it is a translation, and two bounds. */

@@ -213,6 +213,11 @@ public abstract sealed class Primitive
     /** The numbers that define the primitive, in a fixed order: equal arrays and classes mean equal primitives. */
     public abstract double[] parameters();
 
+    /** The first of the {@link #parameters}. */
+    public double firstParameter() {
+        return parameters()[0];
+    }
+
     private boolean intersectOrdinary(Ray ray, Hit hit) {
         double t = nearestOrdinary(ray, Double.MAX_VALUE);
         if (t == MISS) {

@@ -283,6 +283,8 @@ class MeshPrimitiveTest {
         MeshPrimitive c = MeshLeavingTest.placed(mesh, PLACINGS.get("moved"));
         assertArrayEquals(a.parameters(), b.parameters());
         assertFalse(Arrays.equals(a.parameters(), c.parameters()));
+        assertEquals(a.parameters()[0], a.firstParameter());
+        assertEquals(c.parameters()[0], c.firstParameter());
         assertEquals(TriangleTree.of(mesh, () -> {}), TriangleTree.of(mesh, () -> {}));
     }
 }

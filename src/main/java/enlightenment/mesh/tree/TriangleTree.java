@@ -45,6 +45,11 @@ public final class TriangleTree {
 
     final TriangleMesh mesh;
 
+    /** The boxes of its upper levels in the mesh's coordinates, which each turned instance of the mesh needs. */
+    private final double[] upper;
+
+    private final int upperSize;
+
     private TriangleTree(TriangleMesh mesh, Runnable poll) {
         this.mesh = mesh;
         largest = mesh.maxAbs();
@@ -58,6 +63,8 @@ public final class TriangleTree {
         child = builder.child();
         order = builder.order();
         reach = builder.reach();
+        upper = new double[ItemBoxes.BOX << BOUND_LEVELS];
+        upperSize = addBoxes(0, 1, 0);
     }
 
     /**
@@ -107,26 +114,32 @@ public final class TriangleTree {
 
     /** Gives boxes that enclose all triangles together, in the mesh's coordinates: tighter than one where the mesh is turned. */
     public void forEachBox(Boxes receiver) {
-        addBoxes(0, 1, receiver);
+        double[] b = upper;
+        for (int k = 0; k < upperSize; k += ItemBoxes.BOX) {
+            receiver.accept(b[k], b[k + 1], b[k + 2], b[k + 3], b[k + 4], b[k + 5]);
+        }
     }
 
-    private void addBoxes(int node, int level, Boxes receiver) {
+    /** Appends the boxes below a node to {@link #upper}, from this place on; returns the place after the last one. */
+    private int addBoxes(int node, int level, int from) {
         double back = Scale.scalb(1, exponent);
+        int end = from;
         for (int side = 0; side < 2; side++) {
             int link = child[2 * node + side];
             int at = Nodes.NODE * node + side;
             if (link >= 0 && level < BOUND_LEVELS) {
-                addBoxes(link, level + 1, receiver);
+                end = addBoxes(link, level + 1, end);
             } else if (link != Nodes.EMPTY) {
-                receiver.accept(
-                        Math.max(((double) boxes[at] - boxes[at + 6]) * back, low[0]),
-                        Math.max(((double) boxes[at + 2] - boxes[at + 8]) * back, low[1]),
-                        Math.max(((double) boxes[at + 4] - boxes[at + 10]) * back, low[2]),
-                        Math.min(((double) boxes[at] + boxes[at + 6]) * back, high[0]),
-                        Math.min(((double) boxes[at + 2] + boxes[at + 8]) * back, high[1]),
-                        Math.min(((double) boxes[at + 4] + boxes[at + 10]) * back, high[2]));
+                for (int axis = 0; axis < 3; axis++) {
+                    double center = boxes[at + 2 * axis];
+                    float half = boxes[at + 6 + 2 * axis];
+                    upper[end + axis] = Math.max((center - half) * back, low[axis]);
+                    upper[end + 3 + axis] = Math.min((center + half) * back, high[axis]);
+                }
+                end += ItemBoxes.BOX;
             }
         }
+        return end;
     }
 
     /** The mesh whose tree it is. */

@@ -104,7 +104,7 @@ final class PlacedObjects {
         for (int[] ofKind : byKind()) {
             double[] first = new double[ofKind.length];
             for (int k = 0; k < first.length; k++) {
-                first[k] = primitives[ofKind[k]].parameters()[0];
+                first[k] = primitives[ofKind[k]].firstParameter();
             }
             // Few primitives share their first parameter, so that the others are seldom compared.
             int[] byFirst = Ascending.order(first);

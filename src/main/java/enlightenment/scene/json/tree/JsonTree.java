@@ -191,15 +191,16 @@ public final class JsonTree {
         int line = at.getLineNr();
         int column = at.getColumnNr();
         return switch (token) {
-            case VALUE_STRING -> new JsonValue.Str(line, column, shared(wellFormed(parser.getString(), at)));
+            case VALUE_STRING -> new JsonValue.Str(line, column, shared(wellFormed(parser.getString())));
             case VALUE_TRUE, VALUE_FALSE -> new JsonValue.Bool(line, column, token == JsonToken.VALUE_TRUE);
             case VALUE_NULL -> new JsonValue.Null(line, column);
             default -> new JsonValue.Num(line, column, parser.getString());
         };
     }
 
-    private String wellFormed(String text, TokenStreamLocation at) {
+    private String wellFormed(String text) {
         if (!Plain.isWellFormed(text)) {
+            TokenStreamLocation at = parser.currentTokenLocation();
             String pointer = parser.streamReadContext().pathAsPointer().toString();
             problems.add(at.getLineNr(), at.getColumnNr(), pointer, NO_TEXT);
         }
@@ -241,7 +242,7 @@ public final class JsonTree {
     }
 
     private void addKey() {
-        String key = wellFormed(parser.currentName(), parser.currentTokenLocation());
+        String key = wellFormed(parser.currentName());
         makeRoom();
         if (isTwice(key)) {
             TokenStreamLocation at = parser.currentTokenLocation();

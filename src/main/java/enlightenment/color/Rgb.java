@@ -60,6 +60,11 @@ public record Rgb(double r, double g, double b) implements Color {
         return Math.max(r, Math.max(g, b));
     }
 
+    /** Whether all components are 0. */
+    public boolean isBlack() {
+        return max() == 0;
+    }
+
     @Override
     public DisplayRgb display() {
         return new DisplayRgb(shown(r), shown(g), shown(b));

@@ -24,10 +24,7 @@ final class Detail {
                         && !(part instanceof Material.Fluorescent),
                 key,
                 "must be an opaque material that is not fluorescent, not " + part.type());
-        Check.that(
-                part.radiance().equals(Rgb.BLACK) && part.ultraviolet() == 0,
-                key,
-                "must be a material that does not glow");
+        Check.that(part.radiance().isBlack() && part.ultraviolet() == 0, key, "must be a material that does not glow");
     }
 
     /** The amount of a number at a key, which messages name. */
@@ -53,7 +50,7 @@ final class Detail {
 
     /** A texture, or one side alone, only of what glows; what its colours make of the radiance is no more than may be emitted. */
     static void checkRadiance(Rgb radiance, double ultraviolet, Material.EmissionPattern pattern) {
-        boolean glows = !radiance.equals(Rgb.BLACK) || ultraviolet > 0;
+        boolean glows = !radiance.isBlack() || ultraviolet > 0;
         Check.that(
                 glows || pattern.side() == Material.EmissionPattern.Side.BOTH,
                 "radianceSide",

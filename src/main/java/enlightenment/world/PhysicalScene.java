@@ -131,7 +131,7 @@ public final class PhysicalScene {
             Runnable poll) {
         around = shading.medium().map(m -> around(m, frame)).orElse(null);
         Rgb clear = seen(Rgb.WHITE, around);
-        this.surroundings = surroundings == null || clear.equals(Rgb.WHITE)
+        this.surroundings = surroundings == null || around == null || clear.equals(Rgb.WHITE)
                 ? surroundings
                 : clear.max() > 0 ? surroundings.filtered(clear) : null;
         Rgb background =

@@ -1,6 +1,7 @@
 package enlightenment.color;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -30,6 +31,15 @@ class RgbTest {
                     assertThrows(InvalidValueException.class, () -> new Rgb(0, 0, bad))
                             .key());
         }
+    }
+
+    @Test
+    void onlyThreeZerosAreBlack() {
+        assertTrue(Rgb.BLACK.isBlack());
+        assertTrue(new Rgb(-0.0, 0, -0.0).isBlack());
+        assertFalse(new Rgb(Double.MIN_VALUE, 0, 0).isBlack());
+        assertFalse(new Rgb(0, Double.MIN_VALUE, 0).isBlack());
+        assertFalse(new Rgb(0, 0, Double.MIN_VALUE).isBlack());
     }
 
     @Test

@@ -193,7 +193,7 @@ final class MaterialReader {
         if (material.has("normalTexture")) {
             note("normalTexture of what transmits light is left out");
         }
-        if (!emitted().equals(Rgb.BLACK)) {
+        if (!emitted().isBlack()) {
             note("the light of what transmits light is left out");
         }
         Texture.Amount roughness = amount(Texture.Amount.Channel.GREEN, roughnessFactor());
@@ -329,7 +329,7 @@ final class MaterialReader {
         }
         Rgb radiance = new Rgb(factor[0] * strength, factor[1] * strength, factor[2] * strength);
         GltfElement texture = material.get(EMISSIVE);
-        if (radiance.equals(Rgb.BLACK) || !texture.isPresent()) {
+        if (radiance.isBlack() || !texture.isPresent()) {
             return radiance;
         }
         Optional<Rgb> uniform = textures.uniform(texture);
@@ -344,7 +344,7 @@ final class MaterialReader {
         GltfElement texture = material.get(EMISSIVE);
         boolean isUniform = !texture.isPresent()
                 || textures.uniform(texture).isPresent()
-                || emitted().equals(Rgb.BLACK);
+                || emitted().isBlack();
         return isUniform ? Optional.empty() : textures.color(texture, Rgb.WHITE);
     }
 
@@ -353,7 +353,7 @@ final class MaterialReader {
         if (!info.isPresent()) {
             return surface;
         }
-        if (!surface.radiance().equals(Rgb.BLACK)) {
+        if (!surface.radiance().isBlack()) {
             note("normalTexture of what glows is left out");
             return surface;
         }
@@ -374,7 +374,7 @@ final class MaterialReader {
         if (map.isEmpty() && constant == 1) {
             return surface;
         }
-        if (surface instanceof Glass || !surface.radiance().equals(Rgb.BLACK)) {
+        if (surface instanceof Glass || !surface.radiance().isBlack()) {
             note("the opacity of what glows or transmits light is left out");
             return surface;
         }

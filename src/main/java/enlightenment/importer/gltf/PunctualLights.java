@@ -37,7 +37,7 @@ final class PunctualLights {
         double intensity = element.number("intensity", 1);
         try {
             Rgb value = new Rgb(color[0] * intensity, color[1] * intensity, color[2] * intensity);
-            if (!value.equals(Rgb.BLACK)) {
+            if (!value.isBlack()) {
                 draft.light(light(element, value, poses.start()));
                 // Fail here rather than in the midst of the film.
                 for (Affine pose : poses.maps()) {

@@ -97,7 +97,7 @@ final class DirectedLights {
                     ? scene.pictures().plain(halfWidth)
                     : scene.pictures().projection(picture.get(), source, halfWidth, isMirrored);
             Rgb intensity = color.times(Rgb.gray(StrictMath.PI * scale * made.brightest()));
-            if (!intensity.equals(Rgb.BLACK)) {
+            if (!intensity.isBlack()) {
                 scene.draft()
                         .light(new Light.Projector(
                                 Affine.exact(map.offset()),

@@ -35,7 +35,7 @@ final class EmissionReader {
         AreaEmission emission = radiance(p, surface);
         p.ignore("sampling_weight", "id");
         scene.noteUnused(p);
-        return emission.radiance().equals(Rgb.BLACK) ? Optional.empty() : Optional.of(emission);
+        return emission.radiance().isBlack() ? Optional.empty() : Optional.of(emission);
     }
 
     private AreaEmission radiance(Properties p, Surface surface) {

@@ -56,7 +56,7 @@ final class MtlMaterial {
         Optional<Texture> map = mtl.mapKe().flatMap(name -> texture(name, Texture.Encoding.SRGB));
         Rgb usual = map.isPresent() ? Rgb.WHITE : Rgb.BLACK;
         Rgb radiance = mtl.ke().map(ke -> clamped(ke, Float.MAX_VALUE)).orElse(usual);
-        if (radiance.equals(Rgb.BLACK)) {
+        if (radiance.isBlack()) {
             map = Optional.empty();
         }
         boolean isShiny = mtl.ks().filter(ks -> ks.maxAbs() > 0).isPresent()
@@ -88,7 +88,7 @@ final class MtlMaterial {
         if (map.isEmpty() && d == 1) {
             return opaque;
         }
-        if (!opaque.radiance().equals(Rgb.BLACK)) {
+        if (!opaque.radiance().isBlack()) {
             notes.add("", "the opacity of what glows is left out: " + Plain.quoted(mtl.name()));
             return opaque;
         }

@@ -154,7 +154,7 @@ public final class ImportDraft {
     /** Whether a light or an object shines. */
     public boolean hasLights() {
         return !lights.isEmpty()
-                || objects.stream().anyMatch(o -> !o.material().radiance().equals(Rgb.BLACK));
+                || objects.stream().anyMatch(o -> !o.material().radiance().isBlack());
     }
 
     /** Whether lights of the file are left out. */

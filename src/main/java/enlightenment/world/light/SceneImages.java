@@ -110,7 +110,7 @@ public final class SceneImages {
      * @throws SceneException if the file of a picture cannot be used
      */
     public synchronized Surroundings around(Shading.Background of) {
-        if (!of.equals(background)) {
+        if (background == null || !of.equals(background)) {
             surroundings = CompiledSurroundings.of(of, files);
             background = of;
         }

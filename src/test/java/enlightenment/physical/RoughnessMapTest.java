@@ -175,7 +175,8 @@ class RoughnessMapTest {
             value = BuiltInMethod.class,
             names = {"CLUSTER", "LIGHT", "BIDIRECTIONAL", "METROPOLIS"})
     void allMethodsMakeOnePictureOfFrostedGlassByAnImage(BuiltInMethod method) throws IOException {
-        Texture.Amount frost = new Texture.Amount.Textured(image("frost", 0, 0.5), Texture.Amount.Channel.GREEN, 0.8);
+        Texture.Amount frost =
+                new Texture.Amount.Textured(image("frost", 0.25, 0.5), Texture.Amount.Channel.GREEN, 0.8);
         // Each level would make tables of lost light, again for each picture.
         Scene scene =
                 stand(Glass.of(linear(0.9, 1, 0.8), 1.5).withRoughness(frost).withMultipleScattering(false));

@@ -38,7 +38,8 @@ final class ManySeeds {
         return render(compiled, settings, plan);
     }
 
-    static Picture render(CompiledScene compiled, RenderSettings settings, RenderPlan plan) {
+    /** A render in memory, by the processor alone, that is done. */
+    static LocalRender finished(CompiledScene compiled, RenderSettings settings, RenderPlan plan) {
         LocalRender render = new LocalRender(
                 "",
                 compiled,
@@ -50,6 +51,11 @@ final class ManySeeds {
                 FilmPlace.MEMORY,
                 PreparedDevice.NONE);
         render.run();
+        return render;
+    }
+
+    static Picture render(CompiledScene compiled, RenderSettings settings, RenderPlan plan) {
+        LocalRender render = finished(compiled, settings, plan);
         Film film = ((TilePicture) render.film()).film();
         RenderSettings.Crop region = settings.region();
         double[] rgb = new double[3 * region.width() * region.height()];
@@ -67,17 +73,7 @@ final class ManySeeds {
     static RenderReport.Sampling sampling(Scene scene, RenderSettings settings) {
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         RenderPlan plan = new Planner(compiled, settings, () -> false).plan(Stopwatch.started(), 0);
-        LocalRender render = new LocalRender(
-                "",
-                compiled,
-                settings,
-                plan,
-                RenderProgress.NONE,
-                () -> false,
-                null,
-                FilmPlace.MEMORY,
-                PreparedDevice.NONE);
-        render.run();
+        LocalRender render = finished(compiled, settings, plan);
         return render.report(new Phases(), 0, 1).sampling();
     }
 

@@ -2,8 +2,6 @@ package enlightenment.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import enlightenment.device.share.PreparedDevice;
-import enlightenment.engine.FilmPlace;
 import enlightenment.engine.TilePicture;
 import enlightenment.film.Film;
 import enlightenment.image.Image;
@@ -32,17 +30,8 @@ record RawPicture(int width, double[] rgb, byte[] png) {
     }
 
     static RawPicture of(CompiledScene compiled, RenderSettings settings) {
-        LocalRender render = new LocalRender(
-                "",
-                compiled,
-                settings,
-                new Planner(compiled, settings, () -> false).plan(Stopwatch.started(), 0),
-                RenderProgress.NONE,
-                () -> false,
-                null,
-                FilmPlace.MEMORY,
-                PreparedDevice.NONE);
-        render.run();
+        LocalRender render = ManySeeds.finished(
+                compiled, settings, new Planner(compiled, settings, () -> false).plan(Stopwatch.started(), 0));
         Film film = ((TilePicture) render.film()).film();
         double[] rgb = new double[3 * settings.width() * settings.height()];
         for (int i = 0; i < rgb.length; i++) {

@@ -1,6 +1,7 @@
 package enlightenment.net;
 
 import enlightenment.checkpoint.Origin;
+import enlightenment.device.share.DeviceShare;
 import enlightenment.engine.UnitAssembly;
 import enlightenment.listen.ServerLog;
 import enlightenment.net.protocol.Message;
@@ -43,6 +44,9 @@ final class Coordination implements ServerConnection.Host {
 
     private LocalWorker local;
 
+    /** What renders beside the threads of this process; null for none. */
+    private final DeviceShare device;
+
     /** Tiles before this one may be made. */
     private int offered;
 
@@ -66,6 +70,7 @@ final class Coordination implements ServerConnection.Host {
                 .withOffered(offered)
                 .withAuditRate(options.auditRate)
                 .withSilence(options.timing.silenceMillis() * 1_000_000L);
+        device = DeviceShare.chosen(options.device, log::say);
         coordinator = new Coordinator(settings, job.restored(), System.nanoTime());
     }
 
@@ -123,7 +128,7 @@ final class Coordination implements ServerConnection.Host {
     private void begin() {
         if (!hasBegun) {
             hasBegun = true;
-            if (options.localThreads > 0) {
+            if (options.localThreads > 0 || device != null) {
                 startLocal(options.localThreads);
             }
         }
@@ -132,7 +137,7 @@ final class Coordination implements ServerConnection.Host {
 
     private void startLocal(int threads) {
         if (local == null) {
-            local = new LocalWorker(job.units(), threads, job::result, this::handle, this::failed);
+            local = new LocalWorker(job.units(), threads, device, job::result, this::handle, this::failed);
             local.start();
         }
     }
@@ -318,6 +323,10 @@ final class Coordination implements ServerConnection.Host {
         }
         if (mine != null) {
             mine.close();
+        }
+        if (device != null) {
+            device.note();
+            device.close();
         }
     }
 }

@@ -2,11 +2,9 @@ package enlightenment.net;
 
 import enlightenment.check.Check;
 import enlightenment.device.DeviceChoice;
-import enlightenment.device.DeviceFailure;
 import enlightenment.device.share.DeviceShare;
 import enlightenment.file.ContentHash;
 import enlightenment.job.Build;
-import enlightenment.math.InvalidValueException;
 import enlightenment.net.job.Canary;
 import enlightenment.net.protocol.Limits;
 import enlightenment.net.protocol.Timing;
@@ -84,7 +82,7 @@ public final class RenderWorker {
         var identity = new WorkerSession.Identity(options.version, options.threads, process, options.machine);
         AtomicReference<WorkerSession> current = new AtomicReference<>();
         RepeatedLines lines = new RepeatedLines(log);
-        try (DeviceShare device = device(options, log);
+        try (DeviceShare device = DeviceShare.chosen(options.device, log);
                 WorkerJobs jobs = new WorkerJobs(options.threads, device, options.version, options.tamper)) {
             return work(
                     () -> new WorkerSession(server, identity, options.timing, jobs, current, lines::say, isOver),
@@ -94,15 +92,6 @@ public final class RenderWorker {
                     isOver);
         } finally {
             lines.settle();
-        }
-    }
-
-    /** The device of the options; null for none. */
-    private static DeviceShare device(Options options, Consumer<String> log) {
-        try {
-            return DeviceShare.of(options.device, log).orElse(null);
-        } catch (DeviceFailure e) {
-            throw new InvalidValueException("device", "cannot be used: " + e.getMessage());
         }
     }
 

@@ -1,6 +1,7 @@
 package enlightenment.net;
 
 import enlightenment.check.Check;
+import enlightenment.device.DeviceChoice;
 import enlightenment.engine.FilmRoom;
 import enlightenment.job.Build;
 import enlightenment.net.job.PictureRoom;
@@ -51,6 +52,7 @@ public final class ServerOptions {
     final Optional<Path> checkpoint;
     final List<RenderResult.Archive> archives;
     final int localThreads;
+    final DeviceChoice device;
     final double auditRate;
     final List<String> pardoned;
     final Consumer<String> log;
@@ -77,6 +79,7 @@ public final class ServerOptions {
         checkpoint = b.checkpoint;
         archives = b.archives;
         localThreads = b.localThreads;
+        device = b.device;
         auditRate = b.auditRate;
         pardoned = b.pardoned;
         log = b.log;
@@ -114,6 +117,7 @@ public final class ServerOptions {
         private int statusPort = -1;
         private Optional<Path> checkpoint = Optional.empty();
         private List<RenderResult.Archive> archives = List.of();
+        private DeviceChoice device = DeviceChoice.of(DeviceChoice.NONE);
         private int localThreads = Math.max(Runtime.getRuntime().availableProcessors() - 1, 1);
         private double auditRate = DEFAULT_AUDIT_RATE;
         private List<String> pardoned = List.of();
@@ -140,6 +144,7 @@ public final class ServerOptions {
             checkpoint = o.checkpoint;
             archives = o.archives;
             localThreads = o.localThreads;
+            device = o.device;
             auditRate = o.auditRate;
             pardoned = o.pardoned;
             log = o.log;
@@ -255,6 +260,16 @@ public final class ServerOptions {
         /** How many threads render in this process, at least 0; 0 for none as long as there are workers. */
         public Builder localThreads(int threads) {
             localThreads = threads;
+            return this;
+        }
+
+        /**
+         * What renders in this process beside its threads, where it can take part: as {@link RenderWorker.Options.Builder#device}.
+         *
+         * @throws enlightenment.math.InvalidValueException if it is something else
+         */
+        public Builder device(String word) {
+            device = DeviceChoice.of(word);
             return this;
         }
 

@@ -46,6 +46,23 @@ class DeviceWorkerTest {
         }
     }
 
+    /** The server has no other threads: without workers it renders by its device, and by processors once it finds itself alone. */
+    @Test
+    void aServerWithADeviceMakesTheSamePicture() throws Exception {
+        OpenClDriver.assume();
+        try (Farm farm = new Farm(Farm.options().device("opencl")).begin()) {
+            assertArrayEquals(ALONE, Farm.png(farm.result().image()));
+            assertTrue(farm.logHas(" shaded "), farm.log.toString());
+        }
+    }
+
+    @Test
+    void aDeviceThatTheServerLacksIsAWrongSetting() {
+        InvalidValueException e = assertThrows(
+                InvalidValueException.class, () -> new Farm(Farm.options().device("opencl:255")));
+        assertEquals("device", e.key());
+    }
+
     /** Its processor renders what its device does not. */
     @Test
     void aWorkerWhoseDeviceTakesNoPartRendersAllTheSame() throws Exception {

@@ -116,7 +116,7 @@ public final class AnimateCommand extends Subcommand {
         List<Path> files = range.frames().mapToObj(output.pattern()::file).toList();
         check(scene, range, files);
         video.check(animation.framesPerSecond(), output.pattern(), range, terminal);
-        ServerOptions server = serving.options(output.scratch(), terminal);
+        ServerOptions server = serving.options(device, output.scratch(), terminal);
         checkFrames(animation, range);
         FrameSettings settings = new FrameSettings(options, output, input);
         FrameDigest digests = new FrameDigest(output, view);

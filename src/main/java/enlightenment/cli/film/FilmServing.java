@@ -2,6 +2,7 @@ package enlightenment.cli.film;
 
 import enlightenment.cli.option.CommandFiles;
 import enlightenment.cli.serve.ServingOptions;
+import enlightenment.cli.setting.DeviceOption;
 import enlightenment.cli.terminal.Terminal;
 import enlightenment.net.RenderServer;
 import enlightenment.net.ServerOptions;
@@ -26,10 +27,17 @@ final class FilmServing {
     /**
      * What the options ask for; null without {@code --server}.
      *
+     * @param device that the server has
      * @param scratch where a frame is kept that is too large for the memory
      */
-    ServerOptions options(RenderRequest.ScratchFolder scratch, Terminal terminal) throws IOException {
-        return server ? serving.options(terminal).scratch(scratch).build() : null;
+    ServerOptions options(DeviceOption device, RenderRequest.ScratchFolder scratch, Terminal terminal)
+            throws IOException {
+        return server
+                ? serving.options(terminal)
+                        .device(device.word())
+                        .scratch(scratch)
+                        .build()
+                : null;
     }
 
     /** The options of a server. */

@@ -89,10 +89,6 @@ public final class OptionRules {
                     "--time must not be given with --server, where no frame has a time of its own:"
                             + " give --samples or --error"),
             excludes(
-                    List.of("--device"),
-                    List.of("--server"),
-                    "--device must not be given with --server: workers have devices of their own"),
-            excludes(
                     List.of("--aov"),
                     List.of("--server"),
                     "--aov must not be given with --server: workers send colours only"),

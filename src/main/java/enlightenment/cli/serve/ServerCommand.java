@@ -19,6 +19,7 @@ import enlightenment.cli.picture.StoppedRender;
 import enlightenment.cli.picture.UniformImageHint;
 import enlightenment.cli.picture.ViewOption;
 import enlightenment.cli.progress.ProgressOption;
+import enlightenment.cli.setting.DeviceOption;
 import enlightenment.cli.setting.RenderOptions;
 import enlightenment.cli.setting.SettingsLine;
 import enlightenment.cli.store.ArchiveList;
@@ -63,6 +64,9 @@ public final class ServerCommand extends Subcommand {
     private ServingOptions serving = new ServingOptions();
 
     @Mixin
+    private DeviceOption device = new DeviceOption();
+
+    @Mixin
     private ServerKeepOptions keep = new ServerKeepOptions();
 
     @Mixin
@@ -102,7 +106,7 @@ public final class ServerCommand extends Subcommand {
         output.check();
         view.check(output);
         store.check();
-        ServerOptions.Builder builder = keep.addTo(serving.options(terminal));
+        ServerOptions.Builder builder = keep.addTo(serving.options(terminal)).device(device.word());
         output.scratch().ifPresent(builder::scratch);
         ServerOptions serverOptions = builder.build();
         input = argument.open(foreign, terminal);

@@ -6,6 +6,7 @@ import enlightenment.device.DeviceFailure;
 import enlightenment.device.DeviceProgram;
 import enlightenment.device.DeviceScene;
 import enlightenment.device.opencl.OpenClDevices;
+import enlightenment.math.InvalidValueException;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.world.CompiledScene;
@@ -55,6 +56,20 @@ public final class DeviceShare implements AutoCloseable {
             case OPENCL -> Optional.of(new DeviceShare(numbered(choice.number()), notes));
             case AUTO -> graphicsProcessor().map(device -> new DeviceShare(device, notes));
         };
+    }
+
+    /**
+     * As {@link #of}, for a setting that the user has chosen.
+     *
+     * @return null for empty
+     * @throws InvalidValueException key {@code device}, in place of a {@link DeviceFailure}
+     */
+    public static DeviceShare chosen(DeviceChoice choice, Consumer<String> notes) {
+        try {
+            return of(choice, notes).orElse(null);
+        } catch (DeviceFailure e) {
+            throw new InvalidValueException("device", "cannot be used: " + e.getMessage());
+        }
     }
 
     private static Optional<ComputeDevice> graphicsProcessor() {

@@ -1,6 +1,7 @@
 package enlightenment.net.server;
 
 import enlightenment.checkpoint.Origin;
+import enlightenment.device.share.DeviceShare;
 import enlightenment.engine.UnitSource;
 import enlightenment.net.job.TileData;
 import enlightenment.net.protocol.Message;
@@ -22,15 +23,21 @@ public final class LocalWorker implements AutoCloseable {
     /**
      * A worker without work.
      *
+     * @param device renders, too, with threads of its own; null for none
      * @param results makes what is delivered
      * @param events takes what it says, from any thread
      * @param failed hears of what went wrong in a thread, which has then ended
      */
     public LocalWorker(
-            UnitSource units, int threads, TileData.Maker results, Consumer<Event> events, Consumer<Throwable> failed) {
-        this.threads = threads;
+            UnitSource units,
+            int threads,
+            DeviceShare device,
+            TileData.Maker results,
+            Consumer<Event> events,
+            Consumer<Throwable> failed) {
+        this.threads = threads + (device == null ? 0 : DeviceShare.THREADS);
         this.events = events;
-        pool = new RenderPool(units, threads, Integer.MAX_VALUE / 2, results, failed);
+        pool = new RenderPool(units, threads, device, Integer.MAX_VALUE / 2, results, failed);
     }
 
     public void start() {

@@ -28,20 +28,12 @@ public final class RenderPool implements AutoCloseable {
     /**
      * A pool that waits for work.
      *
+     * @param device takes part with threads of its own; null for none
      * @param window largest number of tiles that are sent and not acknowledged
      * @param results makes what is delivered
      * @param failed receives what went wrong in a thread, which has then ended
      */
-    public RenderPool(UnitSource units, int threads, int window, TileData.Maker results, Consumer<Throwable> failed) {
-        this(units, threads, null, window, results, failed);
-    }
-
-    /**
-     * A pool that waits for work, some of whose threads have a device.
-     *
-     * @param device takes part with threads of its own; null for none
-     */
-    RenderPool(
+    public RenderPool(
             UnitSource units,
             int threads,
             DeviceShare device,

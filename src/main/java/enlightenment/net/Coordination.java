@@ -28,7 +28,7 @@ import java.util.Set;
 final class Coordination implements ServerConnection.Host {
     private static final double NANOS = 1e9;
 
-    /** What workers are told where another round follows. */
+    /** Reason of the {@link Message.Refuse} that workers receive where another round follows. */
     private static final String MORE = "the picture is rendered again with more samples";
 
     private final ServerOptions options;
@@ -53,7 +53,7 @@ final class Coordination implements ServerConnection.Host {
     private boolean hasBegun;
     private volatile boolean isFinished;
 
-    /** What workers are told when it has ended; null until then. */
+    /** The message that ends each worker's session, once the server has ended; null until then. */
     private Message lastWord;
 
     private Throwable failure;

@@ -29,7 +29,7 @@ import java.util.function.IntFunction;
  * one thread.
  */
 final class FilmQueue {
-    /** The threads of a film's units are those of whoever makes them. */
+    /** Threads inside one unit of a film: a worker's pool renders several units in parallel. */
     private static final int THREADS = 1;
 
     /** Two frames at least are worked at, and one more may be on its way to its file; more are worked at only if all are small. */

@@ -20,19 +20,19 @@ import java.util.List;
  * @param group how many of its tiles are one of the film
  */
 record PlannedFrame(RenderOutline outline, RenderCourse course, long pixels, int ahead, int group) {
-    /** At most so much memory is taken by frames that are worked at, as a share of what there is. */
+    /** Share of the maximal heap that the frames in progress may take. */
     private static final double SHARE_OF_MEMORY = 0.25;
 
-    /** What a pixel takes while it is worked at, at most: sums of paths and of tiles, and the finished picture. */
+    /** Upper bound of the bytes of a pixel in progress: sums of paths and of tiles, and the finished picture. */
     private static final int BYTES_PER_PIXEL = 256;
 
-    /** The frames that are worked at have at least so many tiles, if they can: a hundred machines get dozens each. */
+    /** Least number of tiles of the frames in progress, if they have as many: a hundred machines get dozens each. */
     private static final int FEWEST_TILES = 1 << 12;
 
-    /** A tile of the film has at most so many camera rays, unless one of the picture has more: half a second of a processor. */
+    /** Largest number of camera rays of a film's tile that has several of the picture's: half a second of a processor. */
     private static final double MOST_RAYS = 1 << 21;
 
-    /** And at most so many pixels: its result stays below a megabyte. */
+    /** Largest number of pixels of such a tile: its result stays below a megabyte. */
     private static final int MOST_PIXELS = 1 << 13;
 
     /** @param frames of the film */
@@ -41,7 +41,7 @@ record PlannedFrame(RenderOutline outline, RenderCourse course, long pixels, int
         RenderSettings.Crop region = outline.settings().region();
         long pixels = (long) region.width() * region.height();
         double memory = SHARE_OF_MEMORY * Runtime.getRuntime().maxMemory();
-        // Two at least, so that nobody waits where one ends.
+        // Two at least, so that workers have tiles of the next frame while one ends.
         int ahead = (int) Math.max(2, Math.min(memory / ((double) pixels * BYTES_PER_PIXEL), frames));
         double pixelsOfTile = (double) pixels / render.units();
         double raysOfTile = pixelsOfTile * Math.max(outline.plan().samples(), 1);

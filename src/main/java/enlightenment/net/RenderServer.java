@@ -88,12 +88,12 @@ public final class RenderServer implements Closeable {
     }
 
     /**
-     * Renders until the picture is done, it is cancelled, or the calling thread is interrupted, and closes the server. An
-     * interrupt stays set. Where an error was asked for and the picture is not as exact, it is rendered again with more
-     * samples, by a server at the same port that the workers come to again. To be called once.
+     * Renders until the picture is done, it is cancelled, or the calling thread is interrupted, and closes the server. An interrupt stays
+     * set. Where an error was asked for and the picture is not as exact, it is rendered again with more samples, by a server at the same
+     * port that the workers come to again. To be called once.
      *
-     * @param progress hears how it gets on, a few times a second, on the calling thread
-     * @param cancelled asked a few times a second on the calling thread
+     * @param progress receives the state of the render a few times a second, on the calling thread
+     * @param cancelled polled a few times a second on the calling thread
      * @return the last picture that became whole; if not even the first did, what there is of it
      * @throws IOException if something in this process failed
      */
@@ -117,8 +117,8 @@ public final class RenderServer implements Closeable {
     }
 
     /**
-     * Ends the server: workers are told why, the checkpoint is kept. Blocks for a few seconds at most, until the workers have
-     * heard of it. Harmless if it has ended already.
+     * Ends the server: workers receive the reason, the checkpoint is kept. Blocks for a few seconds at most, until the workers have
+     * received it. No effect if the server has ended already.
      */
     @Override
     public void close() {
@@ -151,7 +151,7 @@ public final class RenderServer implements Closeable {
             return missing == 0;
         }
 
-        /** What is missing, as a sentence without full stop: {@code 2 of 9 audits were not made: nobody ...}. */
+        /** The missing audits, without full stop: {@code 2 of 9 audits were not made: no second machine checked ...}. */
         public String sentence() {
             return new AuditCount(due, missing, isOfFilm, where).sentence();
         }
@@ -321,8 +321,8 @@ public final class RenderServer implements Closeable {
         }
 
         /**
-         * Ends the server: workers are told why. Blocks for a few seconds at most, until the workers have heard of it. Harmless if it has
-         * ended already.
+         * Ends the server: workers receive the reason. Blocks for a few seconds at most, until the workers have received it. No effect if
+         * the server has ended already.
          */
         @Override
         public void close() {

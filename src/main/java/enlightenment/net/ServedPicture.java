@@ -23,7 +23,7 @@ record ServedPicture(DividedRender render, FilmAssembly film, JobContent content
         return new ServedPicture(render, film, content, preview);
     }
 
-    /** The same picture with more samples. */
+    /** This picture, content and preview with a render of more samples, of which no unit is done yet. */
     ServedPicture with(DividedRender more) {
         return of(more, content.with(more.outline()), preview);
     }

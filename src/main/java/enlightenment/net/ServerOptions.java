@@ -28,7 +28,7 @@ import java.util.function.Consumer;
  * refuses what no server can do. Whether files and ports can be used is found when a server starts.
  */
 public final class ServerOptions {
-    /** The largest number of workers that are connected at once; those beyond it are told to come again. */
+    /** The largest number of workers that are connected at once; those beyond it are refused and may try again. */
     public static final int MAX_WORKERS = Limits.WORKERS;
 
     /** The usual port, that of the paper's server. */
@@ -243,8 +243,8 @@ public final class ServerOptions {
         }
 
         /**
-         * Archives that keep what is done as well, and that a server goes on from; one thread at a time uses them. Whoever opened them
-         * closes them, after the server.
+         * Archives that store finished units as well, and that a server resumes from; one thread at a time uses them. The caller that
+         * opened them closes them, after the server.
          */
         public Builder archives(List<RenderResult.Archive> all) {
             archives = List.copyOf(all);
@@ -344,7 +344,7 @@ public final class ServerOptions {
             Check.that(
                     pardoned.isEmpty() || checkpoint.isPresent(),
                     "pardoned",
-                    "nobody is expelled yet: only a checkpoint remembers expulsions");
+                    "no machine is expelled yet: only a checkpoint remembers expulsions");
             return new ServerOptions(this);
         }
 
@@ -364,12 +364,12 @@ public final class ServerOptions {
         }
     }
 
-    /** The same options with {@linkplain Builder#archives archives}. */
+    /** These options with other {@linkplain Builder#archives archives}. */
     public ServerOptions withArchives(List<RenderResult.Archive> all) {
         return toBuilder().archives(all).build();
     }
 
-    /** For the same picture with more samples: at the same ports. */
+    /** Options for a render of this picture with more samples, at these ports. */
     ServerOptions following(int port, int statusPort) {
         return toBuilder()
                 .address(host, port)

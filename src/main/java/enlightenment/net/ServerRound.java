@@ -229,7 +229,7 @@ final class ServerRound implements StatusSource {
         if (!coordination.stop(continues)) {
             return;
         }
-        // Whoever is still shaking hands hears it when that is done: before, a worker believes nobody.
+        // A connection still in its handshake receives the message at its end: before, a worker trusts no server.
         connections.list().stream().filter(ServerConnection::isKnown).forEach(c -> c.sayLast(coordination.lastWord()));
         coordination.stopLocal();
         connections.waitForFarewells();
@@ -242,7 +242,7 @@ final class ServerRound implements StatusSource {
         closeQuietly(job);
     }
 
-    /** Its thread holds the port until it has noticed: whoever closes a server may open another one there. */
+    /** Waits for the accepting thread, which holds the port: the caller may open another server there. */
     private void waitUntilNobodyListens() {
         if (accepting != null && accepting != Thread.currentThread()) {
             try {

@@ -57,7 +57,7 @@ public final class Canary {
     /** On each side of a square of camera rays in a pixel: enough for all methods to do what they do in large pictures. */
     private static final int RAYS = 3;
 
-    /** What a client says that makes tiles without computing: nobody knows whether its pixels are the right ones. */
+    /** Stands in a worker's greeting for a canary that it did not compute: its arithmetic is unproven. */
     public static final ContentHash NOT_COMPUTED = new ContentHash(0, 0, 0, 0);
 
     private static ContentHash hash;

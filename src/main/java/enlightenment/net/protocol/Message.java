@@ -144,12 +144,12 @@ public sealed interface Message {
     }
 
     /**
-     * Worker to server: I have all that the job needs; give me work. The two secrets are what nobody else can say, as they are
-     * told to a server only that has proved itself.
+     * Worker to server: I have all that the job needs; give me work. The two secrets identify process and machine. No other worker can
+     * state them, as they are sent only to a server that has proved that it knows the token.
      *
      * @param process 32 random bytes, drawn at the start of the worker process: a new connection with the same replaces the old
-     * @param machine 32 bytes that are the same for all processes of a machine, now and later, in this job: workers of one
-     *     machine do not check each other, and are expelled together
+     * @param machine 32 bytes that are the same for all processes of a machine, now and later, in this job: workers of one machine do not
+     *     check each other, and are expelled together
      */
     record Ready(ContentHash job, byte[] process, byte[] machine) implements Message {
         public Ready {

@@ -57,7 +57,7 @@ public final class MessageChannel implements Closeable {
         writer.setDaemon(true);
     }
 
-    /** Begins to send; until then messages wait. Whoever says nothing is worth no thread. */
+    /** Starts the thread that sends; until then messages wait. A connection that sends nothing needs no thread. */
     public MessageChannel begin() {
         writer.start();
         return this;

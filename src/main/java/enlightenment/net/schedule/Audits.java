@@ -24,7 +24,7 @@ final class Audits {
     private final long salt;
     private final Vote[] kept;
 
-    /** Who else says the same of a tile as what is kept, or the server where it decided; null for nobody. */
+    /** By tile: the second origin whose vote equals the kept one, or the server where it decided; null without one. */
     private final Origin[] second;
 
     private final Map<Integer, Open> open = new TreeMap<>();
@@ -32,7 +32,7 @@ final class Audits {
     /** Tiles for which one word is not enough. */
     private final BitSet due = new BitSet();
 
-    /** Open tiles that nobody renders now. */
+    /** Open tiles that no member renders now. */
     private final Set<Integer> waiting = new LinkedHashSet<>();
 
     /** Open tiles that votes differ on. */
@@ -57,7 +57,7 @@ final class Audits {
         final int tile;
         final List<Vote> votes = new ArrayList<>();
 
-        /** Whether one word is not enough even if nobody contradicts it. */
+        /** Whether the tile needs two votes even if no vote contradicts the first. */
         private final boolean isRequired;
 
         /** The lease that will bring the next vote, null if there is none. */
@@ -80,7 +80,7 @@ final class Audits {
                     .orElse(null);
         }
 
-        /** Whether the member's vote would tell something. */
+        /** Whether a vote of the member would change the state of this tile. */
         boolean canBeVotedOnBy(WorkerState member) {
             return voteOf(member.origin) == null && (member.isServer() || !isDisputed());
         }
@@ -89,10 +89,10 @@ final class Audits {
     /**
      * What a vote changed.
      *
-     * @param repeated the same origin had said the same before
+     * @param repeated this origin had cast an equal vote before
      * @param keep the data that came with the vote are the tile's result now
-     * @param confirmedBy who has made sure now that the tile is right; null for nobody
-     * @param liars who voted against the server, or against itself
+     * @param confirmedBy the origin whose vote agrees with the kept one; null if this vote confirmed nothing
+     * @param liars origins that voted against the server, or against themselves
      * @param moot a lease for another vote that is not needed any more, or null
      */
     record Verdict(boolean repeated, boolean keep, Origin confirmedBy, List<Origin> liars, Lease moot) {
@@ -319,7 +319,7 @@ final class Audits {
         return (int) Arrays.stream(second).filter(Objects::nonNull).count();
     }
 
-    /** The first few open tiles that nobody renders; those seen come last next time. */
+    /** The first few open tiles that no member renders; those returned come last next time. */
     List<Open> someWaiting(int most) {
         List<Open> some = new ArrayList<>();
         for (Integer tile : waiting) {

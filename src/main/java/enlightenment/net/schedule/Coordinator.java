@@ -15,14 +15,13 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Decides who renders what. It knows no clock, no socket and no thread: it is told events with their time and says what is
- * to be done. The same events give the same actions, so that whole renders can be simulated.
+ * Assigns tiles to workers. It has no clock, no socket and no thread: it receives events with their times and returns actions. Equal
+ * sequences of events give equal actions, so that whole renders can be simulated.
  *
- * <p>What it rests on: a tile is a pure function, so results may come late, twice and in any order from any machine that was
- * ever asked for them. Results that a machine was not asked for are acknowledged and do not count. Whatever
- * can be lost is renewed by time: a lease that its holder does not name in its heartbeats is given to someone else, a
- * worker that is not heard of is hung up on, one that lives but delivers nothing is not waited for. Two copies at most of
- * a tile are waited for at once, and the first result counts.
+ * <p>What it rests on: a tile is a pure function, so results may come late, twice and in any order from any machine that was ever assigned
+ * them. Results that a machine was not assigned are acknowledged and do not count. Whatever can be lost is renewed by time: a lease that
+ * its holder does not name in its heartbeats is granted to another worker, a silent worker is disconnected, one that sends heartbeats but
+ * no results is not waited for. Two copies at most of a tile are waited for at once, and the first result counts.
  *
  * <p>Not for use by several threads at once. Times are nanoseconds of any origin; they must not run backwards.
  */
@@ -339,7 +338,7 @@ public final class Coordinator {
         }
     }
 
-    /** Whether all is done. Audits that nobody can make are forgone, but not disputes: the server decides these. */
+    /** Finishes once all is done. Audits that no member can make are forgone, but not disputes: the server decides these. */
     private void settle() {
         if (board.undone() > 0) {
             return;
@@ -377,7 +376,7 @@ public final class Coordinator {
         return audits.due();
     }
 
-    /** Those among them that nobody has rendered a second time: what they show rests on the word of one machine. */
+    /** Tiles of {@link #auditsDue} that have no second vote: their results rest on a single machine. */
     public List<Integer> auditsMissing() {
         return audits.missing();
     }

@@ -46,7 +46,7 @@ public record CoordinatorSettings(
         return new CoordinatorSettings(tiles, offered, seed, leaseNanos, silenceNanos, stallNanos, rate, auditSalt);
     }
 
-    /** The same, with only the tiles before {@code end} offered at first. */
+    /** These settings, with only the tiles before {@code end} offered at first. */
     public CoordinatorSettings withOffered(int end) {
         return new CoordinatorSettings(tiles, end, seed, leaseNanos, silenceNanos, stallNanos, auditRate, auditSalt);
     }

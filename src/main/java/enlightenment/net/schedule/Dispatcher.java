@@ -222,8 +222,8 @@ final class Dispatcher {
     }
 
     /**
-     * Helps with what is expected to come last; false if nobody can. Of tiles that its holder has hardly begun the latter
-     * half moves to a member with nothing to do, and can be divided again; tiles that are in hand are copied.
+     * Gives an idle member tiles of the lease that is expected to end last; false if no member can help. Of tiles that its holder has
+     * hardly begun the latter half moves to the idle member, and can be divided again; tiles in progress are copied.
      */
     private boolean help(long now) {
         Lease late = latest(now);
@@ -262,9 +262,9 @@ final class Dispatcher {
     }
 
     /**
-     * The first tile from {@code from} on that the holder has not begun, as it begins as many as it has threads. Audits do
-     * not count, here as in {@link WorkerState#owed()}: so only who has more than it can begin loses tiles by this, nobody
-     * becomes idle by it, and two members cannot pass a tile to and fro.
+     * The first tile from {@code from} on that the holder has not begun. It begins as many tiles as it has threads. Audits do not count,
+     * here as in {@link WorkerState#owed()}: so only a member with more tiles than it can begin loses some by this, no member becomes idle
+     * by it, and two members cannot pass a tile to and fro.
      */
     private static int firstNotBegun(Lease lease, int from) {
         int inHand = lease.member.threads;

@@ -5,16 +5,14 @@ import enlightenment.file.ContentHash;
 import enlightenment.net.job.TileData;
 import java.util.Set;
 
-/** What a {@link Coordinator} is told. {@code worker} is the number that the server gave to a connection, used once. */
+/** The input of a {@link Coordinator}. {@code worker} is the number that the server gave to a connection, used once. */
 public sealed interface Event {
     /**
      * A worker is authenticated, has the job, and wants work.
      *
-     * @param process hash of a secret of the worker process, the same over all its connections; null for the server's own
-     *     threads
+     * @param process hash of a secret of the worker process, the same over all its connections; null for the server's own threads
      * @param origin whose word its results are: a machine may be doubted and expelled
-     * @param isUnproven whether nobody knows that its machine computes the right bits (it left out the canary): then its word
-     *     alone is enough for no tile
+     * @param isUnproven whether its arithmetic is unproven, as it left out the canary: then its vote alone is enough for no tile
      * @param weight its speed relative to others, from the paper's speed map; 1 if nothing is known
      */
     record Joined(

@@ -25,7 +25,7 @@ final class Lease {
     /** No longer waited for; its tiles were given back. */
     boolean stalled;
 
-    /** Tiles of it that nobody else is working on. */
+    /** Number of its tiles that no other lease holds. */
     int single;
 
     private final BitSet owed;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 
-/** Which tiles are free, leased (once or twice) or done. Audits are not its business: they are of tiles that are done. */
+/** Which tiles are free, leased (once or twice) or done. Audits are not counted here: they are of tiles that are done. */
 final class TileBoard {
     private final int tiles;
     private final BitSet free;
@@ -101,7 +101,7 @@ final class TileBoard {
         }
     }
 
-    /** The lease holds nothing any more; tiles that nobody else holds are free again. */
+    /** Removes the lease from its tiles; those that no other lease holds are free again. */
     void release(Lease lease) {
         for (int tile = lease.first; tile < lease.last; tile++) {
             if (holder[tile] == lease || copier[tile] == lease) {

@@ -27,7 +27,7 @@ public final class SecretFile {
 
     private SecretFile() {}
 
-    /** A secret that nobody can guess: 128 random bits in hexadecimal. */
+    /** An unguessable secret: 128 random bits in hexadecimal. */
     static String random() {
         byte[] bits = new byte[RANDOM_BYTES];
         new SecureRandom().nextBytes(bits);

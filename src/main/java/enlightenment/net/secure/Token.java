@@ -15,7 +15,7 @@ public final class Token {
 
     private Token() {}
 
-    /** Writes a file with a new token that nobody can guess. */
+    /** Writes a file with a new random token. */
     static void make(Path file) throws IOException {
         SecretFile.create(file, SecretFile.random() + "\n");
     }

@@ -6,9 +6,9 @@ import java.util.Queue;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Does what archives are asked for, in order, on a thread of its own: whoever asks holds the server's lock and does not wait for a
- * database. What waits is bounded; only where that is reached does whoever asks wait. The thread is never interrupted, since files that it
- * writes would be closed.
+ * Runs the archives' work, in order, on a thread of its own. The caller of {@link #add} holds the server's lock and must not wait for a
+ * database. The queue is bounded; the caller waits only while it is full. The thread is never interrupted, since files that it writes would
+ * be closed.
  */
 final class ArchiveThread implements AutoCloseable {
     private static final long TICK_NANOS = 200_000_000L;
@@ -79,7 +79,7 @@ final class ArchiveThread implements AutoCloseable {
         }
     }
 
-    /** What waits is still done, if the thread lives; nobody waits for it to take more. */
+    /** Closes the queue: what waits is still done, if the thread lives; callers of {@link #add} wait no longer. */
     private synchronized void end() {
         isClosed = true;
         notifyAll();

@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Who is connected to a server, how many may be, and who waits for the beginning. Its lock is held for none of what they do.
- * Strangers have places of their own ({@link Strangers}): they cannot take those of workers.
+ * The connections of a server, their limits, and the workers that wait for the beginning. Its lock is not held while they act. Strangers
+ * have places of their own ({@link Strangers}): they cannot take those of workers.
  */
 public final class Connections {
     private static final long FAREWELL_TIMEOUT_MILLIS = 3_000;
@@ -38,7 +38,7 @@ public final class Connections {
         return ++made;
     }
 
-    /** A connection of somebody whom nobody knows yet. Returns those who lost their places for it and are to be closed. */
+    /** Adds a connection that is not authenticated yet. Returns those that lost their places for it and are to be closed. */
     synchronized List<ServerConnection> add(ServerConnection connection) {
         List<ServerConnection> gone = strangers.add(connection, connection.address());
         leaving.addAll(gone);
@@ -86,7 +86,7 @@ public final class Connections {
         return waiting.size();
     }
 
-    /** Those who waited; nobody does from now on. */
+    /** The workers that waited for the beginning; none waits from now on. */
     public synchronized List<ServerConnection> takeWaiting() {
         List<ServerConnection> now = List.copyOf(waiting);
         waiting.clear();
@@ -113,7 +113,7 @@ public final class Connections {
         return all;
     }
 
-    /** Waits a little until everybody has heard the last word and gone. */
+    /** Waits up to three seconds until all connections have received the last message and ended. */
     public void waitForFarewells() {
         long deadline = System.nanoTime() + FAREWELL_TIMEOUT_MILLIS * 1_000_000L;
         while (!list().isEmpty() && System.nanoTime() - deadline < 0) {

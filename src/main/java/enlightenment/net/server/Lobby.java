@@ -4,7 +4,7 @@ import enlightenment.listen.ServerLog;
 import java.net.Socket;
 import java.util.concurrent.ThreadFactory;
 
-/** Where those who knock get a place and a thread; whoever has to make room for them, or cannot have a thread, is closed. */
+/** Gives new connections a place and a thread. A connection that has to make room for them, or has no thread, is closed. */
 public final class Lobby {
     private final ServerConnection.Host server;
     private final Connections connections;
@@ -48,7 +48,7 @@ public final class Lobby {
         connections.remove(connection);
     }
 
-    /** Ends the connection that matters least, if anybody is there whom nobody knows. */
+    /** Closes the unauthenticated connection that is the next to lose its place, if there is one. */
     public void makeRoom() {
         ServerConnection oldest = connections.giveUpOne();
         if (oldest != null) {

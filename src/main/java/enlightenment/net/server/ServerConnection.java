@@ -55,7 +55,7 @@ public final class ServerConnection {
         /** First guess of the speed of a worker of this name at this address, 1 if nothing is known. */
         double weight(String name, String address);
 
-        /** What workers are told once this server ends: nobody is let in any more. Null until then. */
+        /** The message that workers receive once this server ends, when it admits none any more. Null until then. */
         Message lastWord();
 
         /** Whether there is a place for the worker, which has proved that it knows the token. */
@@ -243,7 +243,7 @@ public final class ServerConnection {
                         : new Event.Misbehaved(id, "tile " + result.tile() + ": " + problem));
     }
 
-    /** Whether the tile is one that nobody should make yet: who worked for an earlier incarnation of this server may have it. */
+    /** Whether the tile is not offered yet: a worker of an earlier incarnation of this server may have rendered it. */
     private static boolean isTooEarly(ServerJob job, int tile) {
         return tile >= job.film().end() && tile < job.tiles();
     }
@@ -277,7 +277,7 @@ public final class ServerConnection {
         tell(this + " refused: " + reason);
     }
 
-    /** About whom nobody knows not much is told. */
+    /** Logs a line; seldom per address while the connection is not authenticated. */
     public void tell(String line) {
         if (isKnown) {
             server.log().say(line);
@@ -313,7 +313,7 @@ public final class ServerConnection {
         }
     }
 
-    /** What the coordinator is told when the worker joins. */
+    /** The event that lets the coordinator know the worker, which has joined from now on. */
     public Event.Joined joined() {
         isJoined = true;
         double weight = server.weight(hello.name(), host());

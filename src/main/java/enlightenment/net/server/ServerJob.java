@@ -227,7 +227,7 @@ public final class ServerJob implements Closeable {
         List<Restored.Tile> tiles = new ArrayList<>(restored.tiles());
         archives.begin(plan.toBytes(), restored().expelled(), film, (tile, bytes) -> {
             film.put(tile, bytes);
-            // They are ours: whoever can write there can write anything.
+            // They count as the server's own: a process that can write to an archive can write anything there.
             kept[tile] = film.digest(tile, bytes);
             tiles.add(new Restored.Tile(tile, Origin.SERVER, kept[tile], null));
             write(key, new JournalRecord.Kept(tile, Origin.SERVER, bytes));

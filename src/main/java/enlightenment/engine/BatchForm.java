@@ -37,7 +37,7 @@ final class BatchForm extends ResultForm {
     Optional<String> problem(int unit, byte[] bytes) {
         byte[] sums = sums(bytes);
         Optional<String> problem = SplatSums.problem(sums, units.paths(unit), pixels);
-        // With this no sum of a film can become too large, whoever sends what.
+        // This bounds the sums of a film, whatever a worker sends.
         return problem.isPresent() || SplatSums.of(sums, pixels).largest() <= brightest
                 ? problem
                 : Optional.of("a pixel is brighter than the sums of all batches have room for");

@@ -118,7 +118,7 @@ public final class OutlineBytes {
         RenderSettings.Crop region = new RenderSettings.Crop(in.readInt(), in.readInt(), in.readInt(), in.readInt());
         int antialias = in.readInt();
         long seed = in.readLong();
-        // For which file the error was planned matters to nobody who has the plan.
+        // The depth of the file, 0 here, only matters while an error is planned; this plan exists.
         RenderSettings.Budget budget =
                 new RenderSettings.Budget(readOptional(in), readOptional(in), readOptional(in), 0);
         RenderSettings settings = new RenderSettings(

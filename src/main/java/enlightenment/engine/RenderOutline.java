@@ -63,17 +63,17 @@ public record RenderOutline(
         return outline.withSplatScale(SplatScale.of(integrator.expectedContribution(), units.paths(), pixels));
     }
 
-    /** The same outline with another scale. */
+    /** This outline with another splat scale. */
     public RenderOutline withSplatScale(SplatScale scale) {
         return new RenderOutline(sceneName, settings, plan, features, kinds, display, scale, undersampled);
     }
 
-    /** The same outline for other pixels. */
+    /** This outline with another display curve. */
     public RenderOutline withDisplay(DisplayCurve curve) {
         return new RenderOutline(sceneName, settings, plan, features, kinds, curve, splatScale, undersampled);
     }
 
-    /** The same outline with other undersampled transport. */
+    /** This outline with another list of undersampled transport. */
     public RenderOutline withUndersampled(List<String> transport) {
         return new RenderOutline(sceneName, settings, plan, features, kinds, display, splatScale, transport);
     }

@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.OptionalLong;
 
 /**
- * What every result begins with: the number of survey rays, the counters, and twice the number of samples that were no
- * finite numbers, one more if samples are differences from something known (8 bytes each).
+ * The header of every result. It has the number of survey rays, the counters, and twice the number of samples that were not finite, plus
+ * one if samples are differences from known values (8 bytes each).
  */
 final class ResultHeader {
     private static final int SCALARS = 12;
@@ -25,7 +25,7 @@ final class ResultHeader {
         return (SCALARS + 2 * kinds) * Long.BYTES;
     }
 
-    /** Adds what is told of some of the pixels. */
+    /** Adds the survey rays and the lost samples of some of the pixels, and whether their samples are differences. */
     void add(long moreSurveyRays, boolean areDifferences, long lostSamples) {
         lost += lostSamples;
         surveyRays += moreSurveyRays;
@@ -49,7 +49,7 @@ final class ResultHeader {
     /**
      * Why a result cannot have this header; empty if it can.
      *
-     * @param units how many results there are: with this bound no count of a render can become too large, whoever sends what
+     * @param units number of results of the render: it bounds each counter, so that no sum of counters overflows, whatever a worker sends
      */
     static Optional<String> problem(byte[] result, int kinds, int units) {
         if (result.length < length(kinds)) {

@@ -10,10 +10,10 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * A whole tile: for each pixel, row by row, the means of red, green and blue (8 bytes each), the two figures that tell of its error
- * (4 each) and the number of its samples (4); of linear light also the means of the four quarters of its samples (12 × 4), since light
- * from elsewhere may be added before errors are told. Where it can grow, behind all that follows for each pixel what {@link TileGrowth}
- * keeps of it.
+ * The pixels of a whole tile. For each pixel, row by row, the means of red, green and blue (8 bytes each), the two figures that its error
+ * is estimated from (4 each) and the number of its samples (4); of linear light also the means of the four quarters of its samples (12 ×
+ * 4), since splatted light may be added before errors are estimated. Where the tile can grow, behind all that follows for each pixel what
+ * {@link TileGrowth} keeps of it.
  */
 final class TileForm extends ResultForm {
     private static final int PER_PIXEL = 3 * Double.BYTES + 2 * Float.BYTES + Integer.BYTES;

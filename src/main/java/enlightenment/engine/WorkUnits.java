@@ -42,13 +42,13 @@ public final class WorkUnits {
     /** Where blocks are large and not more than these, their quarters are units: there is something to do for all. */
     private static final int FEW_LARGE_BLOCKS = 1 << 10;
 
-    /** Paths of a batch, if there are not so many that there would be too many batches. */
+    /** Paths of a batch; twice, four times, ... as many where there would be too many batches. */
     private static final int PATHS_PER_BATCH = 1 << 16;
 
-    /** Batches are counted in so many groups, whose differences tell the error: beside tiles each group has as many paths. */
+    /** The batches form this many groups, whose differences give the error: beside tiles all groups have equally many paths. */
     private static final int GROUPS = 4;
 
-    /** Batches have at most 2^30 paths, and a job has at most 2^24 units; so many are a million processors for a day. */
+    /** A batch has at most 2^30 paths, a job at most 2^24 units; this many paths take a million processors a day. */
     private static final double MOST_PATHS = 1L << 52;
 
     /** The quarters of a tile have six doubles and an int per pixel each, an image has three floats. */

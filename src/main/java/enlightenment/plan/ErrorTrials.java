@@ -20,13 +20,13 @@ final class ErrorTrials {
     private static final double MOST_SHARE = 1.0 / 8;
     private static final double LEAST_BLOCKS = 320;
 
-    /** Where an eighth of the blocks is not even this many, they tell nothing of the others. */
+    /** Where an eighth of the blocks is fewer than this, they do not represent the others. */
     private static final double TOO_FEW_BLOCKS = 16;
 
-    /** What is aimed at, as a share of the error asked for: the trial has seen only some of the picture. */
+    /** Target of the trials as a share of the error asked for: a trial covers only some of the picture. */
     private static final double AIM = 0.97;
 
-    /** The same where no round follows: the picture's own chance must not put it beyond what is asked. */
+    /** {@link #AIM} where no round follows: the picture's own noise must not push its error beyond what is asked. */
     private static final double LAST_AIM = 0.9;
 
     private static final int MOST_TRIALS = 7;

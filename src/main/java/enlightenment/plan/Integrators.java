@@ -49,8 +49,8 @@ public final class Integrators {
     private static final double LIGHT_PATH_WEIGHT = 8;
 
     /**
-     * The same for physical light: its survey tells little of paths, and with few samples the first paths of each pixel are few. Measured:
-     * docs/notes/cluster-sampler.md.
+     * {@link #FEWEST_OF_CLUSTER} for physical light. Its survey predicts little of later bounces, and with few samples the first paths of
+     * each pixel are few. Measured: docs/notes/cluster-sampler.md.
      */
     private static final double FEWEST_OF_PHYSICAL_CLUSTER = 8;
 
@@ -92,7 +92,7 @@ public final class Integrators {
         return traits(method, shading == Shading.Model.PHYSICAL).fewest();
     }
 
-    /** The same for scenes of a shading. */
+    /** The traits of a method for scenes with physical or with classic shading, which differ for {@code cluster} only. */
     static MethodTraits traits(Method method, boolean isPhysical) {
         if (method != BuiltInMethod.CLUSTER) {
             return traits(method);
@@ -111,12 +111,12 @@ public final class Integrators {
         return new MethodTraits(false, false, below, fewest, mostBelow, first, blockSide);
     }
 
-    /** Whether a method can tell of its camera samples one by one. */
+    /** Whether a method can report its camera samples one by one. */
     public static boolean recordsSamples(Method method) {
         return method == BuiltInMethod.RAYTRACE;
     }
 
-    /** Whether level 0 of a method means antialias² samples per pixel, each pixel exactly so many. */
+    /** Whether level 0 of a method means exactly antialias² samples in each pixel. */
     static boolean hasLevelOfAntialias(Method method) {
         return method == BuiltInMethod.RAYTRACE;
     }

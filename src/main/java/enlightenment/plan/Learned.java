@@ -7,18 +7,18 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Who is shown what methods learn on their way: the consumers from several threads at once.
+ * Listeners for what methods learn while they render. Several threads call the consumers at once.
  *
- * @param clusters is shown the ray clusters of each block, if the method has any; null for nobody
- * @param chains is shown the Markov chains of a quarter of each block, if the method has any; null for nobody
- * @param samples is told of the camera samples that one thread takes, if {@link Integrators#recordsSamples}; null for nobody
+ * @param clusters receives the ray clusters of each block, if the method has any; null without a listener
+ * @param chains receives the Markov chains of a quarter of each block, if the method has any; null without a listener
+ * @param samples receives the camera samples that one thread takes, if {@link Integrators#recordsSamples}; null without a listener
  */
 public record Learned(
         Consumer<List<ClusterStatistics>> clusters, Consumer<List<ChainStatistics>> chains, SampleLog samples) {
-    /** Nobody wants to see anything. */
+    /** No listener at all. */
     public static final Learned UNSEEN = new Learned(null, null);
 
-    /** Who does not want to see samples. */
+    /** Listeners without a log of samples. */
     public Learned(Consumer<List<ClusterStatistics>> clusters, Consumer<List<ChainStatistics>> chains) {
         this(clusters, chains, null);
     }

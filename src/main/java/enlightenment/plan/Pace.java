@@ -3,9 +3,9 @@ package enlightenment.plan;
 import enlightenment.scene.RenderSettings;
 
 /**
- * Turns a time into a number of samples, from trials whose times it is told: it knows no clock. Trials go on until they get no
- * faster, because the just-in-time compiler needs a while; each has about the number of samples that the one before proposed,
- * because the first samples of a pixel may cost more than others.
+ * Turns a time into a number of samples, from trials whose durations it is given; it reads no clock. Trials go on until they get no faster,
+ * because the just-in-time compiler needs a while; each has about the number of samples that the one before proposed, because the first
+ * samples of a pixel may cost more than others.
  */
 final class Pace {
     /** The share of a time budget that one trial may take, that they all take at least, and at most. */
@@ -129,7 +129,7 @@ final class Pace {
         return planned > 0 ? planned : 0;
     }
 
-    /** The same at the speed of the last trials. */
+    /** Samples per pixel for the rest of the time at the last trials' speed; negative if no time is left. */
     private double affordable(double now) {
         return PLANNED_TIME * (seconds - now) * speed / pixels;
     }

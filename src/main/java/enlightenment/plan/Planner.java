@@ -50,7 +50,7 @@ public final class Planner {
     }
 
     /**
-     * The same of a picture that is rendered once, however exact it becomes.
+     * A plan for a picture without further rounds, whatever error it ends with. {@link #plan} lets further rounds make up for it.
      *
      * @throws enlightenment.math.InvalidValueException also if an error is all that limits a method that has no trials
      * @throws CancellationException if it is cancelled
@@ -59,7 +59,7 @@ public final class Planner {
         return unlessCancelled(plan(time, 0, true));
     }
 
-    /** Trials that are stopped give some number, not that of the budget: kept, it would make another picture of whoever goes on. */
+    /** Refuses the plan of cancelled trials. Its number of samples is not the budget's, and a resumed render would keep it. */
     private RenderPlan unlessCancelled(RenderPlan plan) {
         if (cancelled.getAsBoolean()) {
             throw new CancellationException("stopped before the render was planned");

@@ -35,13 +35,13 @@ public final class Rounds {
     /** With fewer samples per pixel the upper end of an interval tells more of the interval than of the error. */
     private static final double FEWEST_TELLING = 64;
 
-    /** How far the error falls is known after so many times as many samples as in the first round that tells something. */
+    /** The slope of the error counts as measured from this many times the samples of the first telling round. */
     private static final double TOLD_BY = 64;
 
     /** A render that needs more samples per pixel than these is not begun unless its user says so. */
     private static final double TOO_MANY = 1 << 20;
 
-    /** The same of what independent samples would need, whose error falls as n^−½. */
+    /** The limit that goes with {@link #TOO_MANY} for the prediction by independent samples, whose error falls as n^−½. */
     private static final double MANY = 1 << 19;
 
     private final RenderSettings.Budget budget;

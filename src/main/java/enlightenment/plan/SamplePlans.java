@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 
 /** The plan for a number of samples per pixel: with which method they are taken, and at which level. */
 final class SamplePlans {
-    /** So many paths that may end anywhere to a camera sample are no addition. */
+    /** From this many light paths per camera sample on, they are a good part of the work. */
     private static final double MANY_PATHS = 0.5;
 
     private final Method method;
@@ -59,9 +59,7 @@ final class SamplePlans {
                 chosen, level, samples, by, (long) Math.ceil(lightPathsPerSample * samples * picturePixels));
     }
 
-    /**
-     * Whether most of the work, or a good part of it, is paths that may end anywhere: then tiles tell little of the picture's error.
-     */
+    /** Whether much of the work is paths that may end anywhere: tiles then sample little of the picture's error. */
     boolean areMostlyPaths() {
         return traits.areBatches() || lightPathsPerSample >= MANY_PATHS;
     }

@@ -28,7 +28,7 @@ final class Trial {
     /** Keeps the trial's random numbers apart from the picture's. */
     private static final long PURPOSE = 0x747269616cL;
 
-    /** So many paths at a time: enough that who begins and ends does not matter, few enough to be stopped soon. */
+    /** Paths of a batch: enough to hide the cost of beginning and ending it, few enough to be stopped soon. */
     private static final int AT_ONCE = 1 << 12;
 
     private final CompiledScene scene;
@@ -49,7 +49,7 @@ final class Trial {
         return scene.display;
     }
 
-    /** Seconds of processor time that all trials so far have taken themselves; 0 where nobody can tell. */
+    /** Seconds of processor time that all trials so far have taken; 0 where the system does not report it. */
     double processorSeconds() {
         return worked.sum();
     }
@@ -97,7 +97,7 @@ final class Trial {
                 seen.share());
     }
 
-    /** As many of larger blocks as have the pixels of so many; but where there is work for one thread, there is some for all. */
+    /** The number of the method's blocks with the pixels of {@code fewestBlocks} ordinary ones; at least one per thread. */
     private double fewestOf(TrialBlocks blocks, double fewestBlocks) {
         int side = plans.traits().blockSide();
         if (side == FilmTile.BLOCK_SIDE) {
@@ -153,7 +153,7 @@ final class Trial {
         }
     }
 
-    /** Follows about so many paths that may end anywhere. */
+    /** Follows about this many paths that may end anywhere. */
     private void follow(RenderPlan plan, double paths, BooleanSupplier stop) {
         int batches = (int) Math.min(Math.max(Math.rint(paths / AT_ONCE), 1), Integer.MAX_VALUE);
         RenderSettings.Crop region = settings.region();
@@ -168,7 +168,7 @@ final class Trial {
             return (IntConsumer) i -> work(() -> {
                 out.begin(AT_ONCE);
                 method.trace((long) i * AT_ONCE, AT_ONCE, out);
-                // Nobody looks at them, but they take time.
+                // The sums are discarded, but computing them takes time that counts.
                 out.sums();
             });
         });

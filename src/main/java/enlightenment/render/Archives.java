@@ -25,18 +25,18 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
- * The archives of a render. For use by several threads; one that fails is not used any more, since the picture is worth more than what is
- * kept of it.
+ * The archives of a render. For use by several threads at once. An archive that fails is not used any more, and the render goes on without
+ * it.
  */
 final class Archives {
     private static final long TICK_MILLIS = 200;
 
-    /** Who made the results, as far as archives tell. */
+    /** The worker that archives name as the maker of results. */
     private static final String WORKER = "local";
 
     private final Consumer<String> listener;
 
-    /** Held while whoever waits for the render is told something: one thing at a time. */
+    /** Lock held while the listener of the render is called, so that one thread at a time calls it. */
     private final Object telling = new Object();
 
     private final List<Kept> all = new ArrayList<>();
@@ -67,13 +67,13 @@ final class Archives {
         void of(Kept kept) throws IOException;
     }
 
-    /** @param notes hears what cannot be kept, and what is there already */
+    /** @param notes receives a line for each archive that fails, and for what is there already */
     Archives(List<RenderResult.Archive> archives, Consumer<String> notes) {
         listener = notes;
         archives.forEach(archive -> all.add(new Kept(archive)));
     }
 
-    /** Held while whoever waits for the render is told something: one thing at a time. */
+    /** Lock to hold while the listener of the render is called, so that one thread at a time calls it. */
     Object telling() {
         return telling;
     }
@@ -280,7 +280,7 @@ final class Archives {
             log = wanted[0] ? new SampleLog(wanted[1], width, this::keep) : null;
         }
 
-        /** Where samples go; null if nobody wants them. */
+        /** The log that samples are written to; null if no archive keeps samples. */
         SampleLog log() {
             return log;
         }
@@ -323,7 +323,7 @@ final class Archives {
             }
         }
 
-        /** When it returns archives hear no more of it: whoever opened them may close them. */
+        /** Ends the thread and waits for it: the caller may then close the archives. */
         @Override
         public void close() {
             over.countDown();

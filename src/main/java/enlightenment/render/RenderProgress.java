@@ -40,6 +40,6 @@ public interface RenderProgress {
      */
     default void planned(double samples, String decidedBy) {}
 
-    /** Something about the budget that whoever waits should know: that it cannot be kept, or what it takes. One sentence. */
+    /** One sentence about the budget for the user who waits: that it cannot be kept, or what it takes. */
     default void note(String text) {}
 }

@@ -120,49 +120,49 @@ public record RenderRequest(
         });
     }
 
-    /** The same request with another listener. */
+    /** This request with another listener. */
     public RenderRequest withProgress(RenderProgress value) {
         return with(c -> c.progress = value);
     }
 
-    /** The same request, ended by something else; it must be quick to answer. */
+    /** This request with another cancellation check, which must return quickly. */
     public RenderRequest withCancelled(BooleanSupplier value) {
         return with(c -> c.cancelled = value);
     }
 
-    /** The same request for other things beside the colours. */
+    /** This request with these auxiliary images beside the colours. */
     public RenderRequest withAuxiliary(Set<RenderResult.Auxiliary> value) {
         return with(c -> c.auxiliary = value);
     }
 
-    /** The same request for other things beside the colours. */
+    /** This request with these auxiliary images beside the colours. */
     public RenderRequest withAuxiliary(RenderResult.Auxiliary... values) {
         EnumSet<RenderResult.Auxiliary> set = EnumSet.noneOf(RenderResult.Auxiliary.class);
         set.addAll(Arrays.asList(values));
         return withAuxiliary(set);
     }
 
-    /** The same request with or without the ray clusters. */
+    /** This request with or without the ray clusters. */
     public RenderRequest withClusters(boolean value) {
         return with(c -> c.clusters = value);
     }
 
-    /** The same request with or without the Markov chains. */
+    /** This request with or without the Markov chains. */
     public RenderRequest withChains(boolean value) {
         return with(c -> c.chains = value);
     }
 
-    /** The same request with or without coarse passes first. */
+    /** This request with or without coarse passes first. */
     public RenderRequest withProgressive(boolean value) {
         return with(c -> c.progressive = value);
     }
 
-    /** This request with or without coarse passes for those who look. */
+    /** This request with or without coarse passes for its listener. */
     public RenderRequest withWatched(boolean value) {
         return with(c -> c.watched = value);
     }
 
-    /** The same request with other archives. */
+    /** This request with other archives. */
     public RenderRequest withArchives(List<RenderResult.Archive> value) {
         return with(c -> c.archives = value);
     }

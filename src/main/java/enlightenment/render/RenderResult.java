@@ -74,7 +74,7 @@ public record RenderResult(
         return Rounds.samplesForError(report);
     }
 
-    /** The same result, to be kept in a file, with the root mean square of what its rounding changes. */
+    /** This result with the root mean square of the rounding of the file that keeps it. */
     public RenderResult withRounding(double rounding) {
         return new RenderResult(
                 image, report.withRounding(rounding), complete, shownPixels, auxiliary, clusters, chains, denoised);
@@ -202,12 +202,13 @@ public record RenderResult(
 
     /**
      * Keeps what becomes of a render beyond the end of its process. A render is numbered units of work, each a pure function of scene,
-     * settings, plan and its number; so a render that finds the results of some of its units kept needs to do only the others, and its picture
-     * has the same bytes as if it had never been stopped.
+     * settings, plan and its number; so a render that finds the results of some of its units kept needs to do only the others, and its
+     * picture has the same bytes as if it had never been stopped.
      *
      * <p>An archive is of one picture: scene and settings without their budget. It holds plans, which say how many samples that picture is
-     * to have, and the results of units of each. What they mean is the renderer's affair. Whoever opens an archive makes sure that it is of
-     * this picture and this version of the program; what it gives is looked at all the same, and rendered again if it makes no sense.
+     * to have, and the results of units of each. Only the renderer interprets their bytes. The caller that opens an archive makes sure that
+     * it is of this picture and this version of the program; the renderer checks its results all the same, and renders a unit again whose
+     * result is not valid.
      *
      * <p>Called by one thread at a time. An exception ends its use, and not the render: the picture is worth more.
      */
@@ -359,7 +360,7 @@ public record RenderResult(
             return name().toLowerCase(Locale.ROOT);
         }
 
-        /** Whether it is told by one ray to each pixel rather than by the samples of the picture. */
+        /** Whether one ray per pixel gives it rather than the samples of the picture. */
         boolean needsRays() {
             return this == DEPTH || this == NORMAL || this == POSITION || this == OBJECT;
         }

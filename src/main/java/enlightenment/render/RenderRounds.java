@@ -47,8 +47,8 @@ final class RenderRounds {
 
     /**
      * @param preview what is shown where nothing is finished yet, or null
-     * @param pass what is told of pixels beside their colours, as far as it needs rays of its own
-     * @param parts what is told of the beginnings of paths
+     * @param pass makes the auxiliary images that need rays of their own
+     * @param parts makes the auxiliary images that are of the beginnings of paths
      * @param time since the render began
      * @param archives where the results of units are kept, or null
      * @param place where finished pixels are

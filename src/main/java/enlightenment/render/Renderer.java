@@ -36,24 +36,22 @@ import java.util.function.BooleanSupplier;
 /**
  * Renders scenes: the way from a {@link Scene} to an {@link Image}.
  *
- * <p>The picture is a pure function of the scene and of those settings that say they influence it: the same bytes on any
- * number of threads, on any machine.
+ * <p>The picture is a pure function of the scene and of those settings that say they influence it: the same bytes on any number of threads,
+ * on any machine.
  *
- * <p><b>Threads.</b> All methods may be called by any number of threads at once, platform or virtual. A render uses the calling thread and, with more than one thread in its settings, helpers of its own that
- * end before it returns. {@code cancelled} is asked from all of them, by several at once: between any two units of work (a tile,
- * a pass over one, a batch of paths), now and then within one, and between the phases. The listener is called from any of them, too,
- * but by one at a time; while it runs, threads that finish a unit wait for it, so that it should not block. {@code cancelled} may: a pause
- * there is one of the thread that asks, between two pieces of its work, with the same picture in the end. That is how a render leaves
- * processors to others for a while. It should be short: it delays the end of a render that is cancelled. What they throw ends the render,
- * which throws it on.
+ * <p><b>Threads.</b> All methods may be called by any number of threads at once, platform or virtual. A render uses the calling thread and,
+ * with more than one thread in its settings, helpers of its own that end before it returns. {@code cancelled} is polled by all of them, by
+ * several at once: between any two units of work (a tile, a pass over one, a batch of paths), now and then within one, and between the
+ * phases. The listener is called from any of them, too, but by one at a time; while it runs, threads that finish a unit wait for it, so
+ * that it should not block. {@code cancelled} may: a pause there pauses the thread that polls, between two pieces of its work, with the
+ * same picture in the end. That is how a render leaves processors to others for a while. It should be short: it delays the end of a render
+ * that is cancelled. What they throw ends the render, which throws it on.
  *
- * <p><b>Stopping.</b> Once {@code cancelled} is true, or the calling thread is interrupted, the units under way are given up
- * and the render returns with what it has: {@link RenderResult#complete} is false. While it is planned that is nothing, and no archive
- * is told of it. While a large scene is still prepared there is nothing to return: then it ends by a {@link CancellationException}. An
- * interrupt stays set: whoever goes on with
- * what there is, and writes it to a file, has to take it back first ({@link Thread#interrupted}), since channels to files do
- * not work on an interrupted thread. An interrupt of a helper has no effect.
- *
+ * <p><b>Stopping.</b> Once {@code cancelled} is true, or the calling thread is interrupted, the units under way are given up and the render
+ * returns with what it has: {@link RenderResult#complete} is false. While it is planned the result is empty, and no archive receives a
+ * plan. While a large scene is still prepared there is nothing to return: then it ends by a {@link CancellationException}. An interrupt
+ * stays set: a caller that writes the result to a file has to clear it first ({@link Thread#interrupted}), since channels to files do not
+ * work on an interrupted thread. An interrupt of a helper has no effect.
  */
 public final class Renderer {
     /** Measured for spheres with a hierarchy (docs/notes/benchmarks.md), rounded up. */
@@ -133,7 +131,7 @@ public final class Renderer {
         return SubmittedRender.begin(request, executor);
     }
 
-    /** The same with image files that renders before may have needed too. */
+    /** {@link #render(RenderRequest)} with image files that are shared with other renders. */
     static RenderResult render(RenderRequest request, SceneImages files) {
         BooleanSupplier cancelled = Cancellation.of(request.cancelled());
         RenderRequest.MethodChoice choice =

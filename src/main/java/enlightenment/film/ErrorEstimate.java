@@ -72,12 +72,12 @@ public final class ErrorEstimate {
         this.linear = linear;
     }
 
-    /** The same with what is told of linear light. */
+    /** This estimate with that of the linear light. */
     ErrorEstimate with(LinearError light) {
         return new ErrorEstimate(variances, meanSquare, least, most, unseen, pixels, light);
     }
 
-    /** What is told of linear light; empty for display-referred pictures, and where it is not known. */
+    /** The error of linear light; empty for display-referred pictures, and where it is not known. */
     public Optional<LinearError> linear() {
         return Optional.ofNullable(linear);
     }

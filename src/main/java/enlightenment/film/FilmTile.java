@@ -67,7 +67,7 @@ public final class FilmTile {
      * @param y first row in the whole picture
      * @param width number of columns
      * @param height number of rows
-     * @param curve what samples are, and how they become what a screen takes, which is what errors are told of
+     * @param curve what samples are, and how they become what a screen takes, whose values errors refer to
      */
     public FilmTile(int x, int y, int width, int height, DisplayCurve curve) {
         this.curve = curve;
@@ -370,7 +370,7 @@ public final class FilmTile {
         return known[PER_KNOWN * pixel + 3];
     }
 
-    /** Counts samples of linear light that were no finite numbers, and were taken for black by whoever put the pixels. */
+    /** Counts samples of linear light that were not finite and that the caller replaced by black. */
     public void addLostSamples(long samples) {
         lost += samples;
     }

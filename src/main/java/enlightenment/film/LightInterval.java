@@ -44,7 +44,7 @@ final class LightInterval {
     /** Degrees of freedom of the error. */
     private double carriers = 1;
 
-    /** The same of what tells of it. */
+    /** Degrees of freedom of the estimate of that error. */
     private double tellers = 1;
 
     private double ratioDeviation;

@@ -3,8 +3,8 @@ package enlightenment.film;
 import enlightenment.film.VarianceDecay.Curve;
 
 /**
- * The same as {@link VarianceDecay} for light that follows paths: nearly all of the variance is that of independent samples, of which
- * the ratio of the two figures is 2 and all of the first figure is left. Two things lead away from that.
+ * {@link VarianceDecay} for path-traced light. Nearly all of its variance is that of independent samples, whose two figures have the ratio
+ * 2 and whose first figure is the variance. Two effects depart from that.
  *
  * <p>A part may fall faster. If a variance falls as n^−p, the ratio is R = 2^p and the share 1/(R − 1); mixed with independent noise it
  * lies on the straight line from (2, 1) to there. Between the pure power, which is the least, and the line to p = 2, which is the most,
@@ -13,14 +13,14 @@ import enlightenment.film.VarianceDecay.Curve;
  *
  * <p>What falls faster than the square as far as it is seen need not go on so. A choice of paths, between light and nothing with
  * probability p, takes a stratified number: all of n samples but one are certain, and the variance is {np}(1 − {np})/n² with the fractional
- * part {np}, which goes up and down from one power of two to the next. With m, the distance of n p/2 from the next integer, R is either 2 or
- * 2(1 − m)/m, and the share 1 − 2m: so for R above 2 it is (R − 2)/(R + 2), which grows to 1; in the mean over p it is that of a square, ⅓.
- * Smooth light has R = 8 as well, and a share of 1/7. So from R = 4 on what is to be expected stays ⅓, and all is possible.
+ * part {np}, which goes up and down from one power of two to the next. With m, the distance of n p/2 from the next integer, R is either 2
+ * or 2(1 − m)/m, and the share 1 − 2m: so for R above 2 it is (R − 2)/(R + 2), which grows to 1; in the mean over p it is that of a square,
+ * ⅓. Smooth light has R = 8 as well, and a share of 1/7. So from R = 4 on what is to be expected stays ⅓, and all is possible.
  *
- * <p>The screen may saturate. A bright sample that one pixel of many has met shows less than in proportion to its share of the mean: if
- * it shows as its share's power γ, n samples that each are such a one with a small probability give halves, quarters and squared error in
- * the proportion 4^γ/4 : 16^γ/8 : 1, so R = 4^γ/2 and the share is 2/R: from 1 where nothing is lost to 4 where the screen shows white
- * whatever the share.
+ * <p>The screen may saturate. A bright sample that one pixel of many has met shows less than in proportion to its share of the mean: if it
+ * shows as its share's power γ, n samples that each are such a one with a small probability give halves, quarters and squared error in the
+ * proportion 4^γ/4 : 16^γ/8 : 1, so R = 4^γ/2 and the share is 2/R: from 1 where nothing is lost to 4 where the screen shows white whatever
+ * the share.
  */
 final class PathDecay {
     /** The ratio of independent samples. */

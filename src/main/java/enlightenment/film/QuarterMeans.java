@@ -76,10 +76,10 @@ final class QuarterMeans {
     }
 
     /**
-     * Whether a screen may show less of a pixel's noise than there is, since few samples have brought its light. A mean of k rare samples
-     * deviates by 1/√k of itself: one whose quarters tell of less than half of itself has met more than four, one for each of them. Where
-     * other light hides that there are few, they show by what the curve makes of the quarter that is farthest from the mean: less than half
-     * of what as much less light would. With less than four samples nobody knows.
+     * Whether few samples carry the pixel's light, so that the screen may hide part of its noise. A mean of k rare samples has a relative
+     * deviation of 1/√k: if the quarters show less than ½, more than four such samples were met, one for each quarter. Where other light
+     * hides that they are few, the display curve decides ({@link #isFlattened}). With less than four samples it cannot be known, and is
+     * assumed.
      */
     static boolean isRare(DisplayCurve curve, double[] quarters, int samples) {
         if (samples < QUARTERS) {
@@ -98,7 +98,10 @@ final class QuarterMeans {
         return QUARTERS * variance > squares || isFlattened(curve, quarters, samples);
     }
 
-    /** Whether the curve shows as much more light as a quarter is off by as less than half of what it shows as much less of. */
+    /**
+     * Whether the curve flattens at the mean. The largest deviation of a quarter then shows upwards less than half of what it shows
+     * downwards.
+     */
     private static boolean isFlattened(DisplayCurve curve, double[] quarters, int samples) {
         double up = 0;
         double down = 0;
@@ -116,8 +119,8 @@ final class QuarterMeans {
     }
 
     /**
-     * As {@link #halves}, for the two quarters of each half, mean of both. With less than four samples there are none: then it is twice the halves,
-     * as of independent samples.
+     * {@link #halves} for the two quarters of each half, mean of both. Below four samples it is twice the halves, as of independent
+     * samples.
      */
     static double quarters(DisplayCurve curve, double[] quarters, int samples) {
         return samples < QUARTERS

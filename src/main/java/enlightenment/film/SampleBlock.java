@@ -16,7 +16,7 @@ public final class SampleBlock {
         this.bytes = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    /** Why there can be no block of this kind with so many samples and bytes; empty if there can. */
+    /** Why there can be no block of this kind with these numbers of samples and bytes; empty if there can. */
     public static Optional<String> problem(int kind, int samples, long bytes) {
         if (kind != SampleLog.PIXELS && kind != SampleLog.RAYS) {
             return Optional.of("there are no blocks of kind " + kind);

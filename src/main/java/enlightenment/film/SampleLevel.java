@@ -136,17 +136,17 @@ final class SampleLevel {
         return ratio;
     }
 
-    /** What is left of the first figure. */
+    /** The variance as a share of the first figure, in the middle of its interval. */
     double share() {
         return share;
     }
 
-    /** The same at least. */
+    /** The lower end of that interval. */
     double least() {
         return least;
     }
 
-    /** The same at most. */
+    /** The upper end of that interval. */
     double most() {
         return most;
     }

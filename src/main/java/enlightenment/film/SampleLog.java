@@ -4,12 +4,12 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * Camera samples as they were taken, for who wants to keep them: gathered into blocks of bytes, column by column, each number with its
- * least significant byte first. One per thread.
+ * Camera samples as they were taken, for listeners that store them. They are gathered into blocks of bytes, column by column, each number
+ * with its least significant byte first. One per thread.
  *
- * <p>A block of n samples has n pixels (4 bytes: row times width plus column, in the whole picture), n places within the pixel across
- * and down (4 each, 0..1), n times red, green, blue and the weight (4 each); of rays also n times nine coordinates (8 each) of P, S and
- * L, outcome and bounces (1 each).
+ * <p>A block of n samples has n pixels (4 bytes: row times width plus column, in the whole picture), n places within the pixel across and
+ * down (4 each, 0..1), n times red, green, blue and the weight (4 each); of rays also n times nine coordinates (8 each) of P, S and L,
+ * outcome and bounces (1 each).
  */
 public final class SampleLog {
     /** The kinds of blocks: samples alone, or with their rays. */
@@ -53,7 +53,11 @@ public final class SampleLog {
     /** Takes blocks. */
     @FunctionalInterface
     public interface Sink {
-        /** So many samples of a kind. */
+        /**
+         * Receives a block.
+         *
+         * @param samples number of samples in the block
+         */
         void block(int kind, int samples, byte[] bytes);
     }
 

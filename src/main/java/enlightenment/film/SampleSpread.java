@@ -76,7 +76,7 @@ public final class SampleSpread {
         return count < 2 ? 0 : halves(sums, sizes);
     }
 
-    /** The same for sums and sizes of the four quarters, neither half empty. */
+    /** {@link #halves()} for sums and sizes of the four quarters, neither half empty. */
     static double halves(double[] sums, int[] sizes) {
         double first = 1.0 / (sizes[0] + sizes[1]);
         double second = 1.0 / (sizes[2] + sizes[3]);
@@ -88,12 +88,12 @@ public final class SampleSpread {
         return sum / 12;
     }
 
-    /** The same for the two quarters of each half, mean of both; 0 for less than four samples. */
+    /** {@link #halves()} taken for the quarters of each half, mean of both; 0 for less than four samples. */
     public double quarters() {
         return count < QUARTERS ? 0 : quarters(sums, sizes);
     }
 
-    /** The same for sums and sizes of the four quarters, none of them empty. */
+    /** {@link #quarters()} for sums and sizes of the four quarters, none of them empty. */
     static double quarters(double[] sums, int[] sizes) {
         return (difference(sums, sizes, 0) + difference(sums, sizes, 2)) / 24;
     }

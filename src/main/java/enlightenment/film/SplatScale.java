@@ -55,7 +55,7 @@ public record SplatScale(int exponent) {
         return new SplatScale(MEAN - pathsExponent - ownExponent - Scale.exponent(product));
     }
 
-    /** What so many units are worth: times 2<sup>−exponent</sup>, rounded once. */
+    /** The value of this many units: times 2<sup>−exponent</sup>, rounded once. */
     double value(double units) {
         int power = -exponent;
         return power >= Double.MIN_EXPONENT && power <= Double.MAX_EXPONENT

@@ -38,7 +38,7 @@ public final class TileGrowth {
         before = new int[tile.width * tile.height];
     }
 
-    /** Whether a pixel with so many samples can become one with more, or stays what it is. */
+    /** Whether a pixel with {@code before} samples can grow to {@code samples}, or has that number. */
     public static boolean isPossible(int before, int samples) {
         if (before < 1 || before > samples || samples < FEWEST) {
             return false;
@@ -99,7 +99,7 @@ public final class TileGrowth {
      *
      * @param count the samples that it is to have
      * @param spread begun for these
-     * @return how many of them are there, in the tile and in the spread; if all are, nothing is told of the spread
+     * @return how many of them are there, in the tile and in the spread; if all are, the spread stays empty
      */
     public int begin(FilmTile tile, int column, int row, int count, SampleSpread spread) {
         at = NUMBERS * pixel(column, row);

@@ -1,15 +1,15 @@
 package enlightenment.film;
 
 /**
- * How much variance is left in the means of pixels with 2^k samples, as a share of a first figure that their samples give (A),
- * told by the ratio of a second figure (B) to it; both are sums over all such pixels. The figures are the halves and quarters of
- * the samples ({@link SampleSpread}), and of one or two samples what neighbours tell ({@link Neighbours}).
+ * How much variance is left in the means of pixels with 2^k samples. It is a share of a first figure that their samples give (A), as a
+ * function of the ratio of a second figure (B) to it; both are sums over all such pixels. The figures are the halves and quarters of the
+ * samples ({@link SampleSpread}), and for one or two samples the differences of neighbours ({@link Neighbours}).
  *
- * <p>Of one or two samples the figures give the variance itself. Of more they only tell how fast it has fallen so far. How it
- * goes on is told by three FITTED curves: what it was in the middle, at least and at most, on shipped scenes and on hard ones
- * (sub-pixel slats, wires, textures of noise, checkerboards, lit spots, small lights). Two ends are known: of independent samples
- * B/A is 2 and the share is 1, and never is it much more; straight edges in random places and directions have
- * V(1) : V(2) : V(4) : … = 1 : 0.294 : 0.0949 : 0.0321 : 0.0112. docs/notes/cluster-laboratory.md has the figures.
+ * <p>For one or two samples the figures give the variance itself. For more they only show how fast it has fallen so far. Three FITTED
+ * curves extrapolate it: the middle, the least and the most that was found on shipped scenes and on hard ones (sub-pixel slats, wires,
+ * textures of noise, checkerboards, lit spots, small lights). Two ends are known: for independent samples B/A is 2 and the share is 1, and
+ * never is it much more; straight edges in random places and directions have V(1) : V(2) : V(4) : … = 1 : 0.294 : 0.0949 : 0.0321 : 0.0112.
+ * docs/notes/cluster-laboratory.md has the figures.
  */
 final class VarianceDecay {
     /** Ratios B/A for which the curves are given; straight between them. */
@@ -21,20 +21,17 @@ final class VarianceDecay {
     private static final double[] MIDDLE = {0.98, 0.71, 0.57, 0.51, 0.46, 0.37, 0.23, 0.19, 0.14};
     private static final double[] MOST = {1.08, 0.95, 0.76, 0.64, 0.57, 0.49, 0.36, 0.28, 0.2};
 
-    /** The same of four samples where it differs. */
+    /** {@link #LEAST} and {@link #MIDDLE} of four samples, which differ; {@link #MOST} does not. */
     private static final double[] LEAST_OF_FOUR = {0.33, 0.35, 0.37, 0.38, 0.34, 0.3, 0.2, 0.17, 0.12};
 
     private static final double[] MIDDLE_OF_FOUR = {0.98, 0.71, 0.57, 0.48, 0.45, 0.35, 0.22, 0.18, 0.14};
 
-    /** Of a single sample: what is told is the variance; this much less or more was found. */
+    /** For a single sample the figure is the variance; the true one was found this much less or more. */
     private static final double SINGLE_LEAST = 0.85;
 
     private static final double SINGLE_MOST = 1.15;
 
-    /**
-     * Of two samples what is told is a difference of two greater numbers: below this share of A half of what is missing is taken
-     * for chance.
-     */
+    /** Half of a shortfall below this counts as chance for two samples, whose ratio is a difference of greater numbers. */
     private static final double PAIR_USUAL = 0.4;
 
     private static final double PAIR_LEAST_SHARE = 0.3;

@@ -50,7 +50,7 @@ public final class ChosenSettings {
     }
 
     /**
-     * The same with another value of a setting.
+     * These values with another value of a setting.
      *
      * @throws enlightenment.math.InvalidValueException (key {@link Method.Setting#key}) if it may not have it
      */
@@ -65,7 +65,7 @@ public final class ChosenSettings {
         return new ChosenSettings(Collections.unmodifiableMap(changed));
     }
 
-    /** The same with other values of all settings of one method. */
+    /** These values with those of all settings of one method. */
     public ChosenSettings with(Method.Settings settings) {
         ChosenSettings changed = this;
         for (Method.Setting setting : settings.method().settings()) {

@@ -48,7 +48,7 @@ final class Extensions {
         }
     }
 
-    /** Whoever put these two together must hear of it; to take one of them would be silent. */
+    /** Throws where two methods have the same word or use a key differently, since choosing one silently would hide that. */
     static void requireDistinct(Method method, Method other) {
         if (method.word().equals(other.word())) {
             throw new IllegalStateException("there are two methods called " + method.word() + ": "

@@ -12,17 +12,15 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * A method of rendering: which samples are taken, and how they become pixels. This says what a method is called, what it can
- * do and what there is to choose; the class that does it lies elsewhere. Scene files, their schema, the command line, reports,
- * protocols and measurements ask here, so that a method that is added is known to all of them. Two methods are equal only if
- * they are the same object.
+ * A method of rendering: which samples are taken, and how they become pixels. It has the method's name, abilities and settings; the class
+ * that renders lies elsewhere. Scene files, their schema, the command line, reports, protocols and measurements use it, so that all of them
+ * support a method that is added. Two methods are equal only if they are the same object.
  *
- * <p>The methods of this program are {@link BuiltInMethod}; others are found as services, see {@link MethodExtension}. They are
- * looked for only where a word is none of ours, or where all methods are listed: what needs none of them does not pay for it.
+ * <p>The methods of this program are {@link BuiltInMethod}; others are found as services, see {@link MethodExtension}. The services are
+ * searched only where a word is none of ours, or where all methods are listed.
  */
 // No default methods: an interface that has some is initialised before the classes that implement it, and these
-// constants
-// would be null to whoever meets the enum first.
+// constants would be null for code that uses the enum first.
 public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExtension {
     /** Evenly spaced camera rays, the same number of light samples at every hit. */
     Method RAYTRACE = BuiltInMethod.RAYTRACE;
@@ -60,7 +58,7 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
     /** Whether it can render scenes of physical shading that ask for this. */
     boolean canRender(Shading.LightFeature feature);
 
-    /** Its settings, each with its key, its range and its default, in the order in which they are told. */
+    /** Its settings, each with its key, its range and its default, in the order of lists and reports. */
     List<Setting> settings();
 
     /** What makes the samples in its place where there are too few of them for its survey; empty if none are too few. */
@@ -206,7 +204,7 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
         /** The key in scene files and reports: letters and digits, a small letter first. It must be none of the render part's own. */
         String key();
 
-        /** What it is, in some words without a full stop; ranges and defaults are told beside it. */
+        /** A description in some words without a full stop; ranges and defaults stand beside it. */
         String description();
 
         /** The value where none is chosen. */

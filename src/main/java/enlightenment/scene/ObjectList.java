@@ -7,9 +7,8 @@ import java.util.List;
 import java.util.RandomAccess;
 
 /**
- * The objects of a scene, immutable: their shapes and materials side by side, made into {@link SceneObject}s for whoever asks. Of
- * a million objects most have neither a name nor faces, and an object that only joins two references takes as much memory as a
- * sphere.
+ * The immutable objects of a scene. Shapes and materials are stored side by side; {@link #get} makes a {@link SceneObject} of them. Of a
+ * million objects most have neither a name nor faces, and an object that only joins two references takes as much memory as a sphere.
  */
 final class ObjectList extends AbstractList<SceneObject> implements RandomAccess {
     private final Shape[] shapes;

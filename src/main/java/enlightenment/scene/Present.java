@@ -3,7 +3,7 @@ package enlightenment.scene;
 import java.util.List;
 import java.util.Objects;
 
-/** Lists of descriptions that programs make: what is missing in them is told by its name. */
+/** Lists of descriptions that programs make: an exception names the entry that is missing. */
 final class Present {
     private Present() {}
 

@@ -103,52 +103,52 @@ public record RenderSettings(
         return new Builder(this);
     }
 
-    /** The same settings with another method. */
+    /** These settings with another method. */
     public RenderSettings withMethod(Method value) {
         return toBuilder().method(value).build();
     }
 
-    /** The same settings for a whole picture of another size in pixels. */
+    /** These settings for a whole picture of another size in pixels. */
     public RenderSettings withSize(int w, int h) {
         return toBuilder().size(w, h).build();
     }
 
-    /** The same settings for a part of the picture. */
+    /** These settings for a part of the picture. */
     public RenderSettings withCrop(Crop value) {
         return toBuilder().crop(value).build();
     }
 
-    /** The same settings with n × n positions per pixel. */
+    /** These settings with n × n positions per pixel. */
     public RenderSettings withAntialias(int value) {
         return toBuilder().antialias(value).build();
     }
 
-    /** The same settings with other values of one method's own, whichever method is in use. */
+    /** These settings with other values of one method's own, whichever method is in use. */
     public RenderSettings with(Method.Settings value) {
         return toBuilder().with(value).build();
     }
 
-    /** The same settings with another value of one that some methods have, or all. */
+    /** These settings with another value of one that some methods have, or all. */
     public RenderSettings with(Method.Setting setting, Object value) {
         return toBuilder().chosen(chosen.with(setting, value)).build();
     }
 
-    /** The same settings with the method of these, and with these. */
+    /** These settings with the method of these values, and with the values. */
     public RenderSettings using(Method.Settings value) {
         return toBuilder().method(value.method()).with(value).build();
     }
 
-    /** What all random numbers are derived from. */
+    /** The seed that all random numbers are derived from. */
     public long seed() {
         return (Long) chosen.value(ChosenSettings.Common.SEED);
     }
 
-    /** The same settings with other random numbers. */
+    /** These settings with another seed. */
     public RenderSettings withSeed(long value) {
         return with(ChosenSettings.Common.SEED, value);
     }
 
-    /** The same settings with another budget. */
+    /** These settings with another budget. */
     public RenderSettings withBudget(Budget value) {
         return toBuilder().budget(value).build();
     }
@@ -168,12 +168,12 @@ public record RenderSettings(
         return withBudget(budget.withSeconds(value));
     }
 
-    /** The same settings on another number of threads. */
+    /** These settings with another number of threads. */
     public RenderSettings withThreads(int value) {
         return toBuilder().threads(value).build();
     }
 
-    /** The same settings with tiles of another side in pixels. */
+    /** These settings with tiles of another side in pixels. */
     public RenderSettings withTileSize(int value) {
         return toBuilder().tileSize(value).build();
     }

@@ -180,7 +180,7 @@ public record Scene(
         return -1;
     }
 
-    /** The same scene, pictures of which are the mean over these moments. */
+    /** This scene, with pictures that are the mean over these moments. */
     public Scene withInstants(List<Scene> moments) {
         return new Scene(
                 name, width, height, camera, shading, display, textures, materials, lights, objects, render, animation,

@@ -235,7 +235,7 @@ public sealed interface Shading permits Shading.Classic, Shading.Physical {
             permits Shading.Background.Constant, Shading.Background.Picture, Shading.Background.Sky {
 
         /**
-         * The same radiance from everywhere.
+         * Constant radiance from all directions.
          *
          * @param radiance linear, in the unit of lights
          */

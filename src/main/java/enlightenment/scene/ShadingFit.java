@@ -19,7 +19,7 @@ import java.util.stream.Collectors;
 
 /** Finds the camera and the materials of objects that have no meaning in a scene's shading; materials that nothing uses do no harm. */
 final class ShadingFit {
-    /** How many further places are told. */
+    /** How many further places a message names. */
     private static final int MOST = 3;
 
     private static final String SOLIDS = "; give it thickness, as a \"box\" has it, or close its ends";

@@ -62,9 +62,12 @@ final class Family<T> {
     }
 
     /**
-     * The same.
+     * Adds a kind that refuses certain keys with a message of their own.
      *
-     * @param whyNot keys that it does not have, although somebody may expect them, and what to say of them
+     * @param type its name in the format
+     * @param value the class that it becomes
+     * @param keys the keys that must be there, a bar, the keys that may be there
+     * @param whyNot keys that it does not have, although users may expect them, with the message for each
      */
     Family<T> with(String type, Class<? extends T> value, String keys, Map<String, String> whyNot) {
         int bar = keys.indexOf('|');

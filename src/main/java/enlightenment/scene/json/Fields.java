@@ -40,9 +40,9 @@ final class Fields {
     }
 
     /**
-     * The same.
+     * A part with these keys, which refuses certain others with a message of their own. Null after a problem where the value is no object.
      *
-     * @param refused keys that it does not have, although somebody may expect them, and what to say of them
+     * @param refused keys that it does not have, although users may expect them, with the message for each
      */
     static Fields of(JsonValue v, JsonPointer place, Keys keys, Map<String, String> refused, Values values) {
         int before = values.problems().count();

@@ -38,7 +38,7 @@ final class SceneBinder {
     }
 
     /**
-     * The same at one of the moments that a frame's picture is made of.
+     * The scene that a text holds, at one of the moments that a frame's picture averages; null after a problem.
      *
      * @param instant counted from 0; or -1 for the time of the frame
      */

@@ -117,7 +117,7 @@ public final class SceneReader {
     }
 
     /**
-     * The same problems with lines and columns, where they had none: of what was found only when the scene was put together.
+     * The exception with lines and columns for problems that have none. They were found when the scene was put together.
      *
      * @param file where the scene was read from; if it cannot be read any more, or is another scene meanwhile, lines may be missing
      */
@@ -125,7 +125,7 @@ public final class SceneReader {
         return located(e, () -> decoded(Files.newInputStream(file)));
     }
 
-    /** The same for bytes that are here already. */
+    /** {@link #located(SceneException, Path)} for a text in memory. */
     public static SceneException located(SceneException e, byte[] json) {
         return located(e, () -> decoded(new ByteArrayInputStream(json)));
     }

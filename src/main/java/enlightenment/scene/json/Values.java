@@ -196,7 +196,7 @@ final class Values {
         return color(v, place, COLOR + ", [r, g, b] with components in 0..1, or " + LINEAR);
     }
 
-    /** The same, where more than that is allowed and the message is to say so. */
+    /** {@link #color(JsonValue, JsonPointer)} with another message, for places where more than a colour is allowed. */
     Color color(JsonValue v, JsonPointer place, String expected) {
         if (v instanceof JsonValue.Obj o && o.get("texture") == null) {
             if (o.get("linear") != null) {

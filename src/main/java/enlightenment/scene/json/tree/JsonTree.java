@@ -117,7 +117,7 @@ public final class JsonTree {
     }
 
     /**
-     * The same for a scene whose objects are taken one by one; in the value, null stands for those that were forgotten.
+     * The value of a scene whose objects are taken one by one. In it, null stands for objects that were not kept.
      *
      * @param objects takes the items of the root's array {@code objects}; null to keep them all
      */

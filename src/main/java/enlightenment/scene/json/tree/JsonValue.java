@@ -6,7 +6,7 @@ import java.util.List;
 /**
  * A parsed JSON value that knows where it stood, kept as small as millions of values ask for.
  *
- * <p>Numbers keep their text: what it is worth is decided by whoever wants the number, exactly or as a double.
+ * <p>Numbers keep their text: the reader of the number parses it, exactly or as a double.
  */
 public abstract sealed class JsonValue {
     /** Line of the value's first character, counted from 1; 0 where the value comes from no file. */

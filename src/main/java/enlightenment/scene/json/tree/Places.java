@@ -19,7 +19,10 @@ public final class Places {
         }
     }
 
-    /** The same problems: those that have a pointer, but no line, with the place of the value or of what it is missing in. */
+    /**
+     * The problems, each with line and column of its value. A problem that has a line or no pointer stays; a missing value gets its
+     * parent's place.
+     */
     public static List<Problem> find(List<Problem> problems, JsonTree.Source source) {
         if (problems.stream().allMatch(p -> p.line() > 0 || p.pointer().isEmpty())) {
             return problems;

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** Collects what is wrong with a file, so that all of it is told at once. */
+/** Collects what is wrong with a file, so that one exception reports all of it. */
 public final class Problems {
     /** More than anybody reads; keeps a wrong file of a million objects from filling the memory with messages. */
     public static final int MOST_KEPT = 1000;

@@ -42,7 +42,7 @@ final class WrongCharacter {
         };
     }
 
-    /** The same for what must not stand outside of texts. */
+    /** A message for a character that must not stand outside of texts; null where the parser means another problem. */
     static String betweenValues(String theirs) {
         int character = control(theirs);
         if (character < 0) {

@@ -46,7 +46,7 @@ public final class Checkpoint implements RenderResult.Archive {
         return open(path, render, resume, file -> file.force(true));
     }
 
-    /** The same with another way to force, for tests. */
+    /** {@link #open(Path, RenderIdentity, boolean)} with another way to force, for tests. */
     static Checkpoint open(Path path, RenderIdentity render, boolean resume, CheckpointJournal.Forcing forcing)
             throws IOException {
         Checkpoint opened = new Checkpoint(path);

@@ -17,11 +17,11 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * What was done of a render, as a file that is only ever appended to: the checkpoint of a render in one process, and of a server.
+ * The finished units of a render in a file that is only appended to: the checkpoint of renders and servers.
  *
- * <p>{@link JournalFormat} tells its bytes. What was written is forced to the disk at most every 200 ms. A damaged record costs
- * itself and no other: whoever reads looks for the next one. What was cut short ends the file: it is cut off when the journal
- * is opened again. Units that are lost so are simply rendered again.
+ * <p>{@link JournalFormat} documents its bytes. What was written is forced to the disk at most every 200 ms. A damaged record costs no
+ * other: the reader searches for the next one. A torn record at the end is cut off when the journal is opened again. Units that are lost so
+ * are simply rendered again.
  */
 public final class CheckpointJournal implements Closeable {
     public static final long FORCE_EVERY_NANOS = 200_000_000L;
@@ -68,8 +68,8 @@ public final class CheckpointJournal implements Closeable {
     }
 
     /**
-     * Opens a journal, makes it if it does not exist, tells what it holds and cuts off a torn end. One without results may be of any
-     * render: it is begun anew.
+     * Opens or makes a journal, passes its records to the reader and cuts off a torn end. A journal without results may be of any render:
+     * it is begun anew.
      *
      * @param mayHoldResults whether it may hold results of this render already
      * @param now the time in nanoseconds, of any origin
@@ -81,7 +81,7 @@ public final class CheckpointJournal implements Closeable {
         return open(path, render, mayHoldResults, now, reader, file -> file.force(true));
     }
 
-    /** The same with another way to force, for tests. */
+    /** {@link #open(Path, RenderIdentity, boolean, long, Reader)} with another way to force, for tests. */
     static CheckpointJournal open(
             Path path, RenderIdentity render, boolean mayHoldResults, long now, Reader reader, Forcing forcing)
             throws IOException {

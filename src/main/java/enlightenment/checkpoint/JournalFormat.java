@@ -17,8 +17,8 @@ import java.util.zip.CRC32C;
  * <p>A header of 116 bytes, twice: magic (8), hashes of the scene, of the text of the settings and of that of the version (32 each), sign
  * (8), CRC32C of these (4). Then records: the sign (8), length of the body (4), CRC32C of both (4), body, CRC32C of the body (4).
  *
- * <p>The sign is drawn at random for each journal and never leaves the machine: it tells where a record begins when what
- * stands before it is damaged, and nobody who sends tiles can write something into them that would be taken for a record.
+ * <p>The sign is drawn at random for each journal and never leaves the machine: it marks where a record begins after damaged bytes, and a
+ * worker cannot send a tile that contains what would be taken for a record.
  */
 final class JournalFormat {
     static final int HEADER_BYTES = 116;

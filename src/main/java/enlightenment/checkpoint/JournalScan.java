@@ -45,7 +45,7 @@ final class JournalScan {
         return null;
     }
 
-    /** Where the record begins that {@link #next} gave last. */
+    /** The place of the record that {@link #next} returned last. */
     long place() {
         return place;
     }
@@ -55,7 +55,11 @@ final class JournalScan {
         return body(file, header, start, length);
     }
 
-    /** The same for a file of that length. */
+    /**
+     * The body of the record at a place of a file; null if none is there or it is damaged.
+     *
+     * @param length that of the file
+     */
     static byte[] body(FileChannel file, JournalFormat.Header header, long place, long length) throws IOException {
         ByteBuffer head = ByteBuffer.allocate(JournalFormat.RECORD_HEAD);
         JournalFormat.readFully(file, head, place);

@@ -16,9 +16,15 @@ import java.util.TreeMap;
 public record Restored(List<Tile> tiles, Set<Origin.Peer> expelled) {
     public static final Restored NOTHING = new Restored(List.of(), Set.of());
 
-    /** A tile: who made it, what it is, and who else says the same; null for nobody. */
+    /**
+     * A finished tile.
+     *
+     * @param origin the maker of its result
+     * @param hash that of the result
+     * @param second another origin with an equal result; null without one
+     */
     public record Tile(int tile, Origin origin, ContentHash hash, Origin second) {
-        /** What is left of it without the word of a machine; null for nothing. */
+        /** The tile without the results of a machine; null if no origin remains. */
         public Tile without(Origin.Peer machine) {
             if (origin.equals(machine)) {
                 return second == null ? null : new Tile(tile, second, hash, null);

@@ -13,8 +13,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * Results in a file of the system's temporary folder that nobody else needs, and that goes with this: for those few that have to be
- * taken out of sums again, because the machine that made them is not trusted any more. Opened when the first is kept.
+ * Results in a file of the system's temporary folder, which belongs to this object and is deleted with it. It keeps the few results that
+ * may have to be subtracted from sums, where the machine that made them is not trusted any more. Opened when the first is kept.
  */
 public final class ResultJournal implements ResultStore, Closeable {
     private final Path folder;
@@ -28,7 +28,7 @@ public final class ResultJournal implements ResultStore, Closeable {
         this(units, Path.of(System.getProperty("java.io.tmpdir")));
     }
 
-    /** The same in another folder. */
+    /** A journal in another folder, for tests. */
     ResultJournal(int units, Path folder) {
         this.folder = folder;
         places = new long[units];

@@ -72,11 +72,12 @@ final class SetupCommand extends Subcommand {
         Process training = new ProcessBuilder(List.of(
                         java.toString(),
                         option + archive,
-                        // Before version 21 Java archives that a method waits for the compiler, and whoever
-                        // starts from that never compiles it (JDK-8306460). So nothing may wait. From 25 on a cache
-                        // would hold profiles of methods (JEP 515), by which short renders compile more, not less.
+                        // Before version 21 Java archives that a method waits for the compiler, and a process that
+                        // starts from such an archive never compiles it (JDK-8306460). So no method may wait. From 25
+                        // on a cache would hold profiles of methods (JEP 515), by which short renders compile more, not
+                        // less.
                         "-Xint",
-                        // What cannot be archived is nobody's business.
+                        // Warnings about classes that cannot be archived are of no use here.
                         "-Xlog:disable",
                         "-Xlog:all=error:stderr",
                         "-cp",

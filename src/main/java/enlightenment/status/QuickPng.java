@@ -17,7 +17,7 @@ public final class QuickPng {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     private static final int TRUECOLOR = 2;
 
-    /** Each component is told as the difference from the pixel on the left. */
+    /** The filter type Sub: each component is stored as the difference from the pixel on the left. */
     private static final int SUB = 1;
 
     private QuickPng() {}

@@ -50,7 +50,7 @@ public final class StatusServer {
     }
 
     /**
-     * Begins to answer; whoever starts it calls {@link #check} now and then.
+     * Begins to answer; the caller must call {@link #check} now and then.
      *
      * @param port 0 for any that is free
      * @param clock nanoseconds of any origin, that of {@link #check} too
@@ -97,7 +97,7 @@ public final class StatusServer {
     }
 
     /**
-     * Waits, once the render is over, until the pages that look at it have heard so and have its last picture.
+     * Waits, once the render is over, until all open pages have received its end and its last picture.
      *
      * @param millis no longer than this
      * @return whether all of them have
@@ -127,8 +127,8 @@ public final class StatusServer {
 
     private SmallHttp.Answer status(SmallHttp.Request request) {
         Optional<String> watcher = request.value("page");
-        // Before it is told anything: who hears that it goes on is waited for if it ends while the answer is on its
-        // way.
+        // Registered before the answer is made: a page that reads "not over" is waited for if the render ends while the
+        // answer is on its way.
         if (watcher.isPresent() && !source.state().isOver()) {
             watchers.told(watcher.get(), clock.getAsLong());
         }

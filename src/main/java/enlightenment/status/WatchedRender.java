@@ -19,9 +19,9 @@ import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 
 /**
- * A render of this process that can be watched. It costs what nobody looks at next to nothing: the picture so far is copied only if
- * somebody asked for it since the last time, some times a second at most, and for large pictures as seldom as makes it a small
- * share of the time. All else is done by the threads of those who look.
+ * A render of this process that can be watched. Without watchers it costs next to nothing: the picture so far is copied only if a request
+ * came since the last copy, some times a second at most, and for large pictures as seldom as makes it a small share of the time. All else
+ * is done by the threads that answer requests.
  */
 public final class WatchedRender implements StatusSource {
     static final long PERIOD_NANOS = 250_000_000L;
@@ -29,10 +29,10 @@ public final class WatchedRender implements StatusSource {
     /** The largest share of the time of one thread that copying may take. */
     static final double SHARE = 0.02;
 
-    /** A picture that is older is not given to whoever asks if there will be a newer one soon. */
+    /** The age from which a picture is not returned if there will be a newer one soon. */
     static final long STALE_NANOS = 1_000_000_000L;
 
-    /** How soon. */
+    /** How long a request waits for a newer picture. */
     private static final long SOON_MILLIS = 500;
 
     private static final int MOST_NOTES = 100;
@@ -76,7 +76,7 @@ public final class WatchedRender implements StatusSource {
         this(title, view, clock, SOON_MILLIS);
     }
 
-    /** @param soonMillis how long whoever asks waits for a picture that is not old */
+    /** @param soonMillis how long a request waits for a picture that is not old */
     WatchedRender(String title, UnaryOperator<Image> view, LongSupplier clock, long soonMillis) {
         this.soonMillis = soonMillis;
         this.title = title;
@@ -85,12 +85,12 @@ public final class WatchedRender implements StatusSource {
         started = clock.getAsLong();
     }
 
-    /** What is rendered from now on, one frame of a film for instance. */
+    /** The title of what is rendered from now on, one frame of a film for instance. */
     public synchronized void title(String value) {
         title = value;
     }
 
-    /** Something that is known of the render: a text, a number, or a truth value. */
+    /** Sets a statistic of the render: a text, a number, or a truth value. */
     public synchronized void statistic(String name, Object value) {
         statistics.put(name, value);
     }

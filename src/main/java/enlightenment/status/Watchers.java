@@ -4,18 +4,18 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
-/** The pages that look at a render, by the numbers that they give themselves: they are to see its end before it is gone. */
+/** The open pages of a render, by the numbers that they give themselves. The process waits until they have received its end. */
 final class Watchers {
-    /** More are not remembered. */
+    /** Largest number of pages remembered. */
     static final int MOST = 32;
 
-    /** Who has asked nothing for so long looks no more: pages ask every second. */
+    /** A page without a request for this long is closed: open pages send one every second. */
     static final long SILENCE_NANOS = 3_000_000_000L;
 
-    /** When each was heard of last, the longest ago first. */
+    /** By page, the time of its last request, the oldest first. */
     private final Map<String, Long> seen = new LinkedHashMap<>();
 
-    /** A page will be told how far it is, as far as is known not that it is over. */
+    /** A page receives an answer that does not say that the render is over. */
     synchronized void told(String page, long now) {
         seen.remove(page);
         if (seen.size() == MOST) {
@@ -24,7 +24,7 @@ final class Watchers {
         seen.put(page, now);
     }
 
-    /** A page has all that it will be shown. */
+    /** A page has received all that it will be shown. */
     synchronized void served(String page) {
         seen.remove(page);
         notifyAll();

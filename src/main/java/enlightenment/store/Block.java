@@ -15,7 +15,7 @@ import java.sql.SQLException;
 record Block(Place place, int kind, int piece, int samples, byte[] data) {
     private static final String CONDITION = Place.CONDITION + " AND kind = ? AND piece = ?";
 
-    /** Inserts it. Samples of a unit that is not there yet are nobody's, and give way. */
+    /** Inserts it. Samples whose unit is not in the store yet belong to no result, and are replaced. */
     void insert(Connection c, Dialect dialect) throws SQLException, StoreException {
         if (tryInsert(c, dialect) || exists(c)) {
             return;

@@ -29,26 +29,27 @@ enum Dialect {
         };
     }
 
-    /** The URL to connect to. H2 is told to write before it says that it has: it lost what it had acknowledged otherwise. */
+    /** The URL to connect to. H2 gets an option that writes before it acknowledges: otherwise it loses acknowledged rows. */
     String url(String url) {
         return this == H2 && !url.toUpperCase(java.util.Locale.ROOT).contains(";WRITE_DELAY=")
                 ? url + ";WRITE_DELAY=0"
                 : url;
     }
 
-    /** What the driver is told. */
+    /** The driver's properties. */
     Properties properties(Properties login) {
         Properties all = new Properties();
         all.putAll(login);
         if (this == SQLITE) {
-            // Who is going to write says so at once: two that find out in the middle would wait for each other.
+            // A transaction takes the lock for writing when it begins: two that take it in the middle would wait for
+            // each other.
             all.setProperty("transaction_mode", "IMMEDIATE");
             all.setProperty("busy_timeout", "10000");
         }
         return all;
     }
 
-    /** What is said to a new connection that writes. */
+    /** The statements that configure a new connection. */
     List<String> greeting(boolean writes) {
         if (this != SQLITE) {
             return List.of();
@@ -59,7 +60,7 @@ enum Dialect {
                 : List.of(careful.get(0), careful.get(1), "PRAGMA query_only=ON");
     }
 
-    /** What a SELECT of constants alone selects from. */
+    /** The FROM clause of a SELECT of constants. */
     String fromNothing() {
         return this == MARIADB ? " FROM DUAL" : "";
     }

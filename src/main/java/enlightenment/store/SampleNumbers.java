@@ -30,7 +30,7 @@ final class SampleNumbers {
         passes = units.map(WorkUnits::passes).orElse(1);
     }
 
-    /** The numbers of a block's samples; blocks are told in the order of their units and pieces. */
+    /** The numbers of a block's samples. Blocks must come in the order of their units and pieces. */
     int[] of(int unit, SampleBlock block) {
         long current = Math.floorDiv((long) unit - batches, passes);
         if (current != tile) {

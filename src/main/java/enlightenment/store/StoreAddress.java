@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 /**
  * Where a store is: the path of a SQLite file, or the JDBC URL of any database.
  *
- * @param url the JDBC URL; without a password, but what follows its path may still be nobody's business
+ * @param url the JDBC URL; without a password, but the part after its path may still be confidential
  * @param file the file of a store that is one
  */
 public record StoreAddress(String url, Optional<Path> file) {
@@ -63,7 +63,7 @@ public record StoreAddress(String url, Optional<Path> file) {
             throw new IllegalArgumentException("a store in memory is lost with the process: name a file");
         }
         if (path.startsWith("file:")) {
-            // It may be anything, in memory too, and nobody but SQLite knows which file it is.
+            // It may be anything, in memory too, and only SQLite can resolve which file it is.
             throw new IllegalArgumentException(Plain.quoted(text) + " is the URL of a URL: give the path of the file");
         }
         try {

@@ -47,16 +47,16 @@ public final class StoreArchive implements RenderResult.Archive.OfSamples {
     private long lastWrite = System.nanoTime();
     private long damaged;
 
-    /** Whether the last write failed, and whoever asked for it has heard why. */
+    /** Whether the last write threw: its caller has received the reason. */
     private boolean isFailureTold;
 
     /**
-     * What is to be kept.
+     * The render to keep.
      *
      * @param row of which render
      * @param scene its scene as a text, to be looked at
      * @param texts what the picture's file is to say of itself, by the number of samples per pixel that is planned
-     * @param samples what of camera samples is kept beside results
+     * @param samples which data of camera samples are kept beside results
      */
     public record Render(
             RenderRow row, byte[] scene, DoubleFunction<Map<String, String>> texts, StoredSamples samples) {}
@@ -230,7 +230,7 @@ public final class StoreArchive implements RenderResult.Archive.OfSamples {
         }
     }
 
-    /** Writes what waits, also what could not be written before; whoever has heard why it could not does not hear it again. */
+    /** Writes the pending units, also those that an earlier write could not. A reason that a caller has received is not thrown again. */
     @Override
     public void close() throws IOException {
         boolean wasTold = isFailureTold;

@@ -4,13 +4,13 @@ import java.util.Optional;
 import java.util.Properties;
 
 /**
- * Who opens a store.
+ * The login that opens a store.
  *
- * @param user the user's name; empty for nobody in particular
+ * @param user the user's name; empty for the driver's default
  * @param password the password; empty for none
  */
 public record StoreLogin(Optional<String> user, Optional<String> password) {
-    /** Nobody in particular. */
+    /** A login without user and password. */
     public static final StoreLogin NONE = new StoreLogin(Optional.empty(), Optional.empty());
 
     Properties properties() {
@@ -22,6 +22,6 @@ public record StoreLogin(Optional<String> user, Optional<String> password) {
 
     @Override
     public String toString() {
-        return "StoreLogin[" + user.orElse("nobody") + "]";
+        return "StoreLogin[" + user.orElse("no user") + "]";
     }
 }

@@ -2,13 +2,13 @@ package enlightenment.store;
 
 import enlightenment.film.SampleLog;
 
-/** What of camera samples is kept beside the results of units. */
+/** The data of camera samples that are kept beside the results of units. */
 public enum StoredSamples {
     /** Nothing. */
     NONE(-1),
     /** Place, colour and weight. */
     PIXELS(SampleLog.PIXELS),
-    /** The same with their rays. */
+    /** Place, colour, weight and rays. */
     RAYS(SampleLog.RAYS);
 
     /** The least kind of block that has them; -1 for none. */

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 
-/** What is to be said of a film's frames: each thing at the first frame that it concerns, and in the end of how many more. */
+/** Prints notes about a film's frames. Each appears at the first frame that it concerns, and at the end for how many more. */
 final class FilmNotes {
     private final Terminal terminal;
     private final Map<String, TreeSet<Integer>> frames = new LinkedHashMap<>();
@@ -16,16 +16,16 @@ final class FilmNotes {
         this.terminal = terminal;
     }
 
-    /** Says something of a frame, unless it has been said of another one. */
+    /** Prints a note about a frame, unless it was printed for another one. */
     void say(int frame, String text) {
         say(frame, text, text);
     }
 
     /**
-     * The same.
+     * Prints a note about a frame, unless one of this kind was printed for another frame.
      *
-     * @param kind what is the same of all frames of which it is said
-     * @param text what is said of this one
+     * @param kind the part of the note that all frames of the kind have in common
+     * @param text the note about this frame
      */
     synchronized void say(int frame, String kind, String text) {
         TreeSet<Integer> concerned = frames.computeIfAbsent(kind, k -> new TreeSet<>());
@@ -36,7 +36,7 @@ final class FilmNotes {
     }
 
     /**
-     * Says which frames what was said of one of them concerns too.
+     * Prints which other frames each note concerns.
      *
      * @param all the number of frames that were made
      */

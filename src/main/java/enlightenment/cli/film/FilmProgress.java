@@ -17,7 +17,7 @@ final class FilmProgress implements RenderProgress {
     private long ofFrame;
 
     /**
-     * @param display is told of pixels of the film
+     * @param display receives progress in pixels of the film
      * @param frames how many will be rendered
      */
     FilmProgress(RenderProgress display, int frames) {

@@ -12,13 +12,13 @@ import java.util.regex.Pattern;
 import picocli.CommandLine.ITypeConverter;
 
 /**
- * How the files of frames are called: a folder, and a name in which one {@code %d} or {@code %04d} stands for the frame's number. In a
- * name {@code %%} is a percent sign; the folder is taken as it is. Frames of different numbers have different names.
+ * The names of the files of frames. They have a folder, and a name in which one {@code %d} or {@code %04d} stands for the frame's number.
+ * In a name {@code %%} is a percent sign; the folder is taken as it is. Frames of different numbers have different names.
  *
  * @param folder where they are; the working folder is {@code ""}
  * @param name the last part of the path as it was given
  * @param before what stands before the number
- * @param digits at least so many, with noughts before the number
+ * @param digits least number of digits, with leading zeros
  * @param after what stands behind it
  */
 record FramePattern(Path folder, String name, String before, int digits, String after) {

@@ -6,11 +6,11 @@ import enlightenment.scene.SceneException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What is wrong with scenes. */
+/** Reports of what is wrong with scenes. */
 public final class SceneFailures {
     private SceneFailures() {}
 
-    /** Tells every problem, one in a line. */
+    /** Prints every problem in a line of its own. */
     public static void tell(SceneException e, Terminal terminal) {
         for (SceneException.Problem p : e.problems()) {
             if (p.file().isEmpty()) {
@@ -21,7 +21,7 @@ public final class SceneFailures {
         }
     }
 
-    /** The same problems, with the file and the lines where they did not name them. */
+    /** The exception with the input's name and lines for problems that have none. */
     public static SceneException inFile(SceneInput input, SceneException e) {
         List<SceneException.Problem> problems = new ArrayList<>();
         for (SceneException.Problem p : e.problems()) {

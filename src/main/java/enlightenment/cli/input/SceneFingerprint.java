@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Tells a scene from all others. */
+/** A hash that identifies a scene. */
 public final class SceneFingerprint {
     /** What image files hold, each read once. */
     private final Map<Path, String> images = new HashMap<>();
@@ -24,7 +24,7 @@ public final class SceneFingerprint {
         return new SceneFingerprint().hash(scene);
     }
 
-    /** The same, for scenes that share image files. */
+    /** {@link #of} for several scenes, which share image files. */
     public String hash(Scene scene) throws IOException {
         try {
             String json = json(scene);

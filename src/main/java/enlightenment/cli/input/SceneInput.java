@@ -91,7 +91,7 @@ public final class SceneInput {
         return importedFrames.read(frame);
     }
 
-    /** The same problems with their lines and columns, where they had none. */
+    /** The exception with lines and columns of this input for problems that have none. */
     SceneException located(SceneException e) {
         if (isForeign()) {
             return e;

@@ -11,7 +11,7 @@ import picocli.CommandLine.ITypeConverter;
 
 /** Methods to compare, each at most once. */
 record MethodList(List<Method> methods) {
-    /** Those of this program that can render a scene; others want to be named. All for its shading if none can, for whoever says why. */
+    /** The built-in methods that can render a scene. If none can, those for its shading, so that the caller can report why each cannot. */
     static MethodList oursFor(Scene scene) {
         List<Method> ours = List.copyOf(BuiltInMethod.rendering(scene.shading().model()));
         List<Method> able =

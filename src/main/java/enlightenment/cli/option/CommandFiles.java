@@ -64,18 +64,18 @@ public final class CommandFiles {
         return add(option, file, true);
     }
 
-    /** The same for a file that is made if there is none, and is not touched otherwise; whoever makes it tells what is wrong. */
+    /** Adds a file that is made if there is none, and is not changed otherwise. The code that makes it reports failures. */
     public CommandFiles makes(String option, Path file) {
         return add(option, file, false);
     }
 
-    /** The same for files in a folder that is made if need be. */
+    /** Adds files in a folder that is made if need be. */
     public CommandFiles writes(String option, Path folder, List<String> names) {
         names.forEach(name -> add(option, folder.resolve(name), false));
         return this;
     }
 
-    /** The same for files of one folder that are told apart by numbers in their names. */
+    /** Adds files of one folder whose names differ by a number. */
     public CommandFiles writesNumbered(String option, List<Path> files) {
         files.forEach(file -> numbered.add(new Named(option, file, false)));
         return this;

@@ -36,7 +36,7 @@ public final class MethodOptions {
         }
     }
 
-    /** The same settings with those that were given. */
+    /** The settings with the values of the options that were given. */
     public RenderSettings applied(RenderSettings settings) {
         RenderSettings s = settings;
         for (Setter option : setters) {

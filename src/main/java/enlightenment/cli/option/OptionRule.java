@@ -6,13 +6,13 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * That options of a command must not be given together with others, or not without one of them.
+ * A rule that options exclude others, or need one of them.
  *
- * @param options what it is about: the first of these that was given is told
+ * @param options the options that the rule is about: the message names the first of these that was given
  * @param isNeed whether one of the others is needed; otherwise none of them may be given
  * @param others longest names, as all
  * @param excuse an option with which the rule does not hold; {@code ""} for none
- * @param message what is told, with {@code %s} in place of the option
+ * @param message the message, with {@code %s} in place of the option
  */
 public record OptionRule(List<String> options, boolean isNeed, List<String> others, String excuse, String message) {
     static OptionRule excludes(List<String> options, List<String> others, String message) {
@@ -23,12 +23,12 @@ public record OptionRule(List<String> options, boolean isNeed, List<String> othe
         return new OptionRule(options, true, List.of(other), "", message);
     }
 
-    /** The same rule, but for command lines with this option. */
+    /** This rule, but not for command lines with this option. */
     OptionRule unless(String option) {
         return new OptionRule(options, isNeed, others, option, message);
     }
 
-    /** What is told where the options that were given break the rule; empty if they do not. */
+    /** The message if the options that were given break the rule; empty if they do not. */
     public Optional<String> broken(Set<String> given) {
         boolean hasOther = !Collections.disjoint(others, given);
         if (hasOther != isNeed && !given.contains(excuse)) {

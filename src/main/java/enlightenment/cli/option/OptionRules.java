@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Which options of a command exclude or need others, and why. The first rule that is broken is told, before anything is looked at;
+ * The rules by which options of a command exclude or need others. The first rule that is broken is reported, before any file is read;
  * docs/guide/cli.md lists them all. What depends on an option's value stands with that option.
  */
 public final class OptionRules {

@@ -5,7 +5,7 @@ import enlightenment.scene.Scene;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** What a picture's file says of itself: nothing that differs from run to run. */
+/** The texts in a picture's file: nothing that differs from run to run. */
 public final class PictureText {
     private PictureText() {}
 
@@ -19,9 +19,10 @@ public final class PictureText {
     }
 
     /**
-     * The same for a scene of this name.
+     * Keywords and texts of a PNG file for a scene of this name.
      *
      * @param title empty for none
+     * @param settings a line of {@code SettingsLine}
      */
     public static Map<String, String> of(String title, String settings) {
         Map<String, String> text = new LinkedHashMap<>();

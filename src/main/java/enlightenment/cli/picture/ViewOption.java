@@ -72,7 +72,7 @@ public final class ViewOption {
         return image.withCurve(image.curve().withExposure(limited(stops)));
     }
 
-    /** The same; says which exposure was found. */
+    /** {@link #view(Image)}, which also prints the automatic exposure. */
     public Image view(Image image, Terminal terminal) {
         Image shown = view(image);
         if (isGiven() && exposure.stops().isEmpty()) {

@@ -65,7 +65,7 @@ public final class PreviewWriter implements RenderProgress {
         long now = clock.getAsLong();
         boolean due = (now - last) * NANO >= Math.max(period, took * NANO / SHARE);
         boolean busy = writing != null && writing.isAlive();
-        // The finished picture is written by whoever asked for it.
+        // The command writes the finished picture itself.
         if (!due || busy || failed || done == total) {
             return;
         }

@@ -140,7 +140,7 @@ public final class ServingOptions {
                     + " a token is made if there is no such file");
         }
         if (tls == null && certificate == null) {
-            terminal.say("without --tls FILE whoever is on the network can see scene and picture;"
+            terminal.say("without --tls FILE anyone on the network can see scene and picture;"
                     + " a certificate is made if there is no such file");
         }
     }

@@ -78,7 +78,7 @@ public final class WorkerCommand extends Subcommand {
     protected int execute() throws IOException {
         RenderWorker.Options options = options();
         if (pin == null && authorities == null && !isLoopback(server.host())) {
-            terminal.say("without --pin or --tls-ca whoever is on the network can see scene and picture");
+            terminal.say("without --pin or --tls-ca anyone on the network can see scene and picture");
         }
         RenderWorker.Outcome outcome = run(options);
         String said = outcome.reason() + "; " + outcome.tiles() + " tiles made here";

@@ -124,7 +124,7 @@ public final class RenderOptions {
             return Method.selectable();
         }
 
-        /** Without listing all: whoever takes one of ours does not pay for a search for others. */
+        /** Finds the method without listing all: a built-in method needs no search for services. */
         @Override
         protected Optional<Method> find(String word) {
             return Method.of(word);

@@ -21,7 +21,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code enlightenment store-export}: unpacks the samples of a render, for who wants to ask questions about them. */
+/** {@code enlightenment store-export}: unpacks the samples of a render for queries by other programs. */
 @Command(
         name = "store-export",
         description = "Unpacks the samples of a render that is in a store, into a file or a table.",

@@ -59,8 +59,8 @@ public class ShutdownSignal extends Thread implements BooleanSupplier {
     }
 
     /**
-     * Whether the process is ending by a signal, whose number becomes its exit code. Nobody else may give one then: Java 17
-     * takes a code other than 0 at once, beside that of the signal, and the faster one wins.
+     * Whether the process is ending by a signal, whose number becomes its exit code. The program must not call {@link System#exit} with
+     * another code then: Java 17 takes a code other than 0 at once, beside that of the signal, and the faster one wins.
      */
     public boolean processIsEnding() {
         return processIsEnding;

@@ -11,7 +11,7 @@ module enlightenment {
     requires static jdk.management;
     // Only server and workers need this.
     requires static tools.jackson.dataformat.cbor;
-    // Only the command line needs these; whoever embeds the library does not.
+    // Only the command line needs these; programs that embed the library do not.
     requires static info.picocli;
     requires static me.tongfei.progressbar;
     // Only charts need it, and XChart, which has no name as a module and is read from the class path.

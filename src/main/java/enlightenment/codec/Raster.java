@@ -67,7 +67,8 @@ public record Raster(int width, int height, int[] packed, char[] deep, float[] f
     /**
      * Keeps a few bytes that claim to be a large picture from taking memory for it.
      *
-     * @throws IOException if no compression makes so few bytes of so many pixels: one byte of a thousand of them, as DEFLATE's limit is
+     * @throws IOException if no compression makes {@code bytes} bytes of that many pixels: at best 1024 pixels become one byte, DEFLATE's
+     *     limit
      */
     static void checkPlausible(int width, int height, long bytes) throws IOException {
         checkSize(width, height);

@@ -66,7 +66,7 @@ public final class DisplayCurve {
         return tone;
     }
 
-    /** The same for another exposure; only for linear light. */
+    /** This curve with another exposure; only for linear light. */
     public DisplayCurve withExposure(double stops) {
         if (encoding == Color.Encoding.DISPLAY) {
             throw new IllegalStateException("display-referred pictures have no exposure");
@@ -95,7 +95,7 @@ public final class DisplayCurve {
     }
 
     /**
-     * The same to 1e-6, much faster: for the estimate of errors, which asks often.
+     * {@link #of} to 1e-6, much faster: for error estimates, which evaluate it often.
      *
      * @param value finite or infinite; NaN becomes 0
      */

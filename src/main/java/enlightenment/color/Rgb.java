@@ -38,7 +38,7 @@ public record Rgb(double r, double g, double b) implements Color {
     }
 
     /**
-     * The same number in all bands.
+     * A grey: one number in all bands.
      *
      * @throws enlightenment.math.InvalidValueException as the constructor
      */

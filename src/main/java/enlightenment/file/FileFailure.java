@@ -9,7 +9,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
-/** Failures of reading and writing, told so that whoever sees the message alone knows which file or host is meant. */
+/** Failures of reading and writing, with messages that name the file or host. */
 public final class FileFailure {
     private FileFailure() {}
 
@@ -56,7 +56,7 @@ public final class FileFailure {
         return e instanceof FileSystemException f && f.getFile() != null ? f.getFile() + ": " + reason(e) : reason(e);
     }
 
-    /** What is told of something that ended a render: of reading and writing the words, of what nobody expects its class too. */
+    /** The message of a failure that ended a render: that of I/O failures; with the class for unexpected ones. */
     public static String told(Throwable failure) {
         boolean isWrapped = failure instanceof UncheckedIOException
                 && failure.getCause().toString().equals(failure.getMessage());

@@ -6,7 +6,7 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Reads files such that whatever goes wrong, also in the middle, is told with the file's name ({@link FileFailure}). */
+/** Reads files so that every failure, also in the middle, names the file ({@link FileFailure}). */
 public final class InputFile {
     /** What kind of thing a file is, in the mode that POSIX gives it: devices of characters and of blocks. */
     private static final int KIND = 0170000;

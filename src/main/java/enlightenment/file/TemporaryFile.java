@@ -31,14 +31,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A file that becomes another one, or goes. It is called {@code .enlightenment-MACHINE-PROCESS-RANDOM.tmp} and locked as long
- * as it is in use, so that what a killed process left behind can be told from what is being written, and removed by whoever
- * writes to that folder next ({@link #clean}).
+ * A file that becomes another one, or goes. It is called {@code .enlightenment-MACHINE-PROCESS-RANDOM.tmp} and locked as long as it is in
+ * use, so that files that a killed process left behind can be distinguished from those in use, and the next process that writes to the
+ * folder can remove them ({@link #clean}).
  *
- * <p>A file is removed only if nobody holds its lock and, beyond that, its process is not alive where that can be told: on
- * this machine by its number, elsewhere by a day's age, for there are network file systems whose locks reach no further
- * than one machine. What another user owns is left alone. Creator and remover may meet: so the creator locks first and then looks whether
- * the file is still there, and the remover removes while it holds the lock.
+ * <p>A file is removed only if no process holds its lock and, beyond that, its process is not alive as far as that can be found out: on
+ * this machine by its number, elsewhere by a day's age, for there are network file systems whose locks reach no further than one machine.
+ * What another user owns is left alone. Creator and remover may meet: so the creator locks first and then looks whether the file is still
+ * there, and the remover removes while it holds the lock.
  */
 public final class TemporaryFile implements Closeable {
     private static final Pattern NAME =
@@ -101,7 +101,7 @@ public final class TemporaryFile implements Closeable {
         return name;
     }
 
-    /** False if somebody takes the file for a dead one just now. Where there are no locks, nobody removes anything. */
+    /** Locks a file; false if another process is just removing it. Where there are no locks, no process removes files. */
     private static boolean lock(FileChannel channel) {
         try {
             return channel.tryLock() != null;
@@ -196,7 +196,7 @@ public final class TemporaryFile implements Closeable {
                 removeOurs(folder, left);
             }
         } catch (IOException | DirectoryIteratorException | UnsupportedOperationException e) {
-            // It is no more than tidying: whoever cannot write there is told so when it matters.
+            // Cleaning is optional: a process that cannot write to the folder fails later, when it matters.
             return;
         }
     }

@@ -7,9 +7,9 @@ import java.awt.image.BufferedImage;
 import java.util.Objects;
 
 /**
- * A finished picture: float pixels, row by row from the top, red, green and blue interleaved, and what they mean. Those of linear
- * light become what a screen takes once, at output ({@link #displayed}). Immutable as long as nobody keeps the array that it was
- * made from.
+ * A finished picture: float pixels, row by row from the top, red, green and blue interleaved, with their display curve. Those of linear
+ * light become what a screen takes once, at output ({@link #displayed}). Immutable as long as the caller does not change the array that it
+ * was made from.
  */
 public final class Image {
     /** Twice what {@link DisplayCurve#nearly} and the roundings to floats may err by. */
@@ -126,7 +126,7 @@ public final class Image {
     }
 
     /**
-     * The same components, to be shown in another way.
+     * This picture with another display curve.
      *
      * @throws IllegalArgumentException if the curve is for components of the other kind
      */
@@ -170,8 +170,8 @@ public final class Image {
     }
 
     /**
-     * The same component as a screen takes it: as it is in a display-referred picture; linear light goes through the {@linkplain
-     * #curve curve} in double precision, then it is rounded to a float. NaN stays NaN.
+     * The component as a screen takes it. It is unchanged in a display-referred picture; linear light goes through the
+     * {@linkplain #curve curve} in double precision, then it is rounded to a float. NaN stays NaN.
      */
     public float displayed(int x, int y, int c) {
         return displayed(component(x, y, c));
@@ -198,7 +198,7 @@ public final class Image {
         return Math.abs(scaled - Math.rint(scaled)) > NEAR * maximum ? (float) near : displayed(value);
     }
 
-    /** The same picture as a screen takes it; this one if it is display-referred. */
+    /** This picture as a screen takes it; this one if it is display-referred. */
     public Image toDisplay() {
         if (encoding() == Color.Encoding.DISPLAY) {
             return this;

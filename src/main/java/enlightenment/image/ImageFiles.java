@@ -19,14 +19,13 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Reads and writes picture files, such as PNG, JPEG and OpenEXR. A file that is written appears as a whole or not at all, and its bytes depend on
- * nothing but the picture and the options: not on the machine, the JDK or the time, but for JPEG, whose encoder is the JDK's. A file's kind is told
- * by its first bytes when it is read, by its extension when it is written.
+ * Reads and writes picture files, such as PNG, JPEG and OpenEXR. A file that is written appears as a whole or not at all, and its bytes
+ * depend on nothing but the picture and the options: not on the machine, the JDK or the time, but for JPEG, whose encoder is the JDK's. A
+ * file's kind follows from its first bytes when it is read, from its extension when it is written.
  *
  * <p>All methods that read or write a file fail with an {@link IOException} whose message names the file and the reason.
  *
  * <p>All methods may be called by several threads at once. Two that write one file leave the whole of one of them.
- *
  */
 public final class ImageFiles {
     private ImageFiles() {}

@@ -50,7 +50,7 @@ public record RenderIdentity(ContentHash scene, String settings, String build) {
     }
 
     /**
-     * What differs, in words for whoever has these results and wants that render; empty if nothing does.
+     * What differs, in words for the user who has these results and wants that render; empty if nothing does.
      *
      * @param wanted the render that is to go on
      */

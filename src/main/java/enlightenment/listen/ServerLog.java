@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
- * What a server tells, a line at a time: plain text of bounded length. What anybody on the network can cause is told seldom, a
- * few lines a minute about each address and not many about all; how many were left out is told, too.
+ * The log of a server: lines of plain text of bounded length. Lines that any host on the network can cause are limited to a few a minute
+ * per address and in all; the number of lines left out is logged, too.
  */
 public final class ServerLog {
     public static final int LONGEST_LINE = 500;
@@ -29,16 +29,16 @@ public final class ServerLog {
         windowBegan = clock.getAsLong();
     }
 
-    /** Tells what those who run or know the server have caused. */
+    /** Logs a line that the operator or an authenticated worker has caused. */
     public void say(String text) {
         lines.accept(Plain.line(text, LONGEST_LINE));
     }
 
-    /** Tells what a stranger has caused, or a shortage; perhaps. */
+    /** Logs a line that an unauthenticated connection or a shortage has caused, unless the limit is reached. */
     public void seldom(String about, String text) {
         tick();
         synchronized (this) {
-            // What is told about an address is remembered for as few addresses as there are lines.
+            // The map has at most as many addresses as there are lines.
             int before = told.getOrDefault(about, 0);
             if (before == LINES_ABOUT_ONE || toldOfAll == LINES_ABOUT_ALL) {
                 leftOut++;

@@ -16,9 +16,9 @@ import java.util.concurrent.ThreadFactory;
 import java.util.function.LongSupplier;
 
 /**
- * As much of HTTP/1.1 (RFC 9112) as a page for one machine takes: requests without a body, one for each connection. Every
- * connection has an end in sight, and where there are too many the oldest is closed: whoever sends half a request, or
- * many, keeps nobody else from an answer. (The JDK's own server waits for half a request without end, with one of few threads.)
+ * As much of HTTP/1.1 (RFC 9112) as a page for one machine takes: requests without a body, one for each connection. Every connection has a
+ * deadline, and where there are too many the oldest is closed: a client that sends half a request, or many, does not keep others from an
+ * answer. (The JDK's own server waits for half a request without end, with one of few threads.)
  */
 public final class SmallHttp implements Closeable {
     /** The most connections at a time. */
@@ -167,7 +167,7 @@ public final class SmallHttp implements Closeable {
             answer.sent.run();
             drain(socket);
         } catch (IOException | RuntimeException | OutOfMemoryError e) {
-            // Nobody waits for the answer any more, or it cannot be made now: the page asks again.
+            // The client waits no longer, or the answer cannot be made now: the page asks again.
             end(socket);
         } finally {
             end(socket);
@@ -227,7 +227,7 @@ public final class SmallHttp implements Closeable {
         out.flush();
     }
 
-    /** Lets a body that nobody wanted pass, as closing over it may take the answer from who sends it. */
+    /** Reads the rest of a request: closing earlier may discard the answer that the client has not read. */
     private static void drain(Socket socket) throws IOException {
         socket.setSoTimeout(DRAIN_TIMEOUT_MILLIS);
         byte[] buffer = new byte[4 << 10];

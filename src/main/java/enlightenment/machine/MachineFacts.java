@@ -10,8 +10,8 @@ public final class MachineFacts {
     private MachineFacts() {}
 
     /**
-     * Processor time that this process has taken, of all its threads, in nanoseconds; 0 where nobody can tell. With Linux in steps of
-     * a hundredth of a second, as the management beans have it there, which take longer to load than this to ask.
+     * Processor time of all threads of this process in nanoseconds; 0 where the system does not report it. With Linux in steps of a
+     * hundredth of a second, as the management beans have it there, which take longer to load than this to ask.
      */
     public static long processorNanos() {
         return ProcessHandle.current()
@@ -21,17 +21,17 @@ public final class MachineFacts {
                 .orElse(0L);
     }
 
-    /** Processor time that the calling thread has taken, in nanoseconds; 0 where nobody can tell. */
+    /** Processor time that the calling thread has taken, in nanoseconds; 0 where the system does not report it. */
     public static long threadNanos() {
         return hasBeans() ? ManagementBeans.threadNanos() : 0;
     }
 
-    /** Runnable threads of the whole machine, in the mean of the last minute; negative where nobody can tell. */
+    /** Runnable threads of the machine, mean of the last minute; negative where the system does not report it. */
     public static double loadAverage() {
         return hasBeans() ? ManagementBeans.loadAverage() : -1;
     }
 
-    /** How many files and connections this process may have open; 0 where nobody can tell. */
+    /** How many files and connections this process may have open; 0 where the system does not report it. */
     public static long maxOpenFiles() {
         return hasBeans() ? ManagementBeans.maxOpenFiles() : 0;
     }

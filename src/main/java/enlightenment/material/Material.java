@@ -127,12 +127,12 @@ public sealed interface Material
             return new Matte(color, true);
         }
 
-        /** The same surface with another roughness. */
+        /** This surface with another roughness. */
         public Matte withRoughness(double value) {
             return new Matte(color, receivesShadows, value, radiance, ultraviolet, pattern);
         }
 
-        /** The same surface with another radiance. */
+        /** This surface with another radiance. */
         public Matte withRadiance(Rgb value) {
             return new Matte(color, receivesShadows, roughness, value, ultraviolet, pattern);
         }

@@ -5,7 +5,7 @@ import enlightenment.color.Color;
 import enlightenment.color.Rgb;
 import java.util.Objects;
 
-/** What colours a surface may have. */
+/** Checks that a surface reflects no more light than it receives. */
 final class Reflectance {
     private Reflectance() {}
 
@@ -19,7 +19,7 @@ final class Reflectance {
         }
     }
 
-    /** The same of one colour. */
+    /** {@link #check(Texture)} for one colour. */
     static void check(Color color) {
         if (color instanceof Rgb light) {
             Check.that(

@@ -47,7 +47,7 @@ final class ShortDecimal {
     }
 
     /**
-     * The same for what a text says.
+     * {@link #of(BigDecimal)} for the number in a text.
      *
      * @throws NumberFormatException for a text that {@link BigDecimal#BigDecimal(String)} refuses
      */

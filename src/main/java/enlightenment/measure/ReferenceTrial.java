@@ -12,7 +12,7 @@ import java.util.List;
  * that hardly finds it would give no reference at all. All that is tried sees the whole scene and is unbiased.
  */
 final class ReferenceTrial {
-    /** At least these many samples per pixel, and so many that no method is replaced by another. */
+    /** Least number of samples per pixel; more for methods that are replaced by another below their own least. */
     private static final double SAMPLES = 16;
 
     /** Small budgets include fixed costs, and Java may still be compiling: more trials than one, where there is time. */

@@ -4,7 +4,7 @@ import enlightenment.measure.analysis.Configuration;
 
 /** Renders without counting until Java has compiled the code, so that the first measured run does not pay for it. */
 final class WarmUp {
-    /** At least these many, and so many that no method is replaced by another. */
+    /** Least number of samples per pixel; more for methods that are replaced by another below their own least. */
     private static final double SAMPLES = 4;
 
     /** Ends after this share of the budget, at most after this many seconds. Measured: fire and ice needs three to four. */

@@ -48,9 +48,9 @@ public final class Arcs {
     }
 
     /**
-     * The same for t = 1 − cos θ in 0..1/2. The polynomial goes through 1 + t q(t) = acos(1 − t)/√(t (2 − t)) at the zeros of Chebyshev's
-     * polynomial of degree 14 in that range: its relative error is below 1.3·10⁻¹⁷, that of the rounded coefficients included. Even and odd
-     * powers apart, as that halves the time until the sum is there.
+     * {@link #overSine} of t = 1 − cos θ in 0..1/2. The polynomial goes through 1 + t q(t) = acos(1 − t)/√(t (2 − t)) at the zeros of
+     * Chebyshev's polynomial of degree 14 in that range: its relative error is below 1.3·10⁻¹⁷, that of the rounded coefficients included.
+     * Even and odd powers apart, as that halves the time until the sum is there.
      */
     private static double nearOne(double t) {
         double z = t * t;

@@ -2,7 +2,7 @@ package enlightenment.numeric;
 
 import java.util.stream.LongStream;
 
-/** Sums of counts, of which nobody knows how large they are. */
+/** Sums of counts that saturate where they overflow. */
 public final class Counts {
     private Counts() {}
 

@@ -45,7 +45,7 @@ public final class MedianCut {
      * @param items orders these from {@code from} on and before {@code to}
      * @param place from {@code from} on and before {@code to}
      * @param along an item's coordinate, not NaN
-     * @param passes is told before each pass how many items it looks at; may throw
+     * @param passes receives the number of items before each pass over them; may throw
      */
     public static void select(int[] items, int from, int to, int place, IntToDoubleFunction along, IntConsumer passes) {
         int low = from;

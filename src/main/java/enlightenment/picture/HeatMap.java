@@ -63,7 +63,7 @@ public final class HeatMap {
     }
 
     /**
-     * The same with a scale below it that runs from 0 to 1 over the picture's width: 15 rows, or 30 from 400 columns on. A
+     * {@link #of(Flip)} with a scale below it that runs from 0 to 1 over the picture's width. It has 15 rows, or 30 from 400 columns on. A
      * picture of less than 32 columns gets none.
      */
     public static Image withScale(Flip flip) {

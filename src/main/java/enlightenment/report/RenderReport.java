@@ -56,7 +56,7 @@ public record RenderReport(
      * @param accepted those of them that were of the kind sought; of chains steps that were made
      * @param rounding root mean square of what rounding to the depth of the budget changes; 0 where there is none
      * @param rounds how often the picture was rendered: more than once where it was not as exact as asked
-     * @param light what is told of linear light beside that; empty for display-referred pictures
+     * @param light the error of linear light beside that; empty for display-referred pictures
      */
     public record Sampling(
             Method method,
@@ -183,7 +183,7 @@ public record RenderReport(
         return ranOut ? "time" : decisive;
     }
 
-    /** The same report for a file with another root mean square of what rounding changes. */
+    /** This report with another root mean square of the rounding of its file. */
     public RenderReport withRounding(double rounding) {
         return with(sampling.with(rounding), phases);
     }

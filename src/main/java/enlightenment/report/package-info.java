@@ -1,2 +1,2 @@
-/** What is told of a render that is over: {@link enlightenment.report.RenderReport}, numbers and words only. */
+/** Reports of renders that are over: {@link enlightenment.report.RenderReport}, numbers and words only. */
 package enlightenment.report;

@@ -95,9 +95,9 @@ final class DirectionMap {
     }
 
     /**
-     * The same with less light.
+     * This map with its radiance multiplied by a share.
      *
-     * @param share what is left, by band
+     * @param share the factor, by band
      * @throws IOException if there is not enough memory
      */
     DirectionMap filtered(Rgb share) throws IOException {

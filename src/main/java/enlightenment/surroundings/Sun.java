@@ -72,7 +72,7 @@ public final class Sun {
         return (r + g + b) * solidAngle;
     }
 
-    /** The same disk behind something that leaves this share of each band. */
+    /** This disk with its radiance multiplied by a share of each band. */
     Sun filtered(Rgb share) {
         return new Sun(new Vec3(x, y, z), radius, share.times(new Rgb(r, g, b)));
     }

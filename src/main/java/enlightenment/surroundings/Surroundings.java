@@ -205,9 +205,9 @@ public final class Surroundings {
     }
 
     /**
-     * The same light behind something that takes a share of each band.
+     * These surroundings with their radiance multiplied by a share.
      *
-     * @param share what is left, by band
+     * @param share the factor, by band
      */
     public Surroundings filtered(Rgb share) {
         return of(() -> map.filtered(share), 360 * rotation, null)

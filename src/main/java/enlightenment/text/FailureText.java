@@ -10,7 +10,7 @@ public final class FailureText {
      * What went wrong, with the name once: {@code store s.db: REASON}, also where the failure says {@code s.db: REASON}.
      *
      * @param name what it is called, or its kind and that
-     * @param failure of reading and writing only the message is told, of what nobody expects its class too
+     * @param failure of I/O failures the text has the message only, of unexpected ones the class too
      */
     public static String of(String name, Throwable failure) {
         String why = failure instanceof IOException && failure.getMessage() != null

@@ -59,7 +59,7 @@ public final class ImageTexture {
         }
     }
 
-    /** The same picture as light: each texel is decoded before anything is interpolated. */
+    /** This texture as linear light: each texel is decoded before anything is interpolated. */
     public ImageTexture decoded() {
         return new ImageTexture(this);
     }

@@ -130,7 +130,7 @@ final class ToolRun {
                     }
                 }
             } catch (IOException e) {
-                // The program was killed: nobody reads what it said.
+                // The program was killed: its output is not needed.
                 return;
             }
         }

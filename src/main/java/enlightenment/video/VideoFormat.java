@@ -55,7 +55,7 @@ public enum VideoFormat {
         return "film." + extensions.get(0);
     }
 
-    /** What ffmpeg is told between input and output. */
+    /** The arguments of ffmpeg between input and output. */
     List<String> arguments() {
         return arguments;
     }

@@ -35,7 +35,7 @@ final class PictureCanvas extends JComponent {
         setZoom(Math.min(fitting < 1 ? Math.min(1, fitting / SHARE * 0.9) : Math.floor(fitting), MOST_TIMES));
     }
 
-    /** Asks for the room that the picture takes so many times as large. */
+    /** Sets the preferred size to the picture's, times a factor. */
     private void setZoom(double times) {
         setPreferredSize(new Dimension(
                 Math.max((int) Math.round(times * image.getWidth()), 1),

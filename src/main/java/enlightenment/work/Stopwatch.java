@@ -41,7 +41,7 @@ public final class Stopwatch {
         return processors.getAsLong() * NANO;
     }
 
-    /** Processor time that the calling thread has taken since any moment, in seconds; always 0 where nobody can tell. */
+    /** Processor time of the calling thread since any moment, in seconds; 0 where the system does not report it. */
     public static double threadSeconds() {
         return MachineFacts.threadNanos() * NANO;
     }

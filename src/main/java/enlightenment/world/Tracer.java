@@ -57,7 +57,7 @@ public final class Tracer {
     /** The primitives that camera rays of the current tile may hit. */
     private final RaySearch tile;
 
-    /** The same object as {@link #tile} if it is a list, else null. */
+    /** {@link #tile} if it is a list, else null. */
     private final PrimitiveList tileList;
 
     /** The indices of lights that camera rays of the current tile may hit. */

@@ -8,10 +8,10 @@ import enlightenment.method.cluster.EffortSearch;
 
 /** The allocation of a block, with an effort for which its camera rays stay within limits, if there are any. */
 final class BlockAllocation {
-    /** A look takes one of so many samples. */
+    /** A look takes at most one sample for this many of the block's own. */
     private static final int WORTH_A_LOOK = 16;
 
-    /** Binary logarithm of the most samples per pixel of a look: they are no part of the picture. */
+    /** Binary logarithm of the largest number of samples per pixel of a look: they are no part of the picture. */
     private static final int MOST_APART = 2;
 
     private final double samples;
@@ -47,7 +47,7 @@ final class BlockAllocation {
         return Math.max(Math.min(Math.getExponent(limits.mean() / WORTH_A_LOOK), MOST_APART), -1);
     }
 
-    /** A mean that makes them so many; not at the end of the range that does. */
+    /** A mean of the block's samples per pixel, inside the range for which {@link #apart} returns this. */
     static double samplesFor(int apart) {
         return Math.scalb(1.0, apart) * (WORTH_A_LOOK + WORTH_A_LOOK / 2);
     }

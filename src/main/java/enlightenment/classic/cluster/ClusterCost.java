@@ -34,9 +34,8 @@ public final class ClusterCost implements EffortCost {
     private static final double OF_EMPTY = 1 + 1.0 / (FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE);
 
     /**
-     * Of so many blocks a single one changes little, whatever none of them showed when they were tried: no pixel takes more than so many
-     * times the mean. What fewer blocks take is limited for each, if they are few of the picture's, so that looking at them apart costs
-     * little, or very few.
+     * With this many non-empty blocks a single one changes the total little. A pixel takes at most this many times the mean. With fewer
+     * blocks each gets limits of its own, if they cover little of the picture or are very few, so that looking at them apart costs little.
      */
     private static final int MANY = 64;
 
@@ -63,7 +62,7 @@ public final class ClusterCost implements EffortCost {
     }
 
     /**
-     * The same, unless it is cancelled.
+     * The cost judged by {@code blocks} blocks, with a cancellation check.
      *
      * @param cancelled once true, nothing more is surveyed, and there is no effort
      */

@@ -82,7 +82,7 @@ final class ClusterGuide implements LightGuide {
         return any;
     }
 
-    /** The same of one cluster; 1 if it proposes nothing. */
+    /** The gain that one cluster's proposals are judged to have; 1 if it proposes nothing. */
     double gain(int surface, int light, int bounce) {
         ClusterProposal c = find(surface, light, bounce);
         return c == null ? 1 : c.judgedGain();

@@ -96,9 +96,11 @@ public final class ClusterMethod implements TileIntegrator {
     }
 
     /**
-     * The same, showing the clusters of each block when it is done.
+     * The method with a listener that receives the clusters of each block when it is done.
      *
-     * @param clusters called from the thread that renders; null for nobody
+     * @param effort how much is spent: the inverse of the smallest reduction of variance for which one more sample is taken
+     * @param samples the camera rays per pixel that this is expected to take: a share of them goes everywhere
+     * @param clusters called from the thread that renders; null without a listener
      */
     public ClusterMethod(
             CompiledScene scene,

@@ -15,10 +15,13 @@ final class Evidence {
     /** How much more a touching pixel tells than one that is further away. */
     private static final double NEAR = 8;
 
-    /** Of what others hide, how much a pixel needs: {@link SampleDemand} counts an edge about six times what it leaves of variance. */
+    /**
+     * What a pixel needs of the variance that others hide, where its corners agree. {@link SampleDemand} counts an edge about six times
+     * what it leaves of variance.
+     */
     private static final double OF_QUIET = 6;
 
-    /** The same of pixels whose corners differ; their own corners tell more about most of them. */
+    /** {@link #OF_QUIET} for pixels whose corners differ; their own corners predict most of them better. */
     private static final double OF_EDGE = 1;
 
     /** How much a sample counts whose path met just what the corners' did: colours that bend are no edges. */

@@ -37,7 +37,7 @@ final class SampleDemand {
     /** Per pixel of the block, row by row of 8. */
     final double[] film = new double[FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE];
 
-    /** The same for what an edge makes it vary that passes through the pixel, or may pass through it unseen. */
+    /** By pixel as {@link #film}: variance from an edge through the pixel, also from one that no corner shows. */
     final double[] edge = new double[FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE];
 
     final double[] light = new double[FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE];

@@ -227,7 +227,7 @@ final class ClassicDirectLight {
         }
     }
 
-    /** The same without a closed form: the mean over light points. */
+    /** {@link #meanCosine(ClassicLight, double, Sampler)} without a closed form: the mean over light points. */
     private double sampledCosine(Emitter emitter, Sampler sampler, int count, double blockedFactor, boolean rays) {
         double sum = 0;
         double cosines = 0;
@@ -260,7 +260,7 @@ final class ClassicDirectLight {
         return (double) blocked / count;
     }
 
-    /** The same with light points that the guide samples, by importance sampling weights. */
+    /** {@link #blockedShare} estimated with light points that the guide proposes, by their importance weights. */
     private double guidedShare(Emitter emitter, Sampler sampler, int count) {
         double sum = 0;
         for (int j = 0; j < count; j++) {
@@ -279,7 +279,7 @@ final class ClassicDirectLight {
         return guide.wantsBlocked() ? share : 1 - share;
     }
 
-    /** What is known without a ray of so many light points. */
+    /** The visibility of {@code points} light points as far as it is known without a ray. */
     private Tracer.Visibility visibility(int points) {
         int count = 0;
         if (neverReturnsTo(hit)) {

@@ -50,7 +50,7 @@ public final class ClassicShader implements Shader {
     }
 
     /**
-     * A shader for who looks at colours only, not at its {@link #report}: the cheapest way to the same colours is taken.
+     * A shader for callers that read colours only, not the {@link #report}. It takes the cheapest way to equal colours.
      *
      * @param scene what is seen
      * @param lightPoints the number of points of each light at each hit

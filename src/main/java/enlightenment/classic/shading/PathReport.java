@@ -45,7 +45,7 @@ public final class PathReport {
 
     private boolean keepsRays;
 
-    /** Whether anybody reads this; if not, it stays empty. */
+    /** Whether a caller reads this report; otherwise it stays empty. */
     private boolean isRead = true;
 
     PathReport() {}
@@ -55,7 +55,7 @@ public final class PathReport {
         keepsRays = true;
     }
 
-    /** Leaves this empty from now on: nobody will read it. */
+    /** Leaves this report empty from now on. */
     void stayEmpty() {
         isRead = false;
     }

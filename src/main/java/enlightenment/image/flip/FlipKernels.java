@@ -85,7 +85,7 @@ final class FlipKernels {
         return sum;
     }
 
-    /** The same array, its positive weights scaled to the sum 1 and its negative ones to −1. */
+    /** Scales the positive weights to the sum 1 and the negative ones to −1, in place. */
     private static double[] normalized(double[] weights) {
         double positive = 0;
         double negative = 0;

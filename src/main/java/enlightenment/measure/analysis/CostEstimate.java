@@ -61,7 +61,7 @@ public record CostEstimate(
         return source == Source.BELOW || error < CLOSE * target;
     }
 
-    /** The same cost with the error that the budget gives as the target. */
+    /** This cost with the error that the budget gives as the target. */
     CostEstimate atItsOwnError() {
         return new CostEstimate(configuration, error, samples, error, wall, cpu, flip, source, from);
     }

@@ -66,7 +66,7 @@ public record TradeRun(
         return meanSquaredDifference > 0 && referenceVariance <= MOST_OF_REFERENCE * meanSquaredDifference;
     }
 
-    /** The same run with the times of a repetition, whose image is the same to the last bit. */
+    /** This run with the times of a repetition, whose image is equal to the last bit. */
     public TradeRun withTimes(double wall, double cpu) {
         return new TradeRun(
                 kind,

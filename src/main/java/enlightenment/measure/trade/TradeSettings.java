@@ -77,7 +77,7 @@ public record TradeSettings(
         }
     }
 
-    /** The usual value of {@link #budgetSeconds} for so many methods: 90 for one or two, 45 more for each further one. */
+    /** The usual {@link #budgetSeconds} for a number of methods: 90 for one or two, 45 more for each further one. */
     public static double budgetSeconds(int methods) {
         return Math.max(SECONDS_PER_METHOD * methods, FEWEST_SECONDS);
     }
@@ -92,27 +92,27 @@ public record TradeSettings(
                 shading, base, methods, budgetSeconds(methods.size()), SEEDS, List.of(), Optional.empty(), sceneKey);
     }
 
-    /** The same with another list of {@link #methods}. */
+    /** These settings with another list of {@link #methods}. */
     public TradeSettings withMethods(List<String> methods) {
         return new TradeSettings(shading, base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
     }
 
-    /** The same with another {@link #budgetSeconds}. */
+    /** These settings with another {@link #budgetSeconds}. */
     public TradeSettings withBudgetSeconds(double budgetSeconds) {
         return new TradeSettings(shading, base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
     }
 
-    /** The same with another number of {@link #seeds}. */
+    /** These settings with another number of {@link #seeds}. */
     public TradeSettings withSeeds(int seeds) {
         return new TradeSettings(shading, base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
     }
 
-    /** The same with other {@link #sweeps}. */
+    /** These settings with other {@link #sweeps}. */
     public TradeSettings withSweeps(List<Sweep> sweeps) {
         return new TradeSettings(shading, base, methods, budgetSeconds, seeds, sweeps, reference, sceneKey);
     }
 
-    /** The same with a given {@link #reference}. */
+    /** These settings with a given {@link #reference}. */
     public TradeSettings withReference(Image reference) {
         return new TradeSettings(
                 shading, base, methods, budgetSeconds, seeds, sweeps, Optional.of(reference), sceneKey);

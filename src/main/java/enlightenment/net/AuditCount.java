@@ -12,18 +12,18 @@ import java.util.List;
  * @param where the numbers of the tiles or frames that are missing, in ascending order
  */
 record AuditCount(int due, int missing, boolean isOfFilm, List<Integer> where) {
-    /** Nothing was to be audited. */
+    /** The count of a render without audits. */
     static final AuditCount NONE = new AuditCount(0, 0, false, List.of());
 
     /** As many numbers as a line of a log has room for. */
     private static final int MOST_SHOWN = 20;
 
-    /** Those of one picture. */
+    /** The count of the tiles of one picture. */
     static AuditCount ofTiles(List<Integer> due, List<Integer> missing) {
         return new AuditCount(due.size(), missing.size(), false, missing);
     }
 
-    /** What is missing, as a sentence without full stop. */
+    /** The missing audits as a sentence without full stop. */
     String sentence() {
         List<String> shown = new ArrayList<>(
                 where.stream().limit(MOST_SHOWN).map(String::valueOf).toList());

@@ -142,7 +142,7 @@ final class Coordination implements ServerConnection.Host {
         }
     }
 
-    /** Something in this process went wrong: the render ends. */
+    /** Ends the render because of a failure in this process. */
     synchronized void failed(Throwable thrown) {
         failure = thrown;
         notifyAll();
@@ -269,7 +269,7 @@ final class Coordination implements ServerConnection.Host {
         return isFinished || lastWord != null || failure != null;
     }
 
-    /** What went wrong in this process; null for nothing. */
+    /** The failure in this process that ended the render; null without one. */
     synchronized Throwable failure() {
         return failure;
     }
@@ -279,7 +279,7 @@ final class Coordination implements ServerConnection.Host {
         return isFinished;
     }
 
-    /** How far it is. */
+    /** The state of the render at this moment. */
     synchronized Snapshot snapshot() {
         return coordinator.snapshot(System.nanoTime());
     }
@@ -289,12 +289,12 @@ final class Coordination implements ServerConnection.Host {
         return coordinator.auditsDue();
     }
 
-    /** Those among them that rest on the word of one machine. */
+    /** Tiles of {@link #auditsDue} that no second machine has rendered. */
     synchronized List<Integer> auditsMissing() {
         return coordinator.auditsMissing();
     }
 
-    /** The machines whose word counts no longer. */
+    /** The machines whose results are not trusted any more. */
     synchronized Set<Origin.Peer> expelled() {
         return coordinator.expelled();
     }

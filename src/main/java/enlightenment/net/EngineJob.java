@@ -76,7 +76,7 @@ public final class EngineJob implements Closeable {
         return new EngineJob(job, film);
     }
 
-    /** What {@link #makers} needs, wherever that is: first the job's hash and the canary's, then contents. */
+    /** The input of {@link #makers} on any machine: first the job's hash and the canary's, then contents. */
     public List<byte[]> contents() {
         List<byte[]> all = new ArrayList<>(List.of(job.hash().toBytes(), canary.toBytes()));
         job.content().hashes().forEach(hash -> all.add(job.content().content(hash)));
@@ -84,7 +84,7 @@ public final class EngineJob implements Closeable {
     }
 
     /**
-     * Makes tiles of the same render, from what {@link #contents} gave on some other machine. Nothing is read from disks.
+     * Makers of this render's tiles, from the {@link #contents} of a job on another machine. They read no files.
      *
      * @return gives each thread its own maker, which makes of a tile's number the bytes for {@link #put}: the same on every
      *     machine, however often and in whatever order; an {@link IndexOutOfBoundsException} if there is no such tile
@@ -143,7 +143,7 @@ public final class EngineJob implements Closeable {
         job.tick();
     }
 
-    /** Tells how far it is. */
+    /** Reports the pixels done to a listener. */
     public void show(RenderProgress progress) {
         progress.progress(film.pixelsDone(), film.pixels(), film::image);
     }

@@ -162,7 +162,7 @@ final class FilmQueue {
         return latest;
     }
 
-    /** What is true of many frames is said once. */
+    /** Logs notes about a frame, unless an earlier frame had equal ones. */
     private void tell(int number, List<String> said) {
         for (String note : said) {
             if (notes.add(note)) {

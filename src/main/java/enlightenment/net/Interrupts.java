@@ -3,8 +3,8 @@ package enlightenment.net;
 import java.util.function.BooleanSupplier;
 
 /**
- * Takes an interrupt of the calling thread for a cancellation, and keeps it until all is closed: an interrupted thread could not
- * write the last of a checkpoint. Asked by that thread only.
+ * A cancellation check that treats an interrupt of the calling thread as a cancellation. It clears the interrupt until {@link #restore}, as
+ * an interrupted thread could not write the end of a checkpoint. For use by that thread only.
  */
 final class Interrupts implements BooleanSupplier {
     private final BooleanSupplier cancelled;

@@ -11,7 +11,7 @@ import enlightenment.scene.RenderSettings;
 import java.util.List;
 
 /**
- * What is kept of a frame that is planned.
+ * The plan of a frame, and its share of the film's resources.
  *
  * @param outline what is rendered
  * @param course its render
@@ -50,7 +50,7 @@ record PlannedFrame(RenderOutline outline, RenderCourse course, long pixels, int
         return new PlannedFrame(outline, render.course(), pixels, ahead, (int) Math.max(1, group));
     }
 
-    /** All frames of a film. */
+    /** The frames of a film as its assemblies need them. */
     record All(List<PlannedFrame> frames) implements FrameAssemblies.Frames {
         @Override
         public long pixels(int frame) {

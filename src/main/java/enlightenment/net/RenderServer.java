@@ -82,7 +82,7 @@ public final class RenderServer implements Closeable {
         return first.statusPort();
     }
 
-    /** What a worker may pin: the SHA-256 of the server's certificate, 64 hexadecimal digits; empty without TLS. */
+    /** The certificate that a worker may pin: the SHA-256 of the server's certificate, 64 hexadecimal digits; empty without TLS. */
     public String pin() {
         return first.pin();
     }
@@ -134,7 +134,7 @@ public final class RenderServer implements Closeable {
      * @param where the numbers of the tiles that are missing, in ascending order; of a film those of the frames that have any
      */
     public record AuditReport(int due, int missing, boolean isOfFilm, List<Integer> where) {
-        /** Nothing was to be audited. */
+        /** The report of a render without audits. */
         public static final AuditReport NONE = new AuditReport(0, 0, false, List.of());
 
         /** {@code where} may not be null. */
@@ -179,14 +179,14 @@ public final class RenderServer implements Closeable {
          * @param settings how it is rendered; without a budget of time, which is planned anew each time
          */
         public record Frame(Scene scene, RenderSettings settings) {
-            /** Nothing may be null. */
+            /** Neither may be null. */
             public Frame {
                 Objects.requireNonNull(scene, "scene");
                 Objects.requireNonNull(settings, "settings");
             }
         }
 
-        /** Takes finished frames. */
+        /** Receives finished frames. */
         @FunctionalInterface
         public interface Sink {
             /**
@@ -251,7 +251,7 @@ public final class RenderServer implements Closeable {
             return first.statusPort();
         }
 
-        /** What a worker may pin: the SHA-256 of the server's certificate, 64 hexadecimal digits; empty without TLS. */
+        /** The certificate that a worker may pin: the SHA-256 of the server's certificate, 64 hexadecimal digits; empty without TLS. */
         public String pin() {
             return first.pin();
         }
@@ -284,7 +284,7 @@ public final class RenderServer implements Closeable {
             }
         }
 
-        /** Gives what is whole to the sink. */
+        /** Passes finished frames to the sink. */
         private void give(FilmQueue.Round now, Sink sink) throws IOException {
             FrameAssemblies film = now.film();
             for (var whole = film.takeWhole(); whole.isPresent(); whole = film.takeWhole()) {

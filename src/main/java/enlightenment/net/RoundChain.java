@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 final class RoundChain {
     private static final long PAUSE_MILLIS = 200;
 
-    /** How often a round tries to listen where the one before did. */
+    /** How often a round tries to listen at the port of the one before. */
     private static final int TRIES = 50;
 
     private ServerRound latest;
@@ -31,7 +31,7 @@ final class RoundChain {
      * Ends the latest round and begins the next one.
      *
      * @param job makes the next round's job, afresh for each attempt
-     * @return null if that cannot be, or all was stopped
+     * @return null if the port cannot be had, or the chain was stopped
      */
     ServerRound follow(Supplier<ServerJob> job) {
         ServerRound before = latest();

@@ -62,7 +62,7 @@ public final class ServerOptions {
     final Timing timing;
     final Path keytool;
 
-    /** Where finished pixels may be. */
+    /** The places where finished pixels may be: memory, or a scratch file. */
     final FilmRoom room;
 
     private ServerOptions(Builder b) {
@@ -251,13 +251,13 @@ public final class ServerOptions {
             return this;
         }
 
-        /** Where a picture is kept while it is made, if it is too large for the memory; without it such a picture is refused. */
+        /** The folder for a picture that is too large for the memory; without one such a picture is refused. */
         public Builder scratch(RenderRequest.ScratchFolder folder) {
             room = PictureRoom.of(Optional.of(folder));
             return this;
         }
 
-        /** How many threads render in this process, at least 0; 0 for none as long as there are workers. */
+        /** The number of threads that render in this process; with 0 none do as long as there are workers. */
         public Builder localThreads(int threads) {
             localThreads = threads;
             return this;
@@ -290,7 +290,7 @@ public final class ServerOptions {
             return this;
         }
 
-        /** Hears what happens, a line at a time, from several threads and sometimes under a lock: it should return soon. */
+        /** A listener that receives log lines, from several threads and sometimes under a lock: it should return soon. */
         public Builder log(Consumer<String> log) {
             this.log = Objects.requireNonNull(log);
             return this;
@@ -302,7 +302,7 @@ public final class ServerOptions {
             return this;
         }
 
-        /** Makes the threads of connections and of the server itself; for tests. */
+        /** The factory of the threads of connections and of the server itself; for tests. */
         Builder threads(ThreadFactory threads) {
             this.threads = threads;
             return this;
@@ -378,7 +378,7 @@ public final class ServerOptions {
                 .build();
     }
 
-    /** Where the secrets are. */
+    /** The files of the server's secrets. */
     Secrets.Sources secrets() {
         return new Secrets.Sources(tokenFile, certificate, privateKey, makesCertificate, keytool);
     }

@@ -120,12 +120,12 @@ final class ServerRound implements StatusSource {
         return status == null ? -1 : status.port();
     }
 
-    /** What a worker may pin; empty without TLS. */
+    /** The hash of the certificate that a worker may pin; empty without TLS. */
     String pin() {
         return coordination.secrets().pin();
     }
 
-    /** What is to be done now and then while workers render. */
+    /** Work of the waiting thread, done now and then while workers render. */
     @FunctionalInterface
     interface Chore {
         void run() throws IOException;
@@ -185,7 +185,7 @@ final class ServerRound implements StatusSource {
         coordination.tick(now, all);
     }
 
-    /** What is rendered. */
+    /** The job that is rendered. */
     ServerJob job() {
         return job;
     }
@@ -199,12 +199,12 @@ final class ServerRound implements StatusSource {
         return coordination.auditsDue();
     }
 
-    /** Those among them that rest on the word of one machine. */
+    /** Tiles of {@link #auditsDue} that no second machine has rendered. */
     List<Integer> auditsMissing() {
         return coordination.auditsMissing();
     }
 
-    /** How far it is. */
+    /** The state of the render at this moment. */
     Snapshot snapshot() {
         return coordination.snapshot();
     }

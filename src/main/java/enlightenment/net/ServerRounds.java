@@ -15,7 +15,7 @@ final class ServerRounds {
     private final RoundChain chain;
     private ServedPicture picture;
 
-    /** Of the picture that is the best so far. */
+    /** The audits of the best picture so far. */
     private AuditCount audits = AuditCount.NONE;
 
     ServerRounds(ServerRound first, ServedPicture picture) {
@@ -94,7 +94,7 @@ final class ServerRounds {
         return further;
     }
 
-    /** Says so if something would have to follow; null. */
+    /** Logs that the render was stopped if a further round would follow. Returns null. */
     private DividedRender notBegun(Rendered result) {
         if (picture.render().course().next(result, why -> {}).isPresent()) {
             sayStopped(result);
@@ -106,7 +106,7 @@ final class ServerRounds {
         chain.latest().say(Rounds.stopped(best.report()));
     }
 
-    /** What has to follow; null if nothing has, or it is stopped before that is planned. */
+    /** The render of the next round; null if none follows, or its planning was cancelled. */
     private DividedRender more(Rendered result, ServerRound round) {
         try {
             return picture.render().next(result, round::say).orElse(null);

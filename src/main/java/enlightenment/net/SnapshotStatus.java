@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What a status page shows of a server; docs/guide/distributed.md lists the names of its figures. */
+/** The figures of a server on its status page; docs/guide/distributed.md lists the names of its figures. */
 final class SnapshotStatus {
     private SnapshotStatus() {}
 

@@ -103,7 +103,7 @@ public final class FilmContent {
     }
 
     /**
-     * What a job is of.
+     * The pictures that a job renders.
      *
      * @param frames its pictures, at least one
      * @param isFilm whether the job is a film, if only of one picture: its units are not those of that picture

@@ -143,15 +143,15 @@ public final class JobContent {
         return contents.get(hash);
     }
 
-    /** What a job's document says. */
+    /** The parts of a job's document. */
     public record Document(Scene scene, RenderSettings settings, RenderPlan plan) {}
 
     /**
      * Reads a job's document.
      *
      * @param files the files that there are, by their hashes
-     * @param threads what the settings are to say of threads
-     * @throws IOException if it makes no sense; the message says why
+     * @param threads the number of threads for the settings
+     * @throws IOException if it is not valid; the message says why
      */
     public static Document read(byte[] document, SceneReader.NamedFiles files, String build, int threads)
             throws IOException {
@@ -174,7 +174,7 @@ public final class JobContent {
         }
     }
 
-    /** What is said of a document whose bytes end within a value, or are no text where one is due. */
+    /** The failure for a document that ends within a value, or has no text where one is due. */
     static IOException senseless(IOException e) {
         return new IOException(
                 "this is no job: " + (e instanceof EOFException ? "it ends too early" : e.getMessage()), e);

@@ -49,7 +49,7 @@ public final class PartFile implements Closeable {
         left = tiles;
     }
 
-    /** What a part is a part of: part {@code part} of {@code parts}, and what the picture's file is to say of itself. */
+    /** The header of a part: part {@code part} of {@code parts}, with the texts for the picture's file. */
     public record Head(ContentHash job, RenderOutline outline, Map<String, String> text, int part, int parts) {}
 
     /** A tile. */
@@ -126,7 +126,7 @@ public final class PartFile implements Closeable {
         }
     }
 
-    /** What a file is whose numbers, one by one or together, cannot be right, although nothing is missing. */
+    /** The failure for a file with numbers that cannot be right, although none is missing. */
     private static IOException senseless(Path file, Exception e) {
         return new IOException(file + ": makes no sense: " + e.getMessage(), e);
     }

@@ -4,7 +4,7 @@ import enlightenment.engine.FilmRoom;
 import enlightenment.render.RenderRequest;
 import java.util.Optional;
 
-/** Where pictures may be that are put together of results from elsewhere. */
+/** Places for the pixels of pictures that are assembled from other machines' results. */
 public final class PictureRoom {
     private PictureRoom() {}
 

@@ -10,7 +10,7 @@ public interface TileData {
     /** The hash of {@link #bytes()} but for its counters, computed on this machine: never what the sender says. */
     ContentHash hash();
 
-    /** Makes results of bytes. */
+    /** Makes tile data from a result's bytes. */
     @FunctionalInterface
     interface Maker {
         /** @param bytes a result of this unit without problems */

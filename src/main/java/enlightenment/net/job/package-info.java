@@ -1,2 +1,2 @@
-/** What is rendered, as bytes that are the same wherever they are made: scene, settings and plan, tiles, and files of parts. */
+/** Jobs as bytes that are equal wherever they are made: scene, settings and plan, tiles, and files of parts. */
 package enlightenment.net.job;

@@ -11,7 +11,7 @@ final class PartResults implements Closeable {
     private final int[] units;
     private final long[] places;
 
-    /** Of each result; negative while it is missing. */
+    /** By index in {@link #units}, the length of the result; negative while it is missing. */
     private final int[] lengths;
 
     private final ScratchFile file;

@@ -80,7 +80,7 @@ public final class RenderParts {
         }
     }
 
-    /** What another part's render has made is not lost by a number that was forgotten in a name. */
+    /** Refuses to replace another part's file, whose name may lack a number by mistake. */
     private static void requireSamePart(Path file, int part, int parts) throws IOException {
         PartFile.Head there = headOf(file);
         if (there != null && !(there.part() == part && there.parts() == parts)) {
@@ -136,11 +136,11 @@ public final class RenderParts {
     }
 
     /**
-     * What parts make together.
+     * The picture that parts make together.
      *
      * @param result the picture and its report; its counts are those of a render at once
-     * @param text what the picture's file is to say of itself
-     * @param missing what is missing, in words; empty if nothing is
+     * @param text the texts for the picture's file
+     * @param missing the missing parts, in words; empty if there are none
      */
     public record Merged(RenderResult result, Map<String, String> text, List<String> missing) {}
 

@@ -6,10 +6,9 @@ import enlightenment.text.Plain;
 import java.util.List;
 
 /**
- * What server and worker say to each other. No text in a message can do harm where it is shown: constructors make it {@linkplain
- * Plain plain}, on either side. A message is a CBOR array: its kind, then the components of the record in
- * their order ({@link MessageCodec}). Constructors refuse what no honest peer sends, so that a decoded message needs no
- * further checks of form.
+ * A message between server and worker. No text in a message can do harm where it is shown: constructors make it {@linkplain Plain plain},
+ * on either side. A message is a CBOR array: its kind, then the components of the record in their order ({@link MessageCodec}).
+ * Constructors refuse what no honest peer sends, so that a decoded message needs no further checks of form.
  *
  * <p>Records with arrays do not copy them: a message is made, sent and forgotten.
  */

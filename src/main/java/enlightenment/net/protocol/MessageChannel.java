@@ -21,7 +21,7 @@ public final class MessageChannel implements Closeable {
     private static final int BUFFER = 1 << 16;
     private static final long MILLI = 1_000_000L;
 
-    /** How long a channel stays open for the other side to read the last word. */
+    /** How long a channel stays open for the other side to read the last message. */
     private static final long FAREWELL_TIMEOUT_NANOS = 2_000 * MILLI;
 
     private final Socket plain;

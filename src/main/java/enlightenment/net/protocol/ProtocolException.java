@@ -2,7 +2,7 @@ package enlightenment.net.protocol;
 
 import java.io.IOException;
 
-/** What came over the wire is not what the protocol allows; the message says what and why. */
+/** A violation of the protocol; the message says what was received and what is wrong with it. */
 public final class ProtocolException extends IOException {
     private static final long serialVersionUID = 1L;
 
@@ -21,7 +21,7 @@ public final class ProtocolException extends IOException {
         this.isAboutTls = isAboutTls;
     }
 
-    /** What came is the begin of TLS, where none is spoken. */
+    /** The exception for a peer that begins with TLS, where none is spoken. */
     static ProtocolException tls() {
         return new ProtocolException("the other side speaks TLS here", null, true);
     }

@@ -3,7 +3,7 @@ package enlightenment.net.schedule;
 import enlightenment.checkpoint.Origin;
 import enlightenment.net.job.TileData;
 
-/** What a {@link Coordinator} wants done, in this order. */
+/** An action that a {@link Coordinator} demands; the actions of an event are to be done in order. */
 public sealed interface Action {
     /** Tell the worker to render the tiles {@code first} (included) to {@code last} (excluded). */
     record Grant(long worker, long lease, int first, int last) implements Action {}
@@ -20,21 +20,20 @@ public sealed interface Action {
     /** Tell the worker that its tile has arrived; to be done after the keeping, which comes before it. */
     record Acknowledge(long worker, int tile) implements Action {}
 
-    /** These are the sums of this tile now; write them to the journal and into the picture, over older ones. */
+    /** Write the result to the journal and into the picture, in place of an older one of the tile. */
     record Keep(int tile, Origin origin, TileData data) implements Action {}
 
-    /** Somebody else says the same of this tile, or the server has decided it; write that to the journal. */
+    /** Write to the journal that a second origin has an equal result, or that the server has decided. */
     record Confirm(int tile, Origin by) implements Action {}
 
-    /** What was kept of this tile is not to be trusted; write that to the journal and take it out of the picture. */
+    /** Write to the journal that the tile's result is not trusted, and take it out of the picture. */
     record Revoke(int tile) implements Action {}
 
     /** Close the connection and tell why; the worker may come back. */
     record HangUp(long worker, String reason) implements Action {}
 
     /**
-     * This machine is not to be trusted: write that to the journal and refuse it from now on. Its connections follow as
-     * {@link Refuse}.
+     * Write to the journal that the machine is not trusted, and refuse it from now on. Its connections follow as {@link Refuse}.
      */
     record Expel(Origin.Peer machine, String reason) implements Action {}
 
@@ -42,8 +41,7 @@ public sealed interface Action {
     record Refuse(long worker, String reason) implements Action {}
 
     /**
-     * Votes differ on this tile: let the server itself join as a worker, whose word decides. Said again with every event
-     * until it has.
+     * Votes differ on this tile: let the server itself join as a worker, whose vote decides. Repeated with every event until it has joined.
      */
     record CallLocal(int tile) implements Action {}
 

@@ -15,9 +15,9 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * Who said what about which tile. Every result is a vote of its origin for a hash. A tile counts with its first vote; some
- * tiles are chosen to need a second one. Where two votes differ the server makes the tile itself, and its word decides:
- * a majority may be a single machine under many names, which could otherwise have honest ones expelled.
+ * The votes of origins on tiles. Every result is a vote of its origin for a hash. A tile counts as done with its first vote; some tiles are
+ * chosen to need a second one. Where two votes differ the server makes the tile itself, and its vote decides: a majority may be a single
+ * machine under many names, which could otherwise have honest ones expelled.
  */
 final class Audits {
     private final double rate;
@@ -45,7 +45,7 @@ final class Audits {
         second = new Origin[settings.tiles()];
     }
 
-    /** What somebody says that a tile is. */
+    /** The vote of an origin that a tile has this hash. */
     record Vote(Origin origin, ContentHash hash) {
         boolean isServers() {
             return origin.equals(Origin.SERVER);
@@ -87,7 +87,7 @@ final class Audits {
     }
 
     /**
-     * What a vote changed.
+     * The consequences of a vote.
      *
      * @param repeated this origin had cast an equal vote before
      * @param keep the data that came with the vote are the tile's result now
@@ -306,7 +306,7 @@ final class Audits {
                 .toList();
     }
 
-    /** Those among the tiles that are {@link #due} that rest on the word of one machine. */
+    /** The {@link #due} tiles whose result rests on one machine. */
     List<Integer> missing() {
         return due().stream().filter(tile -> second[tile] == null).toList();
     }

@@ -64,7 +64,7 @@ public final class Coordinator {
         }
     }
 
-    /** Takes an event and says what is to be done. */
+    /** Processes an event and returns the actions that follow from it. */
     public List<Action> handle(long time, Event event) {
         now = time;
         actions = new ArrayList<>();
@@ -253,7 +253,7 @@ public final class Coordinator {
         dispatcher.changed(lease.member);
     }
 
-    /** Somebody else was faster with this tile. */
+    /** Releases a lease's tile that another worker has finished first. */
     private void skip(Lease lease, int tile) {
         if (lease.clear(tile)) {
             actions.add(new Action.Skip(lease.member.worker, lease.id, tile, tile + 1));
@@ -292,7 +292,7 @@ public final class Coordinator {
         }
     }
 
-    /** What time has made of the leases. */
+    /** Ends leases that were not renewed, disconnects silent workers and stops waiting for stalled ones. */
     private void expire() {
         dispatcher.measure();
         long stall = Math.max(settings.stallNanos(), STALL_FACTOR * longestTile);
@@ -316,7 +316,7 @@ public final class Coordinator {
         }
     }
 
-    /** The member lives and delivers nothing: others get its tiles, but its own results are welcome whenever they come. */
+    /** Gives the tiles of a member that delivers nothing to others. Its own results still count whenever they come. */
     private void stall(WorkerState member, long time) {
         note(member.name + " delivers nothing; its tiles go to others");
         member.resting = true;
@@ -330,7 +330,7 @@ public final class Coordinator {
         dispatcher.changed(member);
     }
 
-    /** What votes differ on only the server can decide; it must join as a worker if it has not. */
+    /** Demands that the server joins as a worker if votes differ on a tile, which only the server can decide. */
     private void callServer() {
         Integer disputed = audits.firstDisputed();
         if (disputed != null && members.values().stream().noneMatch(WorkerState::isServer)) {
@@ -366,7 +366,7 @@ public final class Coordinator {
         return member == null ? Set.of() : Set.copyOf(member.leases.keySet());
     }
 
-    /** The machines whose word counts no longer. */
+    /** The machines whose results are not trusted any more. */
     public Set<Origin.Peer> expelled() {
         return Set.copyOf(expelled);
     }
@@ -381,7 +381,7 @@ public final class Coordinator {
         return audits.missing();
     }
 
-    /** How far everything is. */
+    /** The state of the render at this time. */
     public Snapshot snapshot(long time) {
         return Snapshot.of(
                 new Snapshot.Source(

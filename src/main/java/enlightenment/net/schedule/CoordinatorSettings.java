@@ -3,16 +3,16 @@ package enlightenment.net.schedule;
 import enlightenment.net.protocol.Limits;
 
 /**
- * What a coordinator must know from the start.
+ * The settings of a coordinator.
  *
  * @param tiles number of tile columns of the job, numbered from 0
  * @param offered tiles from this one on are not given to anybody before an {@link Event.Offered} allows it
  * @param seed a number that no other incarnation of the server has: lease numbers are drawn from it, so that a worker's
  *     old lease is never taken for a new one
  * @param leaseNanos how long a worker should need for a lease
- * @param silenceNanos a worker not heard of, or a lease not named by its holder, for so long is lost
- * @param stallNanos a worker that lives but delivers nothing for so long (or for eight times the longest that any tile
- *     took, whichever is longer) is not waited for
+ * @param silenceNanos a worker that sends nothing, or a lease that its holder does not name, for this long is lost
+ * @param stallNanos a worker that lives but delivers nothing for this long (or for eight times the longest that any tile took, whichever is
+ *     longer) is not waited for
  * @param auditRate share of tiles, 0..1, that are rendered again by another worker
  * @param auditSalt decides which tiles these are; unknown to workers, which could lie about all others
  */

@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * Who gets what next: audits first, then free tiles, then, where none are free, help with what is expected to come last.
+ * Grants leases. Audits come first, then free tiles, then tiles of the lease that is expected to end last.
  *
  * <p>A lease is sized so that its worker needs the time of {@link CoordinatorSettings#leaseNanos()} for it, a quarter of
  * it while its speed is not known. No lease takes more than half of the worker's fair part (by speed) of what is free, so
@@ -122,7 +122,7 @@ final class Dispatcher {
         return knownWeight > 0;
     }
 
-    /** What a worker of weight 1 is expected to make in a second. */
+    /** The tiles per second that a worker of weight 1 is expected to make. */
     private double unitSpeed() {
         return isSpeedKnown() ? knownSpeed / knownWeight : UNKNOWN_SPEED;
     }
@@ -194,7 +194,7 @@ final class Dispatcher {
         }
     }
 
-    /** How many tiles the member should get, at least one. */
+    /** The number of tiles for the member's next lease, at least one. */
     int size(WorkerState member) {
         double speed = member.speedOr(unitSpeed());
         double seconds = settings.leaseNanos() / (double) CoordinatorSettings.SECOND;

@@ -47,11 +47,11 @@ public sealed interface Event {
     record Offered(int end) implements Event {}
 
     /**
-     * What was kept of the tiles {@code first} (included) to {@code last} (excluded) is gone, and what was said of them does not count:
-     * those that were done must be done again.
+     * The results of the tiles {@code first} (included) to {@code last} (excluded) are lost. Votes on them do not count: those that were
+     * done must be done again.
      */
     record Forgotten(int first, int last) implements Event {}
 
-    /** Time has passed; to be told at least every half second. */
+    /** Time has passed; to be sent at least every half second. */
     record Tick() implements Event {}
 }

@@ -9,14 +9,14 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /**
- * How far a distributed render is, for people and scripts: a picture of one moment that never changes.
+ * The immutable state of a distributed render at one moment, for people and scripts.
  *
  * @param finished whether everything is done
  * @param tiles number of tiles
  * @param done tiles that are done
  * @param leased tiles that someone is rendering
  * @param free tiles that wait
- * @param auditsOpen tiles that need another worker's word
+ * @param auditsOpen tiles that need another worker's vote
  * @param confirmed tiles that two workers agree on
  * @param duplicates results that came for tiles that were done, audits among them
  * @param elapsedSeconds since this incarnation of the server began
@@ -40,7 +40,7 @@ public record Snapshot(
         Set<String> expelled,
         List<Note> notes) {
 
-    /** Something that happened, this many seconds after the start. */
+    /** An event in words, this many seconds after the start. */
     public record Note(double seconds, String text) {}
 
     /**
@@ -52,7 +52,7 @@ public record Snapshot(
      * @param bytes bytes of these tiles
      * @param tilesPerSecond smoothed speed, empty until it has delivered
      * @param owed tiles that it has been asked for
-     * @param silentSeconds since it was last heard of
+     * @param silentSeconds since its last message
      * @param stalled whether it lives but delivers nothing
      */
     public record Worker(
@@ -69,7 +69,7 @@ public record Snapshot(
             boolean stalled) {}
 
     /**
-     * What a snapshot is taken of.
+     * The parts of a coordinator that a snapshot is made from.
      *
      * @param started when this incarnation of the server began, on the clock of the snapshot
      */

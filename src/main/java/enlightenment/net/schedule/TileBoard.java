@@ -177,7 +177,7 @@ final class TileBoard {
         return first == last ? null : new int[] {first, last};
     }
 
-    /** Takes a tile that only this lease holds away from it; the tile is free. */
+    /** Takes a tile away from its lease, which must be its only holder; the tile is free then. */
     void takeFrom(Lease lease, int tile) {
         detach(tile, lease);
         lease.clear(tile);

@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What a worker holds and owes. Like the coordinator it knows no clock, socket or thread; its caller serialises the calls.
+ * The leases and results of a worker. Like the coordinator it has no clock, socket or thread; its caller serialises the calls.
  *
  * <p>Finished tiles wait in a box until the server has acknowledged them; at most a few travel unacknowledged, and where
  * the box fills up nothing new is begun. After a reconnection, also to another incarnation of the server, the box is sent

@@ -5,7 +5,7 @@ import enlightenment.file.ContentHash;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** What the coordinator knows of a connected worker. */
+/** A connected worker as the coordinator sees it. */
 final class WorkerState {
     final long worker;
     final ContentHash process;
@@ -18,13 +18,13 @@ final class WorkerState {
     final Map<Long, Lease> leases = new LinkedHashMap<>();
     final Speed speed = new Speed();
 
-    /** When anything was last heard of it. */
+    /** The time of its last message. */
     long heard;
 
     /** When it last delivered a tile or, if that is later, was given work after it had none. */
     long progress;
 
-    /** It was given up on this often since it last delivered; it is tried again after longer and longer times. */
+    /** How often it stalled since it last delivered; it is tried again after longer and longer times. */
     int stalls;
 
     long restsUntil;
@@ -33,7 +33,7 @@ final class WorkerState {
     int audits;
     long bytes;
 
-    /** Results that it was not asked for. */
+    /** Number of results that it had no lease for. */
     long unasked;
 
     WorkerState(Event.Joined event, long now) {
@@ -49,7 +49,7 @@ final class WorkerState {
         progress = now;
     }
 
-    /** Whether it is the server's own threads. */
+    /** Whether this is the worker of the server's own threads. */
     boolean isServer() {
         return origin.equals(Origin.SERVER);
     }

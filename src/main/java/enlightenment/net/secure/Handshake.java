@@ -28,7 +28,7 @@ public final class Handshake {
 
     private Handshake() {}
 
-    /** Who proves. */
+    /** The side that makes a proof. */
     public enum Side {
         WORKER(1),
         SERVER(2);

@@ -64,7 +64,7 @@ public final class SecretFile {
                 : new FileAttribute<?>[0];
     }
 
-    /** Tells of it if others than the owner may read or change it; says nothing where the file system cannot tell. */
+    /** Logs a warning if others than the owner may read or change the file. Needs a file system with POSIX permissions. */
     public static void warnIfOpen(Path file, Consumer<String> log) throws IOException {
         if (!file.getFileSystem().supportedFileAttributeViews().contains("posix") || !Files.isRegularFile(file)) {
             return;

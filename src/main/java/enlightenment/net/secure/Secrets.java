@@ -11,20 +11,20 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * What a server proves itself with.
+ * The secrets by which a server proves its identity.
  *
  * @param tls null for none
  * @param token the shared secret
  */
 public record Secrets(Tls tls, byte[] token) {
     /**
-     * Where a server's secrets are.
+     * The files of a server's secrets.
      *
      * @param token made if there is no such file; empty for no token
      * @param certificate empty for no TLS
      * @param privateKey of that certificate; may be the same file
      * @param makesCertificate whether certificate and key are made if there is no such file
-     * @param keytool what makes them
+     * @param keytool the program that makes them
      */
     public record Sources(
             Optional<Path> token,
@@ -57,7 +57,7 @@ public record Secrets(Tls tls, byte[] token) {
         return tls == null ? Tls.noCertificate() : tls.certificate();
     }
 
-    /** What a worker may pin: 64 hexadecimal digits; empty without TLS. */
+    /** The hash of the certificate that a worker may pin: 64 hexadecimal digits; empty without TLS. */
     public String pin() {
         return tls == null ? "" : tls.certificate().toString();
     }

@@ -56,7 +56,7 @@ public final class Tls {
         this.validUntil = validUntil;
     }
 
-    /** What the hash of the certificate is where there is none. */
+    /** The stand-in for the certificate's hash where there is no certificate. */
     public static ContentHash noCertificate() {
         return NONE;
     }

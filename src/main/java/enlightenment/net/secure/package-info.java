@@ -1,2 +1,2 @@
-/** Who may take part: the token that both sides prove to know, TLS, and the files with secrets. */
+/** Authentication: the token that both sides prove to know, TLS, and the files with secrets. */
 package enlightenment.net.secure;

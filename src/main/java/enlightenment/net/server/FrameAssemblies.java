@@ -32,7 +32,7 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
     private final Frames frames;
     private final int ahead;
 
-    /** What is worked at, by the pictures' numbers. */
+    /** The open pictures by their numbers. */
     private final Map<Integer, Open> open = new TreeMap<>();
 
     private final BitSet whole = new BitSet();
@@ -41,7 +41,7 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
     private Image latest;
     private int end;
 
-    /** What has to be known of the pictures. */
+    /** The properties of the pictures that assembling needs. */
     public interface Frames {
         /** Number of pixels. */
         long pixels(int frame);
@@ -49,7 +49,7 @@ public final class FrameAssemblies implements UnitAssembly, Closeable {
         /** Which units of the picture are one here. */
         UnitGroups groups(int frame);
 
-        /** What can be results of the picture's units; asked without any lock. */
+        /** The check for results of the picture's units; called without any lock. */
         ResultCheck check(int frame);
 
         /** An empty picture. */

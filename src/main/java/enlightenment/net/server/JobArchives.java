@@ -44,13 +44,13 @@ final class JobArchives implements AutoCloseable {
         archives.forEach(archive -> all.add(new Kept(archive)));
     }
 
-    /** What an archive is asked for. */
+    /** One call to an archive. */
     @FunctionalInterface
     private interface Use {
         void of(Kept kept) throws IOException;
     }
 
-    /** Takes a result that is not in the picture yet. */
+    /** Receives a result that is not in the picture yet. */
     @FunctionalInterface
     interface Taker {
         void take(int unit, byte[] result);
@@ -112,7 +112,7 @@ final class JobArchives implements AutoCloseable {
         return all.stream().anyMatch(kept -> !kept.units.get(unit));
     }
 
-    /** Gives a result to the archives that had none of its unit; before the start. */
+    /** Passes a result to the archives that had none of its unit; before the start. */
     void complete(int unit, Origin origin, byte[] bytes) {
         each(kept -> {
             if (!kept.units.get(unit)) {

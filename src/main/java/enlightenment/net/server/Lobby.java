@@ -26,7 +26,7 @@ public final class Lobby {
         return thread;
     }
 
-    /** Takes care of a new connection. */
+    /** Starts a thread for a new connection. */
     public void welcome(Socket plain) {
         ServerConnection connection = new ServerConnection(connections.newId(), server, plain);
         try {

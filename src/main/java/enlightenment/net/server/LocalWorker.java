@@ -51,7 +51,7 @@ public final class LocalWorker implements AutoCloseable {
         }
     }
 
-    /** Says that it lives. */
+    /** Sends a heartbeat. */
     public void beat() {
         events.accept(new Event.Heard(ID, Set.copyOf(pool.leases())));
     }

@@ -36,18 +36,18 @@ public final class ServerConnection {
     private volatile boolean isKnown;
     private volatile boolean isJoined;
 
-    /** What a connection needs of the server that it belongs to. For use by several threads at once. */
+    /** The services of a server that its connections use. For use by several threads at once. */
     public interface Host {
-        /** What the server proves itself with. */
+        /** The secrets by which the server proves its identity. */
         Secrets secrets();
 
-        /** How long the two sides wait for each other. */
+        /** The deadlines of the two sides. */
         Timing timing();
 
         /** The version that both sides must have. */
         String version();
 
-        /** What is rendered. */
+        /** The job that is rendered. */
         ServerJob job();
 
         ServerLog log();
@@ -64,10 +64,10 @@ public final class ServerConnection {
         /** The worker has all that it needs. */
         void ready(ServerConnection connection);
 
-        /** Tells the coordinator, and does what it decides. */
+        /** Passes an event to the coordinator, and performs the actions that follow. */
         void handle(Event event);
 
-        /** The connection has ended; an empty reason is not worth telling. */
+        /** The connection has ended; an empty reason is not logged. */
         void ended(ServerConnection connection, String reason);
     }
 
@@ -195,7 +195,7 @@ public final class ServerConnection {
         return worker.arithmetic().equals(Canary.NOT_COMPUTED);
     }
 
-    /** Hears one message; false at the end. After the last word was said the rest is let pass until the other side closes. */
+    /** Handles one message; false at the end. After the last message was sent, others are ignored until the other side closes. */
     private boolean listen(MessageChannel on) throws IOException {
         Message message = on.receive();
         if (message instanceof Message.Bye bye) {
@@ -344,7 +344,7 @@ public final class ServerConnection {
         return isJoined;
     }
 
-    /** What counts as one address. */
+    /** The key by which limits per address count this connection. */
     String address() {
         return Strangers.addressOf(plain.getInetAddress());
     }
@@ -353,7 +353,7 @@ public final class ServerConnection {
         return plain.getInetAddress().getHostAddress();
     }
 
-    /** For people; what a stranger says of itself is not repeated. */
+    /** A name for logs, without the names that unauthenticated clients claim. */
     @Override
     public String toString() {
         Message.Hello h = isKnown ? hello : null;

@@ -31,7 +31,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
-/** What a server renders: the job, its picture so far and its checkpoint. One thread at a time changes it. */
+/** The state of a server's render: the job, its picture so far and its checkpoint. One thread at a time changes it. */
 public final class ServerJob implements Closeable {
     /** Fewer digits may be those of two machines. */
     private static final int FEWEST_DIGITS = 8;
@@ -41,22 +41,22 @@ public final class ServerJob implements Closeable {
     private final UnitAssembly film;
     private final Consumer<String> log;
 
-    /** What a checkpoint is of, or null. */
+    /** The plan that the checkpoint is of; null without one. */
     private final KeptPlan plan;
 
     /** The hashes of the tiles that are kept. */
     private final ContentHash[] kept;
 
-    /** What has to be looked at again when it is taken out. */
+    /** Results that have to be subtracted when their tiles are revoked. */
     private final ResultJournal results;
 
     private Restored restored = Restored.NOTHING;
     private CheckpointJournal journal;
 
-    /** What the journal calls the plan. */
+    /** The journal's key of the plan. */
     private long key;
 
-    /** Where the journal has the results that it brought, until archives have them. */
+    /** By tile, the place of its restored result in the journal, until archives have it. */
     private Map<Integer, Long> places = Map.of();
 
     private JobArchives archives = JobArchives.NONE;
@@ -266,7 +266,7 @@ public final class ServerJob implements Closeable {
         }
     }
 
-    /** What is to be kept; false if the action is none of these. */
+    /** Performs an action on picture, journal and archives; false if it is an action of another kind. */
     public boolean keep(Action action) {
         if (action instanceof Action.Keep a) {
             film.put(a.tile(), a.data().bytes());

@@ -13,8 +13,8 @@ import picocli.AutoComplete;
 import picocli.CommandLine;
 
 /**
- * Makes what the application's zip holds besides the program: the man page and the completion script. The build runs it, so that
- * both say what picocli's model of the commands says.
+ * Writes the man page and the completion script of the application's zip. The build runs it, so that both agree with picocli's model of the
+ * commands.
  */
 public final class ApplicationTexts {
     private ApplicationTexts() {}
@@ -34,7 +34,7 @@ public final class ApplicationTexts {
                 AutoComplete.bash("enlightenment", tree));
     }
 
-    /** All commands, with nothing to read from or to write to. */
+    /** The command tree without input and with its output discarded. */
     static CommandLine tree() {
         PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream());
         return Commands.tree(new Terminal(InputStream.nullInputStream(), nowhere, nowhere, new ShutdownSignal()));

@@ -80,7 +80,7 @@ final class Commands {
         };
     }
 
-    /** What holds for every command. */
+    /** Configures a command line with the settings that all commands share. */
     static CommandLine configure(CommandLine line, Terminal terminal) {
         // A scene's name may begin with @.
         line.setExpandAtFiles(false);

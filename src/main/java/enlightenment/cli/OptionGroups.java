@@ -67,7 +67,7 @@ final class OptionGroups {
 
     private OptionGroups() {}
 
-    /** Makes the help of {@code render} show groups; other commands have few options. */
+    /** Groups the options in the help of {@code render}; other commands have few options. */
     static void apply(CommandLine line) {
         if (line.getCommand() instanceof RenderCommand) {
             line.getHelpSectionMap().put(UsageMessageSpec.SECTION_KEY_OPTION_LIST, OptionGroups::list);

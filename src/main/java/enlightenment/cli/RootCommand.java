@@ -8,7 +8,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** What stands above all commands; it does nothing itself. */
+/** The root of the command tree; it does nothing itself. */
 @Command(
         name = "enlightenment",
         description = "Makes pictures of scenes.",

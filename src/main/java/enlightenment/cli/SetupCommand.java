@@ -26,10 +26,10 @@ import picocli.CommandLine.Command;
         description = "Makes the archive of classes that lets commands start faster on this computer; "
                 + "with Java 21 or newer the first render makes a simpler one by itself.")
 final class SetupCommand extends Subcommand {
-    /** Where the launcher looks for the archive. */
+    /** The name of the archive that the launcher reads. */
     static final String ARCHIVE = "enlightenment.archive";
 
-    /** How the name of an ahead-of-time cache ends. */
+    /** The extension of an ahead-of-time cache. */
     private static final String CACHE_SUFFIX = ".aot";
 
     private static final double MEBI = 1 << 20;

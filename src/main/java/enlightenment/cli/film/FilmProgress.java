@@ -4,7 +4,7 @@ import enlightenment.image.Image;
 import enlightenment.render.RenderProgress;
 import java.util.function.Supplier;
 
-/** Tells how a whole film gets on, frame by frame. */
+/** Converts the progress of frames into that of a whole film. */
 final class FilmProgress implements RenderProgress {
     private final RenderProgress display;
     private final int frames;
@@ -13,7 +13,7 @@ final class FilmProgress implements RenderProgress {
     /** The length of a frame: the pixels of the first. */
     private long length;
 
-    /** How much of the frame is done; what is rendered once more does not take it back. */
+    /** Pixels of the current frame that are done; a further round does not lower it. */
     private long ofFrame;
 
     /**

@@ -16,7 +16,7 @@ import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 import picocli.CommandLine.Option;
 
-/** What the making of a film's frames has taken: of each frame, and of all together. */
+/** Time and statistics of a film's frames, for each and for all together. */
 final class FilmReport {
     private static final double NANO = 1e-9;
 
@@ -29,7 +29,7 @@ final class FilmReport {
     @Option(names = "--stats", description = "print the film's statistics")
     private boolean stats;
 
-    /** Of the frames that were rendered; a frame that was made anew counts once. */
+    /** By frame, the report of its last render. */
     private final Map<Integer, RenderReport> frames = new TreeMap<>();
 
     private int kept;

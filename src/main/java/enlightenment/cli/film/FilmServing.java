@@ -25,10 +25,10 @@ final class FilmServing {
     FilmServing() {}
 
     /**
-     * What the options ask for; null without {@code --server}.
+     * The server's options; null without {@code --server}.
      *
      * @param device that the server has
-     * @param scratch where a frame is kept that is too large for the memory
+     * @param scratch the folder for a frame that is too large for the memory
      */
     ServerOptions options(DeviceOption device, RenderRequest.ScratchFolder scratch, Terminal terminal)
             throws IOException {
@@ -45,14 +45,14 @@ final class FilmServing {
         return serving;
     }
 
-    /** Says which files the server reads and writes. */
+    /** Adds the files that the server reads and writes. */
     void register(CommandFiles files) {
         if (server) {
             serving.register(files);
         }
     }
 
-    /** Tells where the server is. */
+    /** Prints how workers join and where the status page is. */
     void announce(RenderServer.OfFilm started, Terminal terminal) throws IOException {
         serving.announce(started.port(), started.pin(), started.statusPort(), terminal);
     }

@@ -13,8 +13,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.DoubleFunction;
 
 /**
- * Tells the picture of a frame from all others: by its scene in that frame, the contents of image files, the settings, how it is
- * written, and the version of the program.
+ * A hash that identifies the picture of a frame. It covers its scene in that frame, the contents of image files, the settings, the output's
+ * format, and the version of the program.
  */
 final class FrameDigest {
     /** The keyword of the comment of a PNG file that holds it. */

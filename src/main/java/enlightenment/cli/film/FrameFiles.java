@@ -18,7 +18,7 @@ import java.util.Optional;
  * @param missing the frames to be rendered, in order
  */
 record FrameFiles(List<Integer> kept, List<Integer> missing) {
-    /** What tells a frame's picture from others. */
+    /** Returns the digest that identifies a frame's picture. */
     @FunctionalInterface
     interface Expected {
         String digest(int frame) throws IOException;

@@ -6,9 +6,9 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 
-/** Makes frames of a film and writes them. */
+/** Renders frames of a film and writes them. */
 interface FrameMaker {
-    /** Hears of frames. */
+    /** Receives a call for each frame written. */
     @FunctionalInterface
     interface Listener {
         /**
@@ -20,9 +20,9 @@ interface FrameMaker {
     }
 
     /**
-     * Makes frames.
+     * Renders and writes frames.
      *
-     * @return whether all are there: false if the user wanted an end
+     * @return whether all are written: false if the user cancelled
      */
     boolean make(List<Integer> frames, RenderProgress display, Listener listener) throws IOException;
 

@@ -39,7 +39,7 @@ final class FrameOutput {
 
     FrameOutput() {}
 
-    /** What else is written of each frame. */
+    /** The auxiliary images that are written of each frame. */
     AovSet aov() {
         return aov;
     }
@@ -53,7 +53,7 @@ final class FrameOutput {
         return pattern;
     }
 
-    /** Where a frame is kept that is too large for the memory. */
+    /** The folder for a frame that is too large for the memory. */
     RenderRequest.ScratchFolder scratch() {
         return RenderRequest.ScratchFolder.of(pattern.folder().toAbsolutePath());
     }

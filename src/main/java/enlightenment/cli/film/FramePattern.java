@@ -59,7 +59,7 @@ record FramePattern(Path folder, String name, String before, int digits, String 
         return folder.resolve(name).toString();
     }
 
-    /** What messages call the folder. */
+    /** The folder's name in messages. */
     String folderName() {
         return folder.toString().isEmpty() ? "the working folder" : folder.toString();
     }

@@ -9,7 +9,7 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.SceneException;
 
-/** How the frames of a film are rendered: each may have a size of its own. */
+/** The render settings of a film's frames: each may have a size of its own. */
 final class FrameSettings {
     private final RenderOptions options;
     private final FrameOutput output;
@@ -27,7 +27,8 @@ final class FrameSettings {
     }
 
     /**
-     * What to tell of what the renderer refused of a frame: its problems get its file and number; an option's fault is one of all frames.
+     * The exception to report where the renderer refused a frame. Problems get the frame's file and number; an option's fault concerns all
+     * frames.
      *
      * @param e an {@link InvalidValueException} or a {@link SceneException}
      */

@@ -33,19 +33,19 @@ final class FrameWriter {
         notes = new FilmNotes(terminal);
     }
 
-    /** Where to say what may concern many frames. */
+    /** The notes that may concern many frames. */
     FilmNotes notes() {
         return notes;
     }
 
     /**
-     * What a frame's files say of themselves.
+     * The data for the texts in a frame's files.
      *
      * @param title the scene's name
      */
     record Subject(int frame, String title, RenderSettings settings, String digest) {}
 
-    /** What the files of a frame will say. */
+    /** The data for the texts in the files of a frame. */
     Subject subject(int frame, Scene scene, RenderSettings settings) throws IOException {
         return new Subject(frame, scene.name(), settings, digests.of(scene, settings));
     }
@@ -80,7 +80,7 @@ final class FrameWriter {
         }
     }
 
-    /** How messages about a frame begin. */
+    /** The prefix of messages about a frame. */
     static String named(int frame) {
         return "frame " + frame + ": ";
     }

@@ -22,7 +22,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** The one place where what went wrong becomes messages and an exit code; commands only throw. */
+/** Turns exceptions into messages and an exit code. It is the only place that does so; commands only throw. */
 public final class Failures implements IParameterExceptionHandler, IExecutionExceptionHandler {
     private final Terminal terminal;
 
@@ -40,7 +40,7 @@ public final class Failures implements IParameterExceptionHandler, IExecutionExc
         return report(e);
     }
 
-    /** Tells what went wrong; gives the exit code. */
+    /** Prints a failure and returns the exit code. */
     public int report(Throwable t) {
         if (Boolean.getBoolean("enlightenment.trace")) {
             t.printStackTrace(terminal.err());

@@ -11,7 +11,7 @@ public final class FrameCheck {
     private final SceneInput input;
     private final Film film;
 
-    /** Of a file's frames. */
+    /** A check of the frames of a scene file's animation. */
     public FrameCheck(SceneInput input, Animation animation) {
         this.input = input;
         film = Film.of(animation, frame -> input.read(Optional.of(frame)));

@@ -15,12 +15,12 @@ public final class SceneArgument {
         return file;
     }
 
-    /** Where to read the scene from. */
+    /** The input that the argument names. */
     public SceneInput open(Terminal terminal) {
         return new SceneInput(file, terminal);
     }
 
-    /** Where to read the scene from, with the choices for a file of another program. */
+    /** The input that the argument names, with the options for files of other programs. */
     public SceneInput open(ForeignOptions foreign, Terminal terminal) {
         foreign.check();
         return new SceneInput(file, foreign, terminal);

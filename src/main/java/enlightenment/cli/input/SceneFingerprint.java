@@ -16,7 +16,7 @@ import java.util.Optional;
 
 /** A hash that identifies a scene. */
 public final class SceneFingerprint {
-    /** What image files hold, each read once. */
+    /** The hashes of image files, each read once. */
     private final Map<Path, String> images = new HashMap<>();
 
     /** The SHA-256, in hexadecimal digits, of all that the scene holds, with the contents of its image files. */

@@ -12,23 +12,23 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalInt;
 
-/** Where a scene comes from: a file, or standard input, whose textures are relative to the working folder. */
+/** The source of a scene: a file, or standard input, whose textures are relative to the working folder. */
 public final class SceneInput {
     private final Path file;
     private final ForeignOptions foreign;
     private final Terminal terminal;
     private final SceneReader.Frames scenes;
 
-    /** What standard input held, once it has been read. */
+    /** The bytes of standard input, once it has been read. */
     private byte[] bytes;
 
-    /** Whether the file is one of another program; null until that is asked. */
+    /** Whether the file is one of another program; null until the first call that needs it. */
     private Boolean isForeign;
 
-    /** What it became, once it has been read. */
+    /** The imported scene, once it has been read. */
     private Scene imported;
 
-    /** Its frames, once one has been asked for. */
+    /** The frames of the imported scene, once one has been read. */
     private SceneReader.Frames importedFrames;
 
     public SceneInput(Path file, Terminal terminal) {
@@ -43,7 +43,7 @@ public final class SceneInput {
         scenes = SceneReader.Frames.of(file);
     }
 
-    /** What messages call it. */
+    /** The name of the input in messages. */
     public String name() {
         return StandardStreams.isNamed(file) ? StandardStreams.INPUT : file.toString();
     }

@@ -13,7 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
-/** What the automatic method comes to for a scene that was measured, and how good that is. */
+/** The choice of the automatic method for a scene that was measured, and how good it is. */
 final class AutomaticChoice {
     /** Times that differ by less count as alike. */
     private static final double ALIKE = 1.1;

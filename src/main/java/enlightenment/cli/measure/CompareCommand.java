@@ -160,7 +160,7 @@ public final class CompareCommand extends Subcommand {
         return failure != null && (failure instanceof OutOfMemoryError || isOutOfMemory(failure.getCause()));
     }
 
-    /** What the file says of itself: nothing that differs from run to run. */
+    /** The texts in the file: nothing that differs from run to run. */
     private static ImageFiles.PngOptions comments(Flip flip, double density) {
         return ImageFiles.PngOptions.DEFAULT
                 .withText("Title", "FLIP error")

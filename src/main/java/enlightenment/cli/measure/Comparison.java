@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * What {@code enlightenment compare} found.
+ * The result of {@code enlightenment compare}.
  *
  * @param light the difference of linear light, or null for display-referred pictures
  * @param maxRmse the largest RMSE that passes, or null if any does

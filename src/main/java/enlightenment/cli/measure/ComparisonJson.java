@@ -5,7 +5,7 @@ import enlightenment.image.ImageError;
 import enlightenment.json.JsonText;
 import tools.jackson.core.JsonGenerator;
 
-/** What {@code compare} found, with all digits; docs/guide/compare.md lists the keys. */
+/** The JSON of a comparison, with all digits; docs/guide/compare.md lists the keys. */
 final class ComparisonJson {
     private ComparisonJson() {}
 

@@ -19,7 +19,7 @@ public abstract class DecimalNumber implements ITypeConverter<Double> {
         return parse(text, min, max);
     }
 
-    /** What Java would take for a number, too, such as {@code NaN} or {@code 1f}, is none. */
+    /** Parses a decimal number. What Java also accepts, such as {@code NaN} or {@code 1f}, is refused. */
     public static double parse(String text, double min, double max) {
         if (text.matches("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?")) {
             double value = Double.parseDouble(text);

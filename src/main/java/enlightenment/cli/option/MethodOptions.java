@@ -76,7 +76,7 @@ public final class MethodOptions {
                 .build();
     }
 
-    /** What one option was given. */
+    /** Holds the value of one option. */
     private static final class Setter implements ISetter {
         private final Method.Setting setting;
         private Object value;

@@ -14,7 +14,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** What all commands have in common. */
+/** The base of all commands. */
 public abstract class Subcommand implements Callable<Integer> {
     protected final Terminal terminal;
 
@@ -25,7 +25,7 @@ public abstract class Subcommand implements Callable<Integer> {
             description = "show this help")
     private boolean help;
 
-    /** Tells which options were given. */
+    /** Picocli's model of the command, which has the options that were given. */
     @Spec
     private CommandSpec command;
 

@@ -1,2 +1,2 @@
-/** What options and parameters are made of: converters of values, files, rules, and what all commands have in common. */
+/** The parts of options and parameters: converters of values, files, rules, and the base of all commands. */
 package enlightenment.cli.option;

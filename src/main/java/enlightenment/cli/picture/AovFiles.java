@@ -34,7 +34,7 @@ public final class AovFiles {
         return Collections.unmodifiableCollection(files.values());
     }
 
-    /** Says which files will be written. */
+    /** Adds the files that will be written. */
     public void register(CommandFiles outputs) {
         files.forEach((kind, file) -> outputs.writes("--aov " + kind.word(), file));
     }

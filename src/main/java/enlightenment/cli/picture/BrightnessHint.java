@@ -24,12 +24,12 @@ public final class BrightnessHint {
     private BrightnessHint() {}
 
     /**
-     * Says so if it is nearly black or nearly white.
+     * Reports a picture that is nearly black or nearly white.
      *
-     * @param result what the render gave
+     * @param result the result of the render
      * @param shown the picture as it was written
-     * @param holdsFloats whether the file holds floats: of linear light they are as they are, whatever the exposure
-     * @param say hears what may be the same of many pictures, and what is to be said of this one
+     * @param holdsFloats whether the file holds floats, to which linear light is written without exposure
+     * @param say receives the part of the message that many pictures may share, and the whole message
      */
     public static void tell(RenderResult result, Image shown, boolean holdsFloats, BiConsumer<String, String> say) {
         // A part of a picture may be dark, and so may a single pixel, which is a measurement.
@@ -68,7 +68,7 @@ public final class BrightnessHint {
         say.accept(what + help, what + mean + help);
     }
 
-    /** How many stops brighter than now an automatic exposure would be. */
+    /** The stops by which an automatic exposure would brighten the picture. */
     private static double stops(Image shown) {
         return shown.encoding() == Color.Encoding.LINEAR
                 ? Exposure.automatic(shown) - shown.curve().exposure()

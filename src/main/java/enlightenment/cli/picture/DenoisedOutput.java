@@ -62,7 +62,7 @@ public final class DenoisedOutput {
                         + ImageFormat.extensions(ImageFormat.written()) + ", not \"" + file + "\""));
     }
 
-    /** Says which file will be written. */
+    /** Adds the file that will be written. */
     public void register(CommandFiles outputs) {
         outputs.writes(OPTION, file);
     }

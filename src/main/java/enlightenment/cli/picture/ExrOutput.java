@@ -7,12 +7,12 @@ import enlightenment.scene.RenderSettings;
 import java.util.Map;
 import java.util.Optional;
 
-/** What an OpenEXR file has beside the picture. */
+/** The metadata and layers of an OpenEXR file. */
 final class ExrOutput {
     private ExrOutput() {}
 
     /**
-     * How a render's picture is written.
+     * The options by which a render's picture is written.
      *
      * @param depth bits per component
      * @param layers numbers that become channels, each kind in a layer of its name

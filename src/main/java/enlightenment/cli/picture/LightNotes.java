@@ -10,7 +10,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.DoublePredicate;
 
-/** What is to be said of a picture of linear light beside its figures. */
+/** Messages about a picture of linear light beside its figures. */
 public final class LightNotes {
     /** For pictures whose errors sit in few places. */
     static final String HEAVY_TAIL = "few bright samples carry the error; it may be underestimated";
@@ -23,7 +23,7 @@ public final class LightNotes {
 
     private LightNotes() {}
 
-    /** Says what the samples of a picture do not tell. */
+    /** Reports where the error estimate may be too low. */
     public static void tell(RenderResult result, Consumer<String> say) {
         result.report().sampling().light().ifPresent(light -> {
             if (light.heavyTail()) {
@@ -81,13 +81,13 @@ public final class LightNotes {
         }
     }
 
-    /** How many numbers light may have lost so much of, when it became floats, that a screen of 8 bits shows it. */
+    /** The number of components whose rounding to denormal floats would show on a screen of 8 bits. */
     static long lost(Image shown) {
         DisplayCurve curve = shown.curve();
         return count(shown, v -> v > 0 && v < Float.MIN_NORMAL && curve.of(most(v)) - curve.of(least(v)) > STEP);
     }
 
-    /** What was rounded to a number near 0 lies within half the distance of floats of it; the least float stands for less, too. */
+    /** The least value that rounds to a denormal float: half a spacing below it, or 0 for the smallest float. */
     private static double least(double v) {
         return v == Float.MIN_VALUE ? 0 : v - Float.MIN_VALUE / 2.0;
     }
@@ -96,7 +96,7 @@ public final class LightNotes {
         return v + Float.MIN_VALUE / 2.0;
     }
 
-    /** How many numbers of a picture are of this kind. */
+    /** The number of components of a picture that fulfil a condition. */
     static long count(Image image, DoublePredicate which) {
         long found = 0;
         for (int y = 0; y < image.height(); y++) {

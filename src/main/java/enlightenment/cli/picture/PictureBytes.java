@@ -9,7 +9,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Map;
 
-/** What the file of a picture consists of. */
+/** Writes the file of a picture. */
 public final class PictureBytes {
     private PictureBytes() {}
 

@@ -55,7 +55,7 @@ public final class PictureOutput {
         return file;
     }
 
-    /** What messages call it. */
+    /** The name of the output in messages. */
     public String name() {
         return StandardStreams.outputName(file);
     }
@@ -173,7 +173,7 @@ public final class PictureOutput {
                 : settings.withBudget(settings.budget().withDepth(writtenDepth));
     }
 
-    /** Where a picture is kept that is too large for the memory: beside its file, if that can be written row by row. */
+    /** The folder of the file, for a picture too large for the memory. Empty where the format cannot be written row by row. */
     public Optional<RenderRequest.ScratchFolder> scratch() {
         Path folder = file.toAbsolutePath().getParent();
         return isStandardOutput() || folder == null || CommandFiles.isDevice(file) || format() == ImageFormat.JPEG
@@ -218,12 +218,12 @@ public final class PictureOutput {
         PictureBytes.write(image, format(), depth(), texts, settings, layers, out);
     }
 
-    /** How PNG files are written, of the picture or beside it. */
+    /** The options of PNG files, of the picture or beside it. */
     public ImageFiles.PngOptions pngOptions(Map<String, String> texts) {
         return new ImageFiles.PngOptions(format() == ImageFormat.PNG ? depth() : USUAL_DEPTH, texts);
     }
 
-    /** Says so if the finished picture is nearly black or nearly white in this file. */
+    /** Reports a finished picture that is nearly black or nearly white in this file. */
     public void tellBrightness(RenderResult result, Image shown, Terminal terminal) {
         BrightnessHint.tell(result, shown, format().holdsFloats(), (kind, text) -> terminal.say(text));
     }

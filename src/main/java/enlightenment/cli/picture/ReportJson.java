@@ -46,13 +46,13 @@ public final class ReportJson {
         json.writeEndObject();
     }
 
-    /** What program this is. */
+    /** Writes the versions of program and Java. */
     public static void program(JsonGenerator json) {
         json.writeStringProperty("enlightenment", Version.number());
         json.writeStringProperty("java", Runtime.version().toString());
     }
 
-    /** What a report says, in an object that is begun. */
+    /** Writes a report into an object that is begun. */
     public static void content(JsonGenerator json, RenderReport report, boolean complete) {
         json.writeStringProperty("scene", report.sceneName());
         json.writeBooleanProperty("complete", complete);

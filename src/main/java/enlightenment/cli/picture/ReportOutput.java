@@ -21,7 +21,7 @@ public final class ReportOutput {
 
     public ReportOutput() {}
 
-    /** Says which file will be written, if any. */
+    /** Adds the file that will be written, if any. */
     public void register(CommandFiles files) {
         files.writes("--report", report);
     }

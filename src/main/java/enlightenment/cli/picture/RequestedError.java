@@ -31,7 +31,7 @@ public final class RequestedError {
                 rounding(sampling, asked)));
     }
 
-    /** What the file's rounding has to do with it, if it has. */
+    /** The part of the message about the file's rounding, if that matters. */
     private static String rounding(RenderReport.Sampling sampling, double asked) {
         if (sampling.rounding() >= asked) {
             return String.format(

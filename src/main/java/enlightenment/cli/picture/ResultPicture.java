@@ -25,12 +25,12 @@ public final class ResultPicture {
 
     public ResultPicture() {}
 
-    /** What messages call it. */
+    /** The name of the output in messages. */
     public String name() {
         return output.name();
     }
 
-    /** Where it is kept if it is too large for the memory; empty if it must be in memory. */
+    /** The folder for a picture too large for the memory; empty if it must be in memory. */
     public Optional<RenderRequest.ScratchFolder> scratch() {
         return output.scratch();
     }

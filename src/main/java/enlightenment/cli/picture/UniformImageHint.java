@@ -14,9 +14,9 @@ public final class UniformImageHint {
     private UniformImageHint() {}
 
     /**
-     * Says so if the whole picture has one colour and a reason is known.
+     * Reports the reason if the whole picture has one colour and a reason is known.
      *
-     * @return whether that was said
+     * @return whether it was reported
      */
     public static boolean tell(Scene scene, RenderSettings settings, RenderResult result, Terminal terminal) {
         Image image = result.image();

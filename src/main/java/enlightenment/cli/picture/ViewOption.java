@@ -27,7 +27,7 @@ public final class ViewOption {
 
     public ViewOption() {}
 
-    /** What was chosen: a number of stops, or none for automatic. */
+    /** The chosen exposure: a number of stops, or none for automatic. */
     record Choice(OptionalDouble stops) {}
 
     private boolean isGiven() {

@@ -1,2 +1,2 @@
-/** What becomes of a finished picture: its file, its report, how it is shown, what is to be said of it. */
+/** The output of a finished picture: its file, its report, its exposure, and messages about it. */
 package enlightenment.cli.picture;

@@ -51,7 +51,7 @@ public final class BarProgress implements RenderProgress, AutoCloseable {
                 : Optional.empty();
     }
 
-    /** How wide a bar may be. */
+    /** The largest width of a bar in columns. */
     public static int columns() {
         String columns = System.getenv("COLUMNS");
         try {

@@ -19,7 +19,7 @@ public final class PreviewWriter implements RenderProgress {
     /** The largest share of the time that writing may take: large pictures are written less often. */
     private static final double SHARE = 0.05;
 
-    /** What puts a picture on the disk. */
+    /** Writes a picture to the disk. */
     @FunctionalInterface
     public interface Writer {
         void write(Image image) throws IOException;

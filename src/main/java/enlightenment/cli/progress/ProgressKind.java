@@ -4,7 +4,7 @@ import enlightenment.cli.option.WordOption;
 import java.util.List;
 import java.util.Locale;
 
-/** How progress is shown. */
+/** The ways to show progress. */
 public enum ProgressKind {
     /** {@link #BAR} on a terminal, else {@link #PLAIN}. */
     AUTO,

@@ -21,7 +21,7 @@ public final class ProgressOption {
 
     public ProgressOption() {}
 
-    /** What was chosen; for {@code auto} what it stands for here. */
+    /** The chosen kind; for {@code auto} the one that it stands for here. */
     public ProgressKind kind() {
         if (kind != ProgressKind.AUTO) {
             return kind;
@@ -38,7 +38,7 @@ public final class ProgressOption {
         };
     }
 
-    /** Says which file has been written, terminal or not; silent with {@code none}, and where the picture is standard output. */
+    /** Reports a written file, terminal or not; silent with {@code none}, and where the picture is standard output. */
     public void tellWritten(Path file, Terminal terminal) {
         if (kind != ProgressKind.NONE && !StandardStreams.isNamed(file)) {
             terminal.say("wrote " + file);

@@ -20,14 +20,14 @@ import java.io.IOException;
 import java.net.BindException;
 import java.util.List;
 
-/** What shows a render while it runs: a page, a window, or nothing. */
+/** The display of a render while it runs: a page, a window, or nothing. */
 public final class Watch implements Closeable {
     /** Shows nothing. */
     static final Watch NONE = new Watch();
 
     private static final int LONGEST_TITLE = 200;
 
-    /** How long the end waits for pages that have not heard of it yet. */
+    /** How long the end waits for pages that have not received it yet. */
     private static final long FAREWELL_MILLIS = 3_000;
 
     private final Terminal terminal;
@@ -39,7 +39,7 @@ public final class Watch implements Closeable {
     private boolean windowStays;
     private List<Integer> frames = List.of();
 
-    /** What is watched. */
+    /** The work that is watched. */
     @FunctionalInterface
     public interface Work {
         void run(Watch watch) throws IOException;
@@ -85,7 +85,7 @@ public final class Watch implements Closeable {
         }
     }
 
-    /** What is rendered are these frames of a film, the first of them first. */
+    /** Sets the frames of a film that are rendered, and begins with the first. */
     public void frames(List<Integer> all) {
         frames = all;
         next(0);
@@ -102,7 +102,7 @@ public final class Watch implements Closeable {
         }
     }
 
-    /** Hears what a display hears. */
+    /** A listener that passes everything on to the display. */
     public RenderProgress over(RenderProgress display) {
         return render == null ? display : render.listening(display);
     }

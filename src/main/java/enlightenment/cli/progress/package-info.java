@@ -1,2 +1,2 @@
-/** What is to be seen of a render while it goes on: bars, previews, a page, a window. */
+/** The displays of a render while it runs: bars, previews, a page, a window. */
 package enlightenment.cli.progress;

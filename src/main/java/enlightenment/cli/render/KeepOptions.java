@@ -29,12 +29,12 @@ final class KeepOptions {
 
     KeepOptions() {}
 
-    /** What to tell where a render was stopped, in words that end a sentence; empty if nothing is kept. */
+    /** The hint for a render that was stopped, in words that end a sentence; empty if nothing is kept. */
     String hint() {
         return checkpoint == null ? "" : "; what is done is kept: --resume goes on with it";
     }
 
-    /** Says which files are read and written. */
+    /** Adds the files that are read and written. */
     void register(CommandFiles files) {
         files.writes("--checkpoint", checkpoint);
     }

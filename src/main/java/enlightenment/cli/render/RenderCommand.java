@@ -214,7 +214,7 @@ public final class RenderCommand extends Subcommand {
         return ExitCode.DONE;
     }
 
-    /** What rules about names cannot say: it depends on values. */
+    /** Checks options by their values; {@link OptionRules} checks only which are given. */
     private void checkOptions() {
         if (part == null) {
             output.check();

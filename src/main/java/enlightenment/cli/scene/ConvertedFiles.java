@@ -33,7 +33,7 @@ final class ConvertedFiles {
         folder = output.toAbsolutePath().resolveSibling((dot > 0 ? name.substring(0, dot) : name) + "-files");
     }
 
-    /** How the input is to be read: with the folder for its pictures, if there is one. */
+    /** The options of the import, with the folder for its pictures, if there is one. */
     SceneImporter.Options options(SceneImporter.Options chosen) {
         return StandardStreams.isNamed(output) ? chosen : chosen.withExtracted(folder);
     }

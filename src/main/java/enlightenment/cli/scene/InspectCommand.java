@@ -95,7 +95,7 @@ public final class InspectCommand extends Subcommand {
         return ExitCode.DONE;
     }
 
-    /** What the method does, and what each of its settings is. */
+    /** The method's description, and that of each of its settings. */
     private static List<String> method(RenderSettings settings, Scene scene) {
         List<String> lines = new ArrayList<>();
         lines.add(settings.method().word() + ": " + settings.method().description());
@@ -173,7 +173,7 @@ public final class InspectCommand extends Subcommand {
         line("surfaces", counts(used));
     }
 
-    /** What meshes hold; each counts once, however often it is placed. */
+    /** Prints the contents of meshes; each counts once, however often it is placed. */
     private void meshes(Scene scene) {
         List<TriangleMesh> meshes = scene.meshes();
         if (meshes.isEmpty()) {

@@ -95,7 +95,7 @@ record StarterModel(Vec3 min, Vec3 max, boolean isUpZ, boolean hasNormals) {
                 + indent + "  ] }";
     }
 
-    /** What moves the middle of the box's base to the origin. */
+    /** The translation that moves the middle of the box's base to the origin. */
     private String offset() {
         Vec3 size = max.minus(min);
         double largest = Math.max(size.x(), Math.max(size.y(), size.z()));

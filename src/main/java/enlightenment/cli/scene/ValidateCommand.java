@@ -73,7 +73,7 @@ public final class ValidateCommand extends Subcommand {
         }
     }
 
-    /** Says what is wrong with the frames: each problem once, in the first frame that has it. */
+    /** Prints the problems of frames: each once, for the first frame that has it. */
     private boolean validateFrames(SceneInput input, Scene scene, Animation animation) throws IOException {
         FrameChoice choice = FrameChoice.of(animation, input.size());
         Set<String> places = new HashSet<>();

@@ -4,7 +4,7 @@ import enlightenment.cli.option.BadValue;
 import enlightenment.cli.option.WholeNumber;
 import picocli.CommandLine.ITypeConverter;
 
-/** Where a server listens; an IPv6 address has no brackets here. */
+/** The address of a server; an IPv6 address has no brackets here. */
 record HostPort(String host, int port) {
     /** Reads {@code HOST:PORT}, with an IPv6 address in brackets. */
     static final class Converter implements ITypeConverter<HostPort> {

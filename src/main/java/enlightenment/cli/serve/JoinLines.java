@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/** Tells how workers join, ready to be copied. */
+/** Lines that say how workers join, ready to be copied. */
 final class JoinLines {
     private JoinLines() {}
 

@@ -26,7 +26,7 @@ final class ServerKeepOptions {
         return checkpoint == null ? all : all.checkpoint(checkpoint);
     }
 
-    /** Says which file is read and written. */
+    /** Adds the file that is read and written. */
     void register(CommandFiles files) {
         files.writes("--checkpoint", checkpoint);
     }

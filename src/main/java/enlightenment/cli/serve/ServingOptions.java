@@ -99,7 +99,7 @@ public final class ServingOptions {
 
     public ServingOptions() {}
 
-    /** What the options ask for, to which more may be added; warns of what is not secret. */
+    /** The server's options as a builder; warns of what is not secret. */
     public ServerOptions.Builder options(Terminal terminal) throws IOException {
         if (isAuditRequired && audit != null && audit == 0) {
             throw CliException.wrongUsage("--audit-required must not be given with --audit 0, which audits nothing");
@@ -145,7 +145,7 @@ public final class ServingOptions {
         }
     }
 
-    /** Says which files the server reads and writes. */
+    /** Adds the files that the server reads and writes. */
     public void register(CommandFiles files) {
         files.reads("the file of --tls-cert", certificate)
                 .reads("the file of --tls-key", key)
@@ -154,7 +154,7 @@ public final class ServingOptions {
     }
 
     /**
-     * Tells how workers join a server, and where its status page is.
+     * Prints how workers join a server, and where its status page is.
      *
      * @param status the port of the page, negative for none
      */
@@ -165,7 +165,7 @@ public final class ServingOptions {
         }
     }
 
-    /** Says which audits were not made, unless that is a failure, which {@link #requireAudits} tells. */
+    /** Warns of audits that were not made, unless {@link #requireAudits} makes that a failure. */
     public void tellAudits(RenderServer.AuditReport audits, Terminal terminal) {
         if (!audits.isComplete() && !isAuditRequired) {
             terminal.say("warning: " + audits.sentence() + "; --audit-required makes that a failure");

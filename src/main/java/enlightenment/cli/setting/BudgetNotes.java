@@ -9,8 +9,8 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Says what becomes of a budget: the number of samples that a time amounts to, so that the picture can be made again, what cannot
- * be met, and why a picture is rendered once more. Passes everything on to the display.
+ * Reports how a budget is used. Messages have the number of samples that a time amounts to, so that the picture can be made again, what
+ * cannot be met, and why a picture is rendered once more. Passes all calls on to the display.
  */
 public final class BudgetNotes implements RenderProgress {
     private final RenderProgress display;
@@ -24,10 +24,10 @@ public final class BudgetNotes implements RenderProgress {
     }
 
     /**
-     * Of one of several pictures.
+     * Notes about one of several pictures.
      *
-     * @param about what is rendered, as messages begin
-     * @param notes hears what cannot be met
+     * @param about the prefix of messages, which names the picture
+     * @param notes receives what cannot be met
      */
     public BudgetNotes(
             RenderProgress display,

@@ -65,7 +65,7 @@ public final class RenderOptions {
         return time != null;
     }
 
-    /** Says that {@code --size} stretches the picture, if it does. */
+    /** Warns if {@code --size} stretches the picture. */
     public void warnOfStretch(Scene scene, RenderSettings rendered, Terminal terminal) {
         settings.warnOfStretch(scene, rendered, terminal);
     }
@@ -103,7 +103,7 @@ public final class RenderOptions {
         return time == null ? budget : budget.withSeconds(time);
     }
 
-    /** What to tell of a value that the renderer refused: the option's fault where it was given, else the scene's. */
+    /** The exception for a value that the renderer refused: the option's fault where it was given, else the scene's. */
     public RuntimeException blame(InvalidValueException e, SceneInput input) {
         return switch (e.key()) {
             case "error" ->

@@ -57,7 +57,7 @@ public final class SettingsOptions {
         return methods;
     }
 
-    /** Says that {@code --size} stretches the picture, if it does. */
+    /** Warns if {@code --size} stretches the picture. */
     public void warnOfStretch(Scene scene, RenderSettings settings, Terminal terminal) {
         if (size != null) {
             StretchHint.of(scene, settings).ifPresent(terminal::say);
@@ -103,7 +103,7 @@ public final class SettingsOptions {
         }
     }
 
-    /** What to tell of a value that the renderer refused: the option's fault where it was given, else the scene's. */
+    /** The exception for a value that the renderer refused: the option's fault where it was given, else the scene's. */
     public RuntimeException blame(InvalidValueException e, SceneInput input) {
         if (!e.key().equals("size")) {
             return SceneFailures.inFile(input, e);

@@ -34,7 +34,7 @@ public final class SampleOptions {
         }
     }
 
-    /** What is to be kept. */
+    /** The data of camera samples to keep. */
     public StoredSamples wanted() {
         return rays ? StoredSamples.RAYS : samples ? StoredSamples.PIXELS : StoredSamples.NONE;
     }

@@ -45,13 +45,13 @@ final class StoreAccess {
         }
     }
 
-    /** Says which files belong to a store that is read. */
+    /** Adds the files of a store that is read. */
     static void reads(StoreAddress address, CommandFiles files) throws IOException {
         address.file().ifPresent(file -> files.reads("the store", file));
         beside(address).forEach(file -> files.reads("what lies beside the store", file));
     }
 
-    /** Says which files belong to a store that is written. */
+    /** Adds the files of a store that is written. */
     static void writes(StoreAddress address, CommandFiles files) throws IOException {
         address.file().ifPresent(file -> files.writes("--store", file));
         beside(address).forEach(file -> files.makes("--store", file));
@@ -63,7 +63,7 @@ final class StoreAccess {
                 : StoreAddress.beside(FilePlace.of(address.file().get()));
     }
 
-    /** Says that the password is read. */
+    /** Adds the file of the password, which is read. */
     void register(CommandFiles files) {
         files.reads("the file of --store-password-file", passwordFile);
     }

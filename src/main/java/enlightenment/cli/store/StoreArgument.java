@@ -32,7 +32,7 @@ final class StoreArgument {
         return StoreAccess.address(store);
     }
 
-    /** Says which files are read. */
+    /** Adds the files that are read. */
     void register(CommandFiles files) throws IOException {
         StoreAccess.reads(address(), files);
         access.register(files);

@@ -44,7 +44,7 @@ public final class StoreOptions {
         }
     }
 
-    /** Says which files are read and written. */
+    /** Adds the files that are read and written. */
     public void register(CommandFiles files) throws IOException {
         if (store != null) {
             access.register(files);

@@ -16,7 +16,7 @@ public final class CliException extends RuntimeException {
         return new CliException(ExitCode.WRONG_INPUT, message);
     }
 
-    /** What was asked for is sound, but could not be done. */
+    /** A failure of a command that was used correctly. */
     public static CliException failed(String message) {
         return new CliException(ExitCode.FAILED, message);
     }

@@ -1,11 +1,11 @@
 package enlightenment.cli.terminal;
 
-/** What the process tells its caller when it ends. */
+/** Exit codes of the process. */
 public final class ExitCode {
-    /** All went well. */
+    /** The command has succeeded. */
     public static final int DONE = 0;
 
-    /** What was asked for is sound, but could not be done. */
+    /** The command was used correctly, but failed. */
     public static final int FAILED = 1;
 
     /** The command line or the scene has to be changed. */

@@ -2,7 +2,7 @@ package enlightenment.cli.terminal;
 
 import java.io.File;
 
-/** How this program was called: the beginning of commands that the user may copy. */
+/** The name by which this program was called: the beginning of commands that the user may copy. */
 public final class Launcher {
     /** The system property in which the launcher of the application tells the name or path that it was called by. */
     static final String PROPERTY = "enlightenment.launcher";

@@ -43,7 +43,7 @@ public class ShutdownSignal extends Thread implements BooleanSupplier {
         }
     }
 
-    /** Asks the work to end. */
+    /** Requests that the work ends. */
     public void request() {
         requested = true;
     }

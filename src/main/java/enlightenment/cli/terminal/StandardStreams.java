@@ -9,7 +9,7 @@ import java.util.Optional;
 
 /** Standard input and output where a file is named: both are called {@code -}; a file of that name is {@code ./-}. */
 public final class StandardStreams {
-    /** What messages call standard input. */
+    /** The name of standard input in messages. */
     public static final String INPUT = "standard input";
 
     /** Names of what descriptor 0 of this process is open on, where the operating system has such names. */
@@ -57,7 +57,7 @@ public final class StandardStreams {
         return file.toString().equals("-");
     }
 
-    /** What messages call an output. */
+    /** The name of an output in messages. */
     public static String outputName(Path file) {
         return isNamed(file) ? "standard output" : file.toString();
     }

@@ -6,12 +6,12 @@ import java.io.PrintStream;
 import java.util.regex.Pattern;
 
 /**
- * Where a command reads from and writes to, and what can stop it.
+ * The streams of a command, and the signal that can stop it.
  *
- * @param in what {@code -} stands for as an input
- * @param out results; what {@code -} stands for as an output
+ * @param in the stream that {@code -} means as an input
+ * @param out results; the stream that {@code -} means as an output
  * @param err messages and progress
- * @param stop tells when the user wants a render to end
+ * @param stop is requested when the user wants a render to end
  */
 public record Terminal(InputStream in, PrintStream out, PrintStream err, ShutdownSignal stop) {
     private static final Pattern FOREIGN_LINE = Pattern.compile("\n(?!  )");

@@ -1,2 +1,2 @@
-/** What a command and its terminal have between them: streams, signals, exit codes, failures that name one. */
+/** The connection of a command and its terminal: streams, signals, exit codes, failures with one. */
 package enlightenment.cli.terminal;

@@ -61,7 +61,7 @@ final class Archives {
     /** A plan with fewer samples, by its number. */
     private record Earlier(int plan, double samples, EarlierUnits units) {}
 
-    /** What an archive is asked for. */
+    /** One call to an archive. */
     @FunctionalInterface
     private interface Use {
         void of(Kept kept) throws IOException;
@@ -184,7 +184,7 @@ final class Archives {
         }
     }
 
-    /** What a tile can go on from; null for nothing. */
+    /** The result of an earlier plan that a tile can grow from; null without one. */
     byte[] earlier(int unit, FilmAssembly film, GrowingMaker maker) {
         List<byte[]> found = new ArrayList<>();
         each(kept -> {
@@ -232,7 +232,7 @@ final class Archives {
         }
     }
 
-    /** Gives others what an archive has and they have not. */
+    /** Copies results of an archive to the others that lack them. */
     private void giveOthers(Kept kept) throws IOException {
         for (int unit = kept.units.nextSetBit(0); unit >= 0; unit = kept.units.nextSetBit(unit + 1)) {
             int number = unit;
@@ -256,7 +256,7 @@ final class Archives {
     }
 
     /**
-     * What tells archives of the camera samples of one thread.
+     * The listener through which one thread's camera samples reach the archives.
      *
      * @param width columns of the whole picture
      */
@@ -264,7 +264,7 @@ final class Archives {
         return new Samples(width);
     }
 
-    /** Gives the samples of one thread to the archives that want them. */
+    /** Passes the samples of one thread to the archives that keep samples. */
     final class Samples {
         private final SampleLog log;
         private int unit;
@@ -303,7 +303,7 @@ final class Archives {
         return new Ticker();
     }
 
-    /** Tells archives that time passes, by a thread that is never interrupted: the file that it writes to would be closed. */
+    /** Calls the archives' tick, by a thread that is never interrupted: the file that it writes to would be closed. */
     final class Ticker implements AutoCloseable {
         private final CountDownLatch over = new CountDownLatch(1);
         private final Thread thread = new Thread(this::tick, "enlightenment-archives");

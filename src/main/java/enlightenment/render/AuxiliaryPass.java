@@ -60,7 +60,7 @@ final class AuxiliaryPass {
         return images;
     }
 
-    /** What one thread works with. */
+    /** The working memory of one thread. */
     private final class Row {
         // These rays are no part of the picture, nor of what its report counts.
         private final Tracer tracer = new Tracer(scene, new RayCounters(scene.kindNames.size()));

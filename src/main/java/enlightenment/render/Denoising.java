@@ -13,7 +13,7 @@ import java.util.concurrent.CancellationException;
 
 /** The second picture of a render: the same without grain. */
 final class Denoising {
-    /** What it takes to know of each pixel. */
+    /** The auxiliary images that guide the filter. */
     static final Set<RenderResult.Auxiliary> GUIDES =
             Set.of(RenderResult.Auxiliary.ALBEDO, RenderResult.Auxiliary.NORMAL, RenderResult.Auxiliary.POSITION);
 

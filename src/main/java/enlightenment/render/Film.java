@@ -68,7 +68,7 @@ public final class Film {
         return frames;
     }
 
-    /** How many are shown in a second; greater than 0. */
+    /** The number of frames per second; greater than 0. */
     public double framesPerSecond() {
         return framesPerSecond;
     }

@@ -48,7 +48,7 @@ final class FilmChoice {
         }
     }
 
-    /** Whether one more image may be in memory, which the render can do without. */
+    /** Whether memory suffices for one more image, which the render can do without. */
     boolean hasRoom(CompiledScene scene) {
         PictureMemory more = PictureMemory.of(request.scene(), settings, PictureMemory.Films.BOTH, images + 1);
         boolean hasPaths = Integrators.hasLightPaths(settings.method(), scene, settings);
@@ -71,7 +71,7 @@ final class FilmChoice {
         return PictureMemory.of(scene, settings, films, 0).bytes();
     }
 
-    /** What a method makes pictures in, whatever the scene. */
+    /** The kind of films that a method accumulates, whatever the scene. */
     private static PictureMemory.Films films(Method method) {
         if (method.kind() == Method.Kind.SPLATS) {
             return PictureMemory.Films.SPLATS;
@@ -80,7 +80,7 @@ final class FilmChoice {
     }
 
     /**
-     * Where the pixels are.
+     * The place of the pixels: memory or a file.
      *
      * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space in the folder
      */
@@ -89,7 +89,7 @@ final class FilmChoice {
         return room.place(memory(films), inMemoryFor());
     }
 
-    /** What of the request needs the whole picture in memory; empty if nothing does. */
+    /** The part of the request that needs the whole picture in memory; empty without one. */
     private Optional<String> inMemoryFor() {
         Optional<String> method = FilmRoom.wholeInMemory(settings.method());
         if (method.isPresent()) {

@@ -30,7 +30,7 @@ final class KeptRender implements PictureRender {
     private final Archives archives;
     private final int round;
 
-    /** What is shown where nothing is finished yet, or null. */
+    /** The picture to show where no pixel is finished yet, or null. */
     private final Preview preview;
 
     private final PreparedDevice device;

@@ -40,7 +40,7 @@ final class LocalRender implements PictureRender {
     private final WorkUnits units;
     private final PictureFilm film;
 
-    /** What is shown where nothing is finished yet, or null. */
+    /** The picture to show where no pixel is finished yet, or null. */
     private final Preview preview;
 
     private final List<RayCounters> counters = new ArrayList<>();
@@ -81,12 +81,12 @@ final class LocalRender implements PictureRender {
         film = PictureFilm.of(units, outline, place);
     }
 
-    /** Says before the start that ray clusters are to be gathered. */
+    /** Has ray clusters gathered; to be called before the start. */
     void gatherClusters() {
         clusters = new ArrayList<>();
     }
 
-    /** Says before the start that chains are to be gathered. */
+    /** Has chains gathered; to be called before the start. */
     void gatherChains() {
         chains = new ArrayList<>();
     }

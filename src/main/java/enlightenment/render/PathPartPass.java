@@ -47,7 +47,7 @@ final class PathPartPass {
         }
     }
 
-    /** What is rendered for something: what is indirect is what is left by what is direct. */
+    /** The kind that is rendered for a kind: the indirect light is the picture less the direct. */
     private static RenderResult.Auxiliary part(RenderResult.Auxiliary kind) {
         return kind == RenderResult.Auxiliary.INDIRECT ? RenderResult.Auxiliary.DIRECT : kind;
     }
@@ -57,8 +57,8 @@ final class PathPartPass {
     }
 
     /**
-     * What this takes at most, as a share of the time of a render: what is followed is a beginning of each path. Among glass that is
-     * nearly all of it.
+     * The largest time of this pass as a share of the render's: its paths are beginnings of the render's. Among glass that is nearly all of
+     * each.
      */
     double share() {
         return numbers.size();

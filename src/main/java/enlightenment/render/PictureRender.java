@@ -11,17 +11,17 @@ interface PictureRender {
     /** Does the units, unless it is cancelled. */
     void run();
 
-    /** What was rendered, in full precision. */
+    /** The film with the rendered pixels, in full precision. */
     PictureFilm film();
 
     /** The picture as it stands: the film, and what a preview that is kept shows where that is not finished. */
     Image image();
 
-    /** How many pixels are not black for want of samples. */
+    /** The number of pixels that have samples, their own or a preview's. */
     long shownPixels();
 
     /**
-     * What was done; asked after the last picture.
+     * The report of the render; to be called after the last picture.
      *
      * @param rounding the error of rounding the picture to the depth of its file
      * @param round how often the picture was rendered

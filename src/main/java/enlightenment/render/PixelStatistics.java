@@ -6,7 +6,7 @@ import enlightenment.picture.Neighbourhood;
 import enlightenment.scene.RenderSettings;
 import java.util.Arrays;
 
-/** What the samples of a film tell of each pixel, as images of raw numbers. */
+/** Statistics of the samples of each pixel, as images of raw numbers. */
 final class PixelStatistics {
     private final PictureFilm film;
     private final RenderSettings.Crop region;

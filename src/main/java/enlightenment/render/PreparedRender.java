@@ -106,7 +106,7 @@ final class PreparedRender {
         request.progress().planned(plan.samples(), plan.decidedBy());
     }
 
-    /** What is shown of a picture where it is not finished; null for nothing. */
+    /** The picture to show where the film is not finished; null for none. */
     private Preview preview() {
         if (settings.method().kind() != Method.Kind.TILES) {
             // Paths that may end anywhere show something of the whole picture from the first on.

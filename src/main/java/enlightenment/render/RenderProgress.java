@@ -9,11 +9,11 @@ import java.util.function.Supplier;
  */
 @FunctionalInterface
 public interface RenderProgress {
-    /** Hears nothing. */
+    /** A listener that ignores all calls. */
     RenderProgress NONE = (done, total, soFar) -> {};
 
     /**
-     * Some more of the picture is done.
+     * Called when more of the picture is done.
      *
      * @param done pixels finished, where a unit of work that is a share of several pixels counts as that share of them; 0 while a
      *     progressive or watched render refines its first coarse pass
@@ -32,8 +32,8 @@ public interface RenderProgress {
     default void coarse(Supplier<Image> soFar) {}
 
     /**
-     * It is decided how many samples there will be; called before the first progress, and again before the picture is rendered once
-     * more because it was not as exact as asked; on the thread that asked for the render.
+     * Called when the number of samples is planned. That is before the first progress, and again before a further round for a picture that
+     * was not as exact as asked; on the thread that called the render.
      *
      * @param samples camera rays per pixel in the mean: as {@code --samples} this makes the same picture
      * @param decidedBy which part of the budget was decisive: antialias, samples, error or time

@@ -17,30 +17,30 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * What to render and how: a scene, its settings, a listener, and what is wanted beside the picture. Begin with {@link #of(Scene)} and change what
- * should differ. Only scene and settings have an influence on the picture.
+ * A request to render: a scene, its settings, a listener, and further outputs. Begin with {@link #of(Scene)} and change what should differ.
+ * Only scene and settings have an influence on the picture.
  *
- * @param scene what to render
- * @param settings how
- * @param progress hears how it gets on: called from several threads, one at a time
- * @param cancelled asked from several threads at once; once true, the render ends with what it has. An interrupt of the
- *     thread that renders is the same wish
- * @param auxiliary what to tell of each pixel beside its colour
+ * @param scene the scene to render
+ * @param settings the method, its settings, the size and the budget
+ * @param progress the listener: called from several threads, one at a time
+ * @param cancelled polled by several threads at once; once true, the render ends with the finished part. An interrupt of the calling thread
+ *     does likewise
+ * @param auxiliary the images to make beside the picture
  * @param progressive whether coarse passes over the whole picture come first, so that from then on there is always a whole
  *     picture to show; they take about a seventh more time. A method whose paths may end anywhere needs none
  * @param watched whether somebody may look at the picture while it is rendered: coarse passes over the whole of it come first, for at most a
  *     fiftieth of the samples where there is one per pixel; without effect where memory is too short for it, and on what is returned, even of
  *     a render that is stopped. Where progressive passes are asked for, or paths may end anywhere, none is needed
- * @param clusters whether to tell of the ray clusters
- * @param chains whether to tell of the Markov chains
- * @param archives where the results of units of work are kept, and taken from; of this scene and these settings, as far as the budget is
- *     not concerned. They are not closed
+ * @param clusters whether to return the ray clusters
+ * @param chains whether to return the Markov chains
+ * @param archives archives that results of units of work are written to, and read from; of this scene and these settings, as far as the
+ *     budget is not concerned. They are not closed
  * @param denoised whether to make a second picture without grain, {@link RenderResult#denoised}; physical shading only
- * @param scratch where a picture is kept that is too large for the memory; empty if it is refused
+ * @param scratch the folder for a picture that is too large for the memory; empty if it is refused
  * @param choice the method that was chosen for scene and settings; empty to choose it where the settings leave that open
- * @param device what shades samples beside the processor's threads: {@code cpu} for nothing, {@code opencl} or {@code opencl:N} for the N-th
- *     device, from 0, that a driver for OpenCL offers, {@code auto} for a graphics processor where there is one that can; it has no influence on
- *     the picture
+ * @param device the device that shades samples beside the processor's threads: {@code cpu} for nothing, {@code opencl} or {@code opencl:N}
+ *     for the N-th device, from 0, that a driver for OpenCL offers, {@code auto} for a graphics processor where there is one that can; it
+ *     has no influence on the picture
  */
 public record RenderRequest(
         Scene scene,
@@ -182,7 +182,7 @@ public record RenderRequest(
         return with(c -> c.device = value);
     }
 
-    /** What has to be found of each pixel beside its colour: what is asked for, and what grain is removed by. */
+    /** The auxiliary images that the request needs: the requested ones, and those that guide denoising. */
     Set<RenderResult.Auxiliary> neededAuxiliary() {
         EnumSet<RenderResult.Auxiliary> all = EnumSet.noneOf(RenderResult.Auxiliary.class);
         all.addAll(auxiliary);
@@ -252,14 +252,14 @@ public record RenderRequest(
     }
 
     /**
-     * Where a picture is kept while it is rendered, if it is too large for the memory. Its file there has no name or a new one, and is gone with
-     * the picture, or with the process. Listeners see some of its columns and rows only: those of a picture of at most 2¹⁸ pixels.
+     * The folder of a picture that is too large for the memory, while it is rendered. Its file there has no name or a new one, and is gone
+     * with the picture, or with the process. Listeners see some of its columns and rows only: those of a picture of at most 2¹⁸ pixels.
      *
      * @param folder best that of the finished picture
      * @param memory the most bytes that the pixels may take in memory, at least 0
      */
     public record ScratchFolder(Path folder, long memory) {
-        /** Nothing may be null. */
+        /** The folder may not be null. */
         public ScratchFolder {
             Objects.requireNonNull(folder, "folder");
             if (memory < 0) {

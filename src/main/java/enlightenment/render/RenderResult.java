@@ -23,19 +23,17 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What a render returns: the picture, a report, and what was asked for beside them.
+ * The result of a render: the picture, a report, and the further outputs of the request.
  *
- * @param image the picture; where the render was cancelled, the pixels that were not reached are those of the coarse passes of
- *     a progressive render, or else black
- * @param report what was done and how long it took
+ * @param image the picture; where the render was cancelled, the pixels that were not reached are those of the coarse passes of a
+ *     progressive render, or else black
+ * @param report statistics and times of the render
  * @param complete false where the render was cancelled, or its thread interrupted, before its end
- * @param shownPixels how many pixels of the picture are not left black: the finished ones, and those that only a coarse pass
- *     reached
- * @param auxiliary what was asked for beside the colours, in raw numbers: {@link Auxiliary} tells what they mean
- * @param clusters the ray clusters in the order of their blocks, if they were asked for and the method has any
- * @param chains the Markov chains in the order of their blocks and groups, if they were asked for and the method has any
+ * @param shownPixels how many pixels of the picture are not left black: the finished ones, and those that only a coarse pass reached
+ * @param auxiliary the requested images beside the picture, in raw numbers: {@link Auxiliary} defines them
+ * @param clusters the ray clusters in the order of their blocks, if they were requested and the method has any
+ * @param chains the Markov chains in the order of their blocks and groups, if they were requested and the method has any
  * @param denoised the picture without grain, if it was asked for and the picture is complete; its error is not known
- *
  */
 public record RenderResult(
         Image image,
@@ -114,7 +112,7 @@ public record RenderResult(
         public static final List<String> COORDINATES = List.of("Px", "Py", "Pz", "Sx", "Sy", "Sz", "Lx", "Ly", "Lz");
 
         /**
-         * How a coordinate is distributed.
+         * The distribution of a coordinate.
          *
          * @param mean its mean
          * @param deviation its standard deviation
@@ -213,7 +211,7 @@ public record RenderResult(
      * <p>Called by one thread at a time. An exception ends its use, and not the render: the picture is worth more.
      */
     public interface Archive extends Closeable {
-        /** What messages call it, such as {@code checkpoint picture.ckpt}. */
+        /** Its name in messages, such as {@code checkpoint picture.ckpt}. */
         String name();
 
         /** The plans that are kept, by their numbers from 0. */
@@ -226,7 +224,7 @@ public record RenderResult(
          */
         int keep(byte[] plan) throws IOException;
 
-        /** Tells the results that are kept of a plan's units, in any order; damaged ones are left out. */
+        /** Passes the kept results of a plan's units to a listener, in any order, without damaged ones. */
         void replay(int plan, Replay to) throws IOException;
 
         /** The result that is kept of one unit; empty if there is none, or a damaged one. */
@@ -257,7 +255,7 @@ public record RenderResult(
         @Override
         void close() throws IOException;
 
-        /** Hears what an archive holds. */
+        /** Receives the results of an archive. */
         @FunctionalInterface
         interface Replay {
             /** The result of a unit; the array is the listener's. */
@@ -289,8 +287,8 @@ public record RenderResult(
     }
 
     /**
-     * What a render can tell of each pixel beside its colour. All of it comes as an {@link enlightenment.image.Image} of raw numbers,
-     * as large as the picture; where there is one number per pixel, all three components are equal.
+     * The kinds of images beside the picture. Each is an {@link enlightenment.image.Image} of raw numbers, as large as the picture; where
+     * there is one number per pixel, all three components are equal.
      */
     public enum Auxiliary {
         /**
@@ -303,10 +301,10 @@ public record RenderResult(
         SAMPLES,
 
         /**
-         * How far from the eye the first surface is that the ray through the pixel's middle meets, in the scene's units and measured
-         * along the ray; +∞ where there is nothing. The orthographic camera's rays start on the plane through its eye; in the
-         * isometric view, which has no eye, it is the plane through the point that the camera looks at, and what lies before that
-         * has a negative depth.
+         * The depth of the first surface on the ray through the pixel's middle. It is the distance from the eye along the ray, in the
+         * scene's units; +∞ where there is nothing. The orthographic camera's rays start on the plane through its eye; in the isometric
+         * view, which has no eye, it is the plane through the point that the camera looks at, and what lies before that has a negative
+         * depth.
          */
         DEPTH,
 
@@ -316,18 +314,21 @@ public record RenderResult(
          */
         NORMAL,
 
-        /** Where that is: x, y, z in the scene's units and axes, as the nearest floats; 0, 0, 0 where there is nothing. */
+        /**
+         * The position of that surface point: x, y, z in the scene's units and axes. They are the nearest floats; 0, 0, 0 where there is
+         * nothing.
+         */
         POSITION,
 
         /**
-         * Which object it is: its place in the scene's list of objects, counted from 0. Lights count on after the last object; −1
-         * where there is nothing.
+         * The object of that surface: its index in the scene's list of objects, from 0. Lights count on after the last object; −1 where
+         * there is nothing.
          */
         OBJECT,
 
         /**
-         * What share of light the first surface reflects that is neither a mirror nor glass: linear, 0..1, its colour, or of a metal its
-         * reflectance at normal incidence; the mean over the samples of the pixel. Where mirrors and glass show it, with their colours.
+         * The albedo of the first surface that is neither a mirror nor glass. It is linear, 0..1: the colour, or of a metal the reflectance
+         * at normal incidence; the mean over the samples of the pixel. Where mirrors and glass show the surface, it includes their colours.
          * Black where there is nothing. Physical shading only, as are those that follow.
          */
         ALBEDO,
@@ -350,7 +351,7 @@ public record RenderResult(
             return Arrays.stream(values()).map(Auxiliary::word).toList();
         }
 
-        /** The one with this name, if there is any. */
+        /** The kind with this name, if there is any. */
         public static Optional<Auxiliary> of(String word) {
             return Arrays.stream(values()).filter(a -> a.word().equals(word)).findFirst();
         }
@@ -366,7 +367,7 @@ public record RenderResult(
         }
 
         /**
-         * What its numbers are called as channels of a layer of this {@linkplain #word name}, as in OpenEXR files: R, G, B of what is light or
+         * The channels of its layer, which has this {@linkplain #word name}, as in OpenEXR files. They are R, G, B of what is light or
          * reflectance, X, Y, Z of points and directions, Z of the depth and Y of other single numbers.
          */
         public List<String> channels() {
@@ -378,7 +379,7 @@ public record RenderResult(
             };
         }
 
-        /** Whether it is light or reflectance, of physical shading. */
+        /** Whether the numbers are light or reflectance, of physical shading. */
         public boolean needsPaths() {
             return this == ALBEDO || this == DIRECT || this == INDIRECT;
         }

@@ -31,7 +31,7 @@ final class RenderRounds {
     private final Phases phases;
     private final Stopwatch time;
 
-    /** Where the results of units are kept, or null. */
+    /** The archives of results, or null. */
     private final Archives archives;
 
     private final FilmPlace place;
@@ -41,7 +41,7 @@ final class RenderRounds {
     /**
      * One render of the picture.
      *
-     * @param guides what is known of each pixel beside its colour, whether or not it was asked for
+     * @param guides the auxiliary images, requested or not
      */
     private record Round(PictureRender render, RenderResult result, Map<RenderResult.Auxiliary, Image> guides) {}
 
@@ -80,7 +80,7 @@ final class RenderRounds {
         this.place = place;
     }
 
-    /** What there is of a picture that was stopped before it was planned. */
+    /** The result of a render that was stopped before it was planned. */
     RenderResult nothing() {
         return render(planner.none(), 1).result();
     }

@@ -228,7 +228,7 @@ public final class Renderer {
         return choose(scene, settings, new SceneImages(), Cancellation.of(cancelled));
     }
 
-    /** What {@link #choose} gives, with the scene prepared in any case. */
+    /** {@link #choose} with the scene compiled in any case. */
     static RenderRequest.MethodChoice prepare(
             Scene scene, RenderSettings settings, SceneImages files, BooleanSupplier stop) {
         BooleanSupplier cancelled = Cancellation.of(stop);
@@ -255,7 +255,7 @@ public final class Renderer {
                 settings.withMethod(decision.method()), Optional.of(decision.reason()), compiled, phases, time);
     }
 
-    /** What a render of this scene would model and need, in plain words, without rendering it. */
+    /** The models, needs and limits of a render of this scene, in plain words, without rendering it. */
     public static Inspection inspect(Scene scene, RenderSettings asked) {
         RenderRequest.MethodChoice choice = choose(scene, asked, () -> false);
         RenderSettings settings = choice.settings();
@@ -288,7 +288,7 @@ public final class Renderer {
                 List.copyOf(methods));
     }
 
-    /** What meshes take, each once. */
+    /** The memory of meshes, each counted once. */
     private static long meshBytes(Scene scene) {
         return scene.meshes().stream()
                 .mapToLong(m -> m.bytes() + TriangleTree.bytesOf(m))
@@ -315,14 +315,14 @@ public final class Renderer {
     }
 
     /**
-     * What a render would do.
+     * The result of {@link #inspect}.
      *
-     * @param modelled what the scene requires and is modelled
-     * @param notModelled what is left out because the scene does not require it
+     * @param modelled the effects that the scene requires and that are modelled
+     * @param notModelled the effects that are left out because the scene does not require them
      * @param primitives number of primitives in the compiled scene
      * @param expectedMemoryBytes estimate of the memory for the compiled scene and the picture
-     * @param hints what is surely not meant, such as a camera inside a solid, each with its place, and what the method cannot see;
-     *     empty for a scene that makes sense
+     * @param hints probable mistakes, such as a camera inside a solid, each with its place, and light transport that the method cannot
+     *     sample; empty for a scene that makes sense
      * @param methods the methods that can render the scene, in the order of {@link Method#all}
      */
     public record Inspection(

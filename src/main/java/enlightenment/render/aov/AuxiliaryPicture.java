@@ -11,10 +11,10 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Something to look at, made of the raw numbers of an {@link RenderResult.Auxiliary}.
+ * A picture that shows the raw numbers of an {@link RenderResult.Auxiliary}.
  *
  * @param image the picture: as large as the numbers, but for the scale below the heat maps of error and samples
- * @param explanation what its colours mean, in one line
+ * @param explanation the meaning of its colours, in one line
  * @param marks the numbers of its scale, spread evenly over it: of error and samples from black to pale yellow, of the depth from white
  *     to dark grey; empty where there is no scale
  */

@@ -1,2 +1,2 @@
-/** What pixels are beside their colour, made into pictures to look at. */
+/** Pictures that show auxiliary images: depth, normals, objects, errors. */
 package enlightenment.render.aov;

@@ -24,10 +24,10 @@ public final class Checkpoint implements RenderResult.Archive {
     /** Numbers of plans, by their keys. */
     private final Map<Long, Integer> numbers = new HashMap<>();
 
-    /** By the keys of plans: where the results of their units are. */
+    /** By key of the plan and by unit, the place of the result in the journal. */
     private final Map<Long, Map<Integer, Long>> places = new HashMap<>();
 
-    /** Those of machines that a server had help from. */
+    /** By machine, the places of its results in the journal. */
     private final Map<Origin, Set<Long>> ofMachines = new HashMap<>();
 
     private CheckpointJournal journal;
@@ -77,7 +77,7 @@ public final class Checkpoint implements RenderResult.Archive {
         });
     }
 
-    /** What was found damaged, in words; empty if nothing was. */
+    /** The damage that was found, in words; empty if there is none. */
     public List<String> damage() {
         List<String> lines = new ArrayList<>();
         if (journal.gaps() > 0) {
@@ -90,7 +90,7 @@ public final class Checkpoint implements RenderResult.Archive {
         return lines;
     }
 
-    /** How many results it holds, of all plans. */
+    /** The number of results of all plans. */
     public int results() {
         return places.values().stream().mapToInt(Map::size).sum();
     }

@@ -50,7 +50,7 @@ public final class CheckpointJournal implements Closeable {
         void force(FileChannel file) throws IOException;
     }
 
-    /** Hears what a journal holds, in the order in which it was written. */
+    /** Receives the records of a journal, in the order in which they were written. */
     @FunctionalInterface
     public interface Reader {
         /**
@@ -62,7 +62,7 @@ public final class CheckpointJournal implements Closeable {
         void record(long plan, JournalRecord record, long place) throws IOException;
     }
 
-    /** What tells a plan from others in the records about its units, though the record of the plan itself be lost. */
+    /** The key that identifies a plan in the records about its units, also where the plan's record is lost. */
     public static long key(byte[] plan) {
         return ContentHash.of(plan).a();
     }

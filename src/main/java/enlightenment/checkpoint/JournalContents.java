@@ -6,7 +6,7 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Tells whose a file is that is to be a journal. */
+/** Checks that a file is a journal, and of which render. */
 final class JournalContents {
     private JournalContents() {}
 
@@ -33,7 +33,7 @@ final class JournalContents {
     }
 
     /**
-     * Whether it is of another render and holds nothing.
+     * Whether the journal is of another render and has no results.
      *
      * @throws JournalException if it holds something of another render; the message says what differs
      */

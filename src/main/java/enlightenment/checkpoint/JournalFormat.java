@@ -23,7 +23,7 @@ import java.util.zip.CRC32C;
 final class JournalFormat {
     static final int HEADER_BYTES = 116;
 
-    /** Where records begin: after both headers. */
+    /** The place of the first record: after both headers. */
     static final int START = 2 * HEADER_BYTES;
 
     static final int RECORD_HEAD = 16;
@@ -35,9 +35,9 @@ final class JournalFormat {
 
     private JournalFormat() {}
 
-    /** What a journal belongs to, and the sign of its records. */
+    /** The render that a journal belongs to, and the sign of its records. */
     record Header(ContentHash scene, ContentHash settings, ContentHash build, long sign) {
-        /** That of a new journal. */
+        /** The header of a new journal. */
         static Header of(RenderIdentity render, long sign) {
             return new Header(render.scene(), hash(render.settings()), hash(render.build()), sign);
         }

@@ -22,8 +22,8 @@ public sealed interface JournalRecord {
     }
 
     /**
-     * Somebody else says the same of the tile, or the server itself has decided it: that it has this hash. Without the hash, what
-     * one machine said alone would be taken for confirmed where the record of the tile that was meant is lost.
+     * A second origin's result of the tile has this hash, or the server has decided so. Without the hash a single result would count as
+     * confirmed where the record of the tile that was meant is lost.
      */
     record Confirmed(int tile, Origin by, ContentHash hash) implements JournalRecord {
         @Override
@@ -38,7 +38,7 @@ public sealed interface JournalRecord {
         }
     }
 
-    /** What was kept of the tile does not count. */
+    /** The result of the tile does not count. */
     record Revoked(int tile) implements JournalRecord {
         @Override
         public byte[] encode() {
@@ -65,7 +65,7 @@ public sealed interface JournalRecord {
         }
     }
 
-    /** What units are rendered by: {@code engine.KeptPlan}. */
+    /** The plan that the following units are rendered by: {@code engine.KeptPlan}. */
     record Planned(byte[] plan) implements JournalRecord {
         @Override
         public byte[] encode() {
@@ -73,7 +73,7 @@ public sealed interface JournalRecord {
         }
     }
 
-    /** What the render is, in words: the header has hashes only. */
+    /** The settings and the version in words: the header has hashes only. */
     record About(String settings, String build) implements JournalRecord {
         @Override
         public byte[] encode() {

@@ -93,7 +93,7 @@ final class JournalScan {
         return length;
     }
 
-    /** Where the last whole record ends. */
+    /** The end of the last whole record. */
     long end() {
         return end;
     }
@@ -103,7 +103,7 @@ final class JournalScan {
         return gaps;
     }
 
-    /** How many bytes are damaged there. */
+    /** The number of bytes in damaged places. */
     long lostBytes() {
         return lostBytes;
     }

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * What an earlier incarnation of the server had.
+ * The state of an earlier incarnation of the server.
  *
  * @param tiles the tiles that are done, in their order
  * @param expelled machines that are not to be trusted

@@ -68,7 +68,7 @@ public final class ResultJournal implements ResultStore, Closeable {
     }
 
     /**
-     * What was kept of a unit last.
+     * The last result kept of a unit.
      *
      * @throws UncheckedIOException if it cannot be read
      */

@@ -2,14 +2,14 @@ package enlightenment.status;
 
 import java.util.Locale;
 
-/** Where a render is. */
+/** The state of a render. */
 public enum State {
-    /** Nothing of the picture is there yet. */
+    /** No pixel of the picture is there yet. */
     PREPARING,
     RENDERING,
     /** The picture is whole. */
     FINISHED,
-    /** It ended before the picture was whole. */
+    /** The render ended before the picture was whole. */
     STOPPED;
 
     /** As scripts and pages read it. */

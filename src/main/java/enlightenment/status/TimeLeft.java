@@ -24,7 +24,7 @@ public final class TimeLeft {
     private long doneBefore;
     private double seconds = Double.NaN;
 
-    /** Takes note of the progress at a time in nanoseconds. */
+    /** Records the progress at a time in nanoseconds. */
     public synchronized void at(long nanos, long done, long total) {
         if (done < doneBefore) {
             // The picture is rendered once more.

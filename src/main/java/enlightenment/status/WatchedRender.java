@@ -117,7 +117,7 @@ public final class WatchedRender implements StatusSource {
         return total > 0 && done == total;
     }
 
-    /** It ends here. */
+    /** The render ends here. */
     public synchronized void ended(boolean isComplete) {
         ended = clock.getAsLong();
         state = isComplete ? State.FINISHED : State.STOPPED;
@@ -144,7 +144,7 @@ public final class WatchedRender implements StatusSource {
         notifyAll();
     }
 
-    /** Hears it from the threads that render, one at a time. */
+    /** The listener, which the rendering threads call one at a time. */
     private final class Listener implements RenderProgress {
         private final RenderProgress display;
 

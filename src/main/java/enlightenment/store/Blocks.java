@@ -10,7 +10,7 @@ import java.util.Optional;
 
 /** Reads blocks of samples from the store, one after the other, in the order of units. */
 final class Blocks {
-    /** How many keys are asked for at once. */
+    /** The number of keys in one query. */
     private static final int PAGE = 1 << 10;
 
     private final Database database;
@@ -27,18 +27,18 @@ final class Blocks {
     /** The key of a row, and what it says of itself. */
     private record Row(int tile, int piece, int samples, long bytes) {}
 
-    /** Takes a block. */
+    /** Receives a block. */
     @FunctionalInterface
     interface Taker {
         void take(int tile, SampleBlock block) throws IOException;
     }
 
-    /** How many were left out: damaged, or not what they say. */
+    /** The number of blocks left out: damaged, or with wrong counts. */
     long damaged() {
         return damaged;
     }
 
-    /** Gives away all blocks of a kind whose units are there, and which are whole. */
+    /** Passes all undamaged blocks of a kind, whose units are there, to a receiver. */
     void read(int kind, Taker taker) throws IOException {
         int tile = -1;
         int piece = -1;

@@ -18,10 +18,10 @@ import java.util.List;
 
 /** A connection to a store, which is made anew if it breaks. For one thread at a time. */
 final class Database implements Closeable {
-    /** What a SQLite file begins with; an empty one is one, too. */
+    /** The first bytes of a SQLite file; an empty file is one, too. */
     private static final byte[] MAGIC = "SQLite format 3\0".getBytes(StandardCharsets.US_ASCII);
 
-    /** How often a transaction is tried that others get in the way of. */
+    /** How often a transaction is tried that conflicts with others. */
     private static final int TRIES = 6;
 
     private static final long PAUSE_MILLIS = 50;
@@ -48,7 +48,7 @@ final class Database implements Closeable {
         T run(Connection connection) throws SQLException, IOException;
     }
 
-    /** Makes something of a row. */
+    /** Converts a row. */
     @FunctionalInterface
     interface RowReader<T> {
         T read(ResultSet row) throws SQLException;
@@ -149,7 +149,7 @@ final class Database implements Closeable {
         return dialect;
     }
 
-    /** What messages call it. */
+    /** The name of the store in messages. */
     String name() {
         return address.shown();
     }
@@ -169,9 +169,9 @@ final class Database implements Closeable {
     }
 
     /**
-     * What a query finds.
+     * The rows of a query.
      *
-     * @param most no more rows than these
+     * @param most the largest number of rows
      * @param values of the query's parameters: texts and whole numbers
      */
     <T> List<T> rows(String sql, int most, RowReader<T> reader, Object... values) throws IOException {
@@ -226,8 +226,8 @@ final class Database implements Closeable {
     }
 
     /**
-     * Makes a connection fit for the next transaction, or drops it: SQLite on a full disk has undone all by itself, and refuses to end a
-     * transaction that there is no more. What failed before says more.
+     * Rolls a connection back for the next transaction, or drops it. SQLite on a full disk has rolled back by itself, and refuses to end
+     * that transaction again. The first failure is the one that is reported.
      */
     private void undo(Connection c, Throwable failure) {
         try {
@@ -273,7 +273,7 @@ final class Database implements Closeable {
                 || String.valueOf(e.getMessage()).contains("SQLITE_CONSTRAINT");
     }
 
-    /** What went wrong, as a line about this store; drivers' words are texts from elsewhere, and might repeat the URL. */
+    /** The failure as a line about this store. Drivers' messages are foreign texts, and might repeat the URL. */
     private StoreException failed(SQLException e) {
         String reason = String.valueOf(e.getMessage())
                 .replace(address.url(), address.shown())

@@ -3,7 +3,7 @@ package enlightenment.store;
 import java.util.List;
 import java.util.Properties;
 
-/** What databases do differently. */
+/** The differences of databases. */
 enum Dialect {
     SQLITE("BLOB"),
     MARIADB("LONGBLOB"),

@@ -30,7 +30,7 @@ import java.util.ServiceLoader;
 final class Drivers {
     private static final String LIB = "lib";
 
-    /** What to fetch, by kind of database. */
+    /** The Maven artifact of the driver, by kind of database. */
     private static final Map<String, String> ARTIFACTS = Map.of(
             "sqlite", "org.xerial:sqlite-jdbc:3.54.1.0",
             "mariadb", "org.mariadb.jdbc:mariadb-java-client:4.0.0",
@@ -45,7 +45,7 @@ final class Drivers {
         this.folders = List.copyOf(folders);
     }
 
-    /** Those of this program. */
+    /** The drivers beside this program. */
     static Drivers ofProgram() {
         return new Drivers(folders(Drivers.class.getProtectionDomain().getCodeSource()));
     }
@@ -97,7 +97,7 @@ final class Drivers {
         return null;
     }
 
-    /** All that can be loaded: one that cannot is none of ours. */
+    /** All drivers that can be loaded, without those that cannot. */
     private static List<Driver> services(ClassLoader loader) {
         if (Drivers.class.getModule().isNamed()) {
             // A module that said that it uses drivers could not be loaded where there is no java.sql.

@@ -64,7 +64,7 @@ record Part(Place place, long samples, String worker, byte[] data) {
         }
     }
 
-    /** What is there of a unit, unless it is damaged. */
+    /** The result of a unit, unless it is missing or damaged. */
     static Optional<byte[]> sound(Connection c, Dialect dialect, Place place) throws SQLException {
         try (PreparedStatement select = c.prepareStatement("SELECT crc, data FROM film_part WHERE " + Place.CONDITION
                 + " AND " + dialect.length("data") + " <= " + Parts.LONGEST)) {
@@ -79,16 +79,16 @@ record Part(Place place, long samples, String worker, byte[] data) {
         }
     }
 
-    /** Takes a result out, with its samples. */
+    /** Deletes a result, with its samples. */
     static void delete(Connection c, Place place) throws SQLException {
         deleteResult(c, place);
         delete(c, "sample_block", place);
     }
 
     /**
-     * Takes out what one worker made, with its samples.
+     * Deletes the results of one worker, with their samples.
      *
-     * @param any of the units
+     * @param any the place of a unit of that plan
      */
     static void deleteOf(Connection c, Place any, String worker) throws SQLException {
         String theirs = " WHERE render_id = ? AND pass = ? AND ";
@@ -109,7 +109,7 @@ record Part(Place place, long samples, String worker, byte[] data) {
         }
     }
 
-    /** Takes a result out, but not its samples. */
+    /** Deletes a result, but not its samples. */
     static void deleteResult(Connection c, Place place) throws SQLException {
         delete(c, "film_part", place);
     }

@@ -11,7 +11,7 @@ final class Parts {
     /** No result of a unit is longer: what is, is not looked at. */
     static final long LONGEST = 64L << 20;
 
-    /** How many rows are asked for at once, and how many bytes. */
+    /** The largest number of rows in one query, and of bytes. */
     private static final int PAGE = 1 << 10;
 
     private static final long PAGE_BYTES = 4L << 20;
@@ -32,7 +32,7 @@ final class Parts {
         this.kind = kind;
     }
 
-    /** Takes a result. */
+    /** Receives a result. */
     @FunctionalInterface
     interface Taker {
         void take(int tile, byte[] data) throws IOException;
@@ -41,12 +41,12 @@ final class Parts {
     /** The key of a row, and how long it is. */
     private record Row(int tile, long bytes) {}
 
-    /** How many were left out: damaged, or longer than any result. */
+    /** The number of results left out: damaged, or longer than any result. */
     long damaged() {
         return damaged;
     }
 
-    /** Gives away all that are whole. */
+    /** Passes all undamaged results to a receiver. */
     void read(Taker taker) throws IOException {
         long after = -1;
         while (true) {

@@ -3,7 +3,7 @@ package enlightenment.store;
 import java.sql.PreparedStatement;
 import java.sql.SQLException;
 
-/** Where a result belongs: a render by its id, a plan and a unit of it by their numbers. */
+/** The key of a result: a render by its id, a plan and a unit of it by their numbers. */
 record Place(String render, int pass, int tile) {
     /** The condition that {@link #set} fills. */
     static final String CONDITION = "render_id = ? AND pass = ? AND tile = ?";

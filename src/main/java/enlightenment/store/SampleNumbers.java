@@ -17,7 +17,7 @@ final class SampleNumbers {
     private final int batches;
     private final int passes;
 
-    /** How many samples there were of the pixels of this tile, but for the one that is looked at. */
+    /** By pixel of this tile, the number of samples so far, without those of the current pixel. */
     private final Map<Integer, Integer> before = new HashMap<>();
 
     private long tile = -1;

@@ -34,13 +34,13 @@ public final class SampleRows {
             "light_y",
             "light_z");
 
-    /** How many of them are not of rays. */
+    /** The number of these columns that do not belong to rays. */
     private static final int OF_SAMPLES = 6;
 
     private static final int KEYS = 6;
     private static final int COLUMNS = KEYS + REALS.size() + 2;
 
-    /** How many rows are sent to the database at once. */
+    /** The number of rows sent to the database at once. */
     private static final int BATCH = 1 << 12;
 
     private final Database database;
@@ -92,7 +92,7 @@ public final class SampleRows {
         return pass;
     }
 
-    /** How many units have no such samples, and are left out. */
+    /** The number of units without such samples, which are left out. */
     public long unitsWithout() throws IOException {
         String sql = "SELECT COUNT(*) FROM film_part p WHERE p.render_id = ? AND p.pass = ? AND NOT EXISTS (SELECT 1"
                 + " FROM sample_block b WHERE b.render_id = p.render_id AND b.pass = p.pass AND b.tile = p.tile"
@@ -101,7 +101,7 @@ public final class SampleRows {
                 .get(0);
     }
 
-    /** How many blocks were damaged and are left out. */
+    /** The number of damaged blocks, which are left out. */
     public long damaged() {
         return damaged;
     }

@@ -36,7 +36,7 @@ public final class SampleStore implements Closeable {
         return new SampleStore(Database.toUnpack(address, login, Drivers.ofProgram()));
     }
 
-    /** What messages call it. */
+    /** The name of the store in messages. */
     public String name() {
         return database.name();
     }
@@ -92,14 +92,14 @@ public final class SampleStore implements Closeable {
         return PlanRow.all(database, render.id());
     }
 
-    /** Takes results. */
+    /** Receives results. */
     @FunctionalInterface
     public interface Taker {
         void take(int unit, byte[] bytes) throws IOException;
     }
 
     /**
-     * Gives away all results of a plan that are whole, in the order of units.
+     * Passes all undamaged results of a plan to a receiver, in the order of units.
      *
      * @return how many are damaged
      */
@@ -110,7 +110,7 @@ public final class SampleStore implements Closeable {
     }
 
     /**
-     * What is there of a plan.
+     * The stored amount of a plan.
      *
      * @param units how many results
      * @param samples how many camera rays are in them
@@ -121,7 +121,7 @@ public final class SampleStore implements Closeable {
      */
     public record Facts(long units, long samples, long bytes, long blocks, long kept, long blockBytes) {}
 
-    /** What is there of a plan. */
+    /** The stored amount of a plan. */
     public Facts facts(RenderRow render, PlanRow plan) throws IOException {
         String parts = "SELECT COUNT(*), SUM(samples * 1.0), SUM("
                 + database.dialect().length("data") + " * 1.0) FROM film_part WHERE render_id = ? AND pass = ?";
@@ -143,15 +143,15 @@ public final class SampleStore implements Closeable {
     }
 
     /**
-     * Who made results.
+     * A worker with results in the store.
      *
-     * @param name what it is called
+     * @param name its name
      * @param units how many it made
      * @param samples how many camera rays are in them
      */
     public record Worker(String name, long units, long samples) {}
 
-    /** Who made the results of a plan: those with the most first, and no more than fifty. */
+    /** The workers with results of a plan: those with the most first, and no more than fifty. */
     public List<Worker> workers(RenderRow render, PlanRow plan) throws IOException {
         String sql =
                 "SELECT SUBSTR(worker, 1, " + Part.LONGEST_WORKER + "), COUNT(*), SUM(samples * 1.0) FROM film_part"

@@ -47,7 +47,7 @@ final class Schema {
         return columns + ", outcome VARCHAR(16), bounces INT)";
     }
 
-    /** Makes what is missing. */
+    /** Makes the tables and indices that are missing. */
     static void create(Connection connection, Dialect dialect) throws SQLException {
         try (Statement statement = connection.createStatement()) {
             for (String table : tables(dialect)) {

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Where a store is: the path of a SQLite file, or the JDBC URL of any database.
+ * The address of a store: the path of a SQLite file, or the JDBC URL of any database.
  *
  * @param url the JDBC URL; without a password, but the part after its path may still be confidential
  * @param file the file of a store that is one
@@ -81,7 +81,7 @@ public record StoreAddress(String url, Optional<Path> file) {
     }
 
     /**
-     * What SQLite keeps beside the file of a store while it is open, and after a process was killed. It follows links first.
+     * The files that SQLite keeps beside a store's while it is open, and after a process was killed. SQLite follows links first.
      *
      * @param file the file of a store, which is no link
      */
@@ -103,7 +103,7 @@ public record StoreAddress(String url, Optional<Path> file) {
         return end < 0 ? "" : url.substring(JDBC.length(), end).toLowerCase(Locale.ROOT);
     }
 
-    /** What messages call it: without options and without a user's name. */
+    /** The address in messages: without options and without a user's name. */
     public String shown() {
         String plain = file.isPresent()
                 ? file.get().toString()

@@ -23,7 +23,7 @@ import java.util.function.DoubleFunction;
 public final class StoreArchive implements RenderResult.Archive.OfSamples {
     static final long WRITE_EVERY_NANOS = 200_000_000L;
 
-    /** What waits to be written is no more than this, and one result. */
+    /** Bytes that may wait to be written, beside one result. */
     private static final long MOST_WAITING = 8L << 20;
 
     private final Database database;
@@ -34,13 +34,13 @@ public final class StoreArchive implements RenderResult.Archive.OfSamples {
     /** Which samples are wanted with each unit; -1 for none. */
     private final int kind;
 
-    /** By plan: units that were given away when it was opened, and may be made again if they are of no use. */
+    /** By plan, units that were replayed when it was opened, and may be made again if not valid. */
     private final Map<Integer, BitSet> replayed = new HashMap<>();
 
     private final Map<Place, Part> parts = new LinkedHashMap<>();
     private final List<Block> blocks = new ArrayList<>();
 
-    /** How many blocks each unit has that is not written. */
+    /** By unit, the number of its blocks that are not written. */
     private final Map<Place, Integer> pieces = new HashMap<>();
 
     private long waiting;
@@ -111,7 +111,7 @@ public final class StoreArchive implements RenderResult.Archive.OfSamples {
         return PlanRow.numberOf(database, render, plan, texts.apply(planned));
     }
 
-    /** Gives away all that is kept of a plan and is whole; where samples are wanted, what has some. */
+    /** Passes all undamaged results of a plan to a listener; where samples are wanted, only those with some. */
     @Override
     public void replay(int plan, Replay to) throws IOException {
         write();
@@ -126,7 +126,7 @@ public final class StoreArchive implements RenderResult.Archive.OfSamples {
         damaged += there.damaged();
     }
 
-    /** How many results were found damaged. */
+    /** The number of results found damaged. */
     public long damaged() {
         return damaged;
     }

@@ -103,7 +103,7 @@ public record StorePicture(RenderResult result, Map<String, String> texts, int u
                 + " that this version of the program can make a picture of (it was made by " + render.program() + ")");
     }
 
-    /** How many units a plan has; empty for a plan of another version of the program. */
+    /** The number of units of a plan; empty for a plan of another version of the program. */
     public static OptionalInt units(PlanRow plan) {
         return workUnits(plan).map(u -> OptionalInt.of(u.count())).orElse(OptionalInt.empty());
     }

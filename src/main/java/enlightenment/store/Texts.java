@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** What a picture's file is to say of itself, as bytes: pairs of texts, each as its length and UTF-8. */
+/** The texts for a picture's file as bytes: pairs of keyword and text, each as its length and UTF-8. */
 final class Texts {
     private static final int MOST = 64;
 
@@ -36,7 +36,7 @@ final class Texts {
         out.write(utf8);
     }
 
-    /** What was written; what makes no sense, or no file can have, is left out. */
+    /** The texts in the bytes, without those that are not valid or that no file can have. */
     static Map<String, String> of(byte[] bytes) {
         Map<String, String> texts = new LinkedHashMap<>();
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes))) {

@@ -4,9 +4,8 @@ import enlightenment.plan.RenderPlan;
 import enlightenment.scene.RenderSettings;
 
 /**
- * How a picture is cut for many machines: into columns one block wide, and these into tiles of whole blocks. All cuts lie between
- * blocks of the whole picture, so that a part of it shares its blocks with the whole. Numbered column by column
- * from the left, each from the top.
+ * The tiles of a picture for many machines: columns one block wide are cut into tiles of whole blocks. All cuts lie between blocks of the
+ * whole picture, so that a part of it shares its blocks with the whole. Numbered column by column from the left, each from the top.
  */
 final class ColumnGrid implements TileCut {
     /** At least this many tiles, if there are as many blocks: a hundred machines get dozens each. */
@@ -39,7 +38,7 @@ final class ColumnGrid implements TileCut {
         tiles = Math.multiplyExact(across, down);
     }
 
-    /** How many tiles to cut; there may be fewer blocks. */
+    /** The number of tiles to cut; there may be fewer blocks. */
     private static int tilesFor(RenderSettings.Crop region, RenderPlan plan) {
         double rays = (double) region.width() * region.height() * plan.samples();
         return (int) Math.max(FEWEST_TILES, Math.min(WorkUnits.MOST_UNITS, rays / WorkUnits.RAYS_PER_UNIT));

@@ -13,7 +13,7 @@ public final class EarlierUnits {
         this.units = units;
     }
 
-    /** Those of an earlier plan of the same picture; empty if it has other tiles, or no fewer samples. */
+    /** The units of an earlier plan of the same picture; empty if it has other tiles, or no fewer samples. */
     public static Optional<EarlierUnits> of(RenderOutline earlier, RenderOutline now) {
         WorkUnits before = WorkUnits.forMachines(earlier.settings(), earlier.plan());
         WorkUnits units = WorkUnits.forMachines(now.settings(), now.plan());

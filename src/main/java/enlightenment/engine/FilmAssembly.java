@@ -39,7 +39,7 @@ public final class FilmAssembly implements UnitAssembly {
 
     private ResultStore store = ResultStore.NONE;
 
-    /** What is shown where nothing is finished yet; null for nothing. */
+    /** The picture to show where no unit is finished yet; null for none. */
     private Preview preview;
 
     private long peakMemory;
@@ -76,7 +76,7 @@ public final class FilmAssembly implements UnitAssembly {
     }
 
     /**
-     * Where the finished pixels of a picture are whose units come in any order.
+     * The place of a picture's finished pixels, where units come in any order.
      *
      * @throws enlightenment.math.InvalidValueException if there is too little memory, or too little space on the disk
      */
@@ -163,7 +163,7 @@ public final class FilmAssembly implements UnitAssembly {
         }
     }
 
-    /** How many camera rays are in the result of a unit. */
+    /** The number of camera rays in the result of a unit. */
     public static long cameraRays(byte[] bytes) {
         return ResultHeader.cameraRays(bytes);
     }
@@ -179,8 +179,8 @@ public final class FilmAssembly implements UnitAssembly {
     }
 
     /**
-     * Those that are not there, in an order that is good for the threads of one process: batches first, then tiles scattered over the
-     * picture, for the reasons of {@link TileGrid}.
+     * The missing units, in an order that suits the threads of one process. Batches come first, then tiles scattered over the picture, for
+     * the reasons of {@link TileGrid}.
      */
     public int[] missing() {
         int batches = units.batches();
@@ -212,7 +212,7 @@ public final class FilmAssembly implements UnitAssembly {
     }
 
     /**
-     * Has {@link #image} show this where nothing is finished yet.
+     * Sets the picture that {@link #image} shows where no unit is finished yet.
      *
      * @param coarse null for black
      */
@@ -242,9 +242,9 @@ public final class FilmAssembly implements UnitAssembly {
     }
 
     /**
-     * What was done.
+     * The report of the render.
      *
-     * @param took what the phases of the render took
+     * @param took the times of the render's phases
      * @param rounding the error of rounding the picture to the depth of its file
      * @param number which round of the render it is
      */

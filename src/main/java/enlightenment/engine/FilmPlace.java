@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * Where the finished pixels of a picture are while it is rendered.
+ * The place of a picture's finished pixels while it is rendered.
  *
  * @param folder the folder of a {@link enlightenment.film.FilmInFile}; empty for memory
  */

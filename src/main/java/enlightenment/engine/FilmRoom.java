@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /**
- * Where the pixels of a picture may be while it is made: in memory, or in a file if they are too large for it.
+ * The places that a picture's pixels may have while it is made. These are memory, or a file if they are too large.
  *
  * @param folder of the file; empty if the pixels must be in memory
  * @param memory the most bytes that pixels take in memory where there is a folder, of all pictures together

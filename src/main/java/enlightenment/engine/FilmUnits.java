@@ -19,7 +19,7 @@ public final class FilmUnits implements UnitSource {
     private final IntFunction<DividedRender> frames;
     private final int[] groups;
 
-    /** By their numbers, in the order of their last use. */
+    /** Compiled frames by their numbers, in the order of their last use. */
     private final Map<Integer, DividedRender> latest = new LinkedHashMap<>();
 
     /**
@@ -73,7 +73,7 @@ public final class FilmUnits implements UnitSource {
         private final Function<DividedRender, UnitMaker> makers;
         private int frame = -1;
 
-        /** Of that frame's units; null before the first. */
+        /** The maker of that frame's units; null before the first. */
         private UnitMaker ofUnits;
 
         private UnitMaker ofGroups;

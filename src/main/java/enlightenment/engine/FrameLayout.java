@@ -5,7 +5,7 @@ import java.util.Objects;
 
 /** The units of many pictures in one row: those of the first, then those of the second, and so on. */
 public final class FrameLayout {
-    /** Where each picture's units begin, and after the last one where they end. */
+    /** The first unit of each picture, and behind the last one the number of units. */
     private final int[] first;
 
     /**

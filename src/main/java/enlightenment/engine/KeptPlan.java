@@ -48,7 +48,7 @@ public record KeptPlan(int round, int depth, RenderOutline outline) {
         return bytes.toByteArray();
     }
 
-    /** What {@link #toBytes} wrote; empty for what makes no sense to this version. */
+    /** The plan in the bytes of {@link #toBytes}; empty for bytes that this version cannot read. */
     public static Optional<KeptPlan> read(byte[] bytes) {
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes))) {
             if (in.readByte() != FORMAT) {
@@ -62,7 +62,7 @@ public record KeptPlan(int round, int depth, RenderOutline outline) {
         }
     }
 
-    /** Whether this was decided for the budget of these settings, in that round. */
+    /** Whether the plan was decided for the budget of these settings, in that round. */
     public boolean isFor(RenderSettings settings, int number) {
         RenderSettings own = outline.settings();
         return round == number
@@ -89,7 +89,7 @@ public record KeptPlan(int round, int depth, RenderOutline outline) {
                         || outline.settings().antialias() == other.settings().antialias());
     }
 
-    /** Whether this has fewer samples per pixel than another plan of the picture, made by the same method or by its stand-in for few. */
+    /** Whether the plan has fewer samples per pixel than another, made by the same method or its stand-in. */
     public boolean hasFewerSamplesThan(RenderOutline other) {
         return outline.plan().samples() < other.plan().samples();
     }

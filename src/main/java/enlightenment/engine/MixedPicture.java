@@ -20,7 +20,7 @@ final class MixedPicture extends PictureFilm {
     /** The sum of complete parts, or of parts in files, since both image and error are asked of it; null before. */
     private TileFilm total;
 
-    /** How often the parts had changed when it was made. */
+    /** The number of changes of the parts when the sum was made. */
     private long totalOf;
 
     MixedPicture(WorkUnits units, TilePicture tiles, SplatPicture splats, RenderOutline outline, FilmPlace place) {
@@ -119,7 +119,7 @@ final class MixedPicture extends PictureFilm {
         return sum().toImage();
     }
 
-    /** What is in files is not added up for those who look: they see the tiles until it is added up for the picture. */
+    /** The sum as far as it is computed. Otherwise the tiles alone, as films in files are added only for the finished picture. */
     @Override
     public synchronized Image shown() {
         if (isInMemory) {

@@ -27,7 +27,7 @@ public final class OutlineBytes {
 
     private static final int MAX_TEXT_BYTES = 1 << 20;
 
-    /** Of what decides, and of a kind of primitives. */
+    /** Longest name of a part of the budget, or of a kind of primitives. */
     private static final int LONGEST_WORD = 200;
 
     private OutlineBytes() {}

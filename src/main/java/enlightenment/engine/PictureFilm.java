@@ -8,7 +8,7 @@ import enlightenment.scene.RenderSettings;
 import java.util.BitSet;
 import java.util.Objects;
 
-/** What has become of a picture so far, whatever its units of work are. For use by several threads at once. */
+/** The finished part of a picture, whatever its units of work are. For use by several threads at once. */
 public abstract class PictureFilm {
     final WorkUnits units;
     final RenderSettings.Crop region;
@@ -54,7 +54,7 @@ public abstract class PictureFilm {
                 : new MixedPicture(units, tiles, new SplatPicture(units, outline, place), outline, place);
     }
 
-    /** That of which a unit is a part: this, or one of two pictures that are added. */
+    /** The film that a unit belongs to: this, or one of two films that are added. */
     PictureFilm part(int unit) {
         return this;
     }
@@ -66,7 +66,7 @@ public abstract class PictureFilm {
      */
     public abstract FilmTile render(int unit, UnitWork work);
 
-    /** Takes note that a unit is there; false if it was. */
+    /** Marks a unit as present; false if it was. */
     final synchronized boolean mark(int unit) {
         boolean isNew = !done.get(Objects.checkIndex(unit, units.count()));
         done.set(unit);
@@ -78,7 +78,7 @@ public abstract class PictureFilm {
         return isNew;
     }
 
-    /** Takes note that a unit is not there any more; false if it was not. */
+    /** Marks a unit as missing; false if it was. */
     final synchronized boolean unmark(int unit) {
         boolean was = done.get(Objects.checkIndex(unit, units.count()));
         done.clear(unit);
@@ -90,7 +90,7 @@ public abstract class PictureFilm {
         return was;
     }
 
-    /** How often units came or went: while this stays the same, so does a picture that is complete. */
+    /** The number of additions and removals of units: while it stays equal, so does a picture that is complete. */
     final synchronized long changes() {
         return changes;
     }
@@ -98,7 +98,7 @@ public abstract class PictureFilm {
     /** A unit has come (1) or gone (-1); called under the lock. */
     abstract void count(int unit, int by);
 
-    /** What the pixels are. */
+    /** The encoding of the pixels. */
     public final Color.Encoding encoding() {
         return encoding;
     }
@@ -123,7 +123,7 @@ public abstract class PictureFilm {
         return (long) region.width() * region.height();
     }
 
-    /** How much is done, in pixels: a unit that is a share of several pixels counts as that share of them. */
+    /** The number of pixels that are done. A unit that is a share of several pixels counts as that share of them. */
     public abstract long pixelsDone();
 
     /** Number of pixels whose samples are all there; where pixels get finished together only, as {@link #pixelsDone}. */
@@ -138,7 +138,7 @@ public abstract class PictureFilm {
     /** The number of samples of a pixel, by its place in the whole picture; 0 if it is not finished. */
     public abstract int samples(int column, int row);
 
-    /** How far the samples say that the pixels are from the truth. */
+    /** The error of the pixels as estimated from the samples. */
     public abstract ErrorEstimate error();
 
     /**
@@ -149,18 +149,18 @@ public abstract class PictureFilm {
      */
     public abstract float[] quarterMeans();
 
-    /** Says whether the samples of pixels are differences from something known, by what there is now. */
+    /** Sets whether the samples of pixels are differences from known values, by the present units. */
     void samplesAreDifferences(boolean are) {}
 
-    /** Says how many samples were no finite numbers, by what there is now. */
+    /** Sets the number of samples that were not finite, by the present units. */
     void samplesAreLost(long number) {}
 
-    /** How many samples were no finite numbers; more than none fails the render. */
+    /** The number of samples that were not finite; more than none fails the render. */
     public long lostSamples() {
         return 0;
     }
 
-    /** Gives up what is not in memory; only images that were taken before can be used then. */
+    /** Releases files; only images that were taken before can be used then. */
     public void release() {}
 
     /** The picture so far; what is missing is black. */

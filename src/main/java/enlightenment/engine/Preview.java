@@ -199,12 +199,12 @@ public final class Preview {
         shown[pixel] = true;
     }
 
-    /** How many pixels are not black for want of samples. */
+    /** The number of pixels that have samples. */
     public synchronized long shownPixels() {
         return shownPixels;
     }
 
-    /** What there is. */
+    /** The picture of the samples so far. */
     public synchronized Image image() {
         return new Image(region.width(), region.height(), rgb.clone(), scene.display);
     }

@@ -15,7 +15,7 @@ import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
-/** What is kept of a render without its scene: where its results are put together, and whether another with more samples must follow. */
+/** The course of a render without its scene. It has the place of the results, and decides on further rounds with more samples. */
 public final class RenderCourse {
     private final RenderOutline outline;
     private final Phases phases;
@@ -58,11 +58,11 @@ public final class RenderCourse {
     }
 
     /**
-     * How many samples per pixel the render has that must follow; empty if this one is not complete, is as exact as its budget asks, or
-     * the budget allows no more. To be asked once.
+     * The number of samples per pixel of the next round. Empty if this one is not complete, is as exact as its budget asks, or the budget
+     * allows no more. To be called once.
      *
-     * @param result what {@link FilmAssembly#result} gave
-     * @param log hears why there is another one
+     * @param result the result of {@link FilmAssembly#result}
+     * @param log receives the reason for a further round
      */
     public OptionalDouble next(Rendered result, Consumer<String> log) {
         if (!result.complete()) {

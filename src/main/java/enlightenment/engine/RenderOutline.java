@@ -12,12 +12,12 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What is needed to put the units of a render together and to report on it, without the scene.
+ * The data for assembling a render's units and for its report, without the scene.
  *
  * @param sceneName the scene's name
  * @param settings the settings in force
- * @param plan what was decided before the first unit
- * @param features what is modelled, and what of it the method cannot see, in plain words
+ * @param plan the plan that was decided before the first unit
+ * @param features the effects that are modelled, and those that the method cannot sample, in plain words
  * @param kinds the kinds of primitives in the scene, in the order of their counters
  * @param display what pixels are, and how they become what a screen takes
  * @param splatScale the unit in which contributions of paths are summed; of no meaning where no units are batches of paths

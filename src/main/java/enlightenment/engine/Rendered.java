@@ -4,11 +4,11 @@ import enlightenment.image.Image;
 import enlightenment.report.RenderReport;
 
 /**
- * What an assembly holds.
+ * The state of an assembly.
  *
- * @param image the picture so far; what is missing is black
- * @param report what was done
- * @param complete whether nothing is missing
- * @param shownPixels number of pixels that are not black for want of samples
+ * @param image the picture so far; missing pixels are black
+ * @param report statistics and times of the render
+ * @param complete whether no unit is missing
+ * @param shownPixels number of pixels that have samples
  */
 public record Rendered(Image image, RenderReport report, boolean complete, long shownPixels) {}

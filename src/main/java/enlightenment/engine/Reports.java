@@ -10,7 +10,7 @@ import enlightenment.world.parts.RayCounters;
 import java.util.List;
 import java.util.Optional;
 
-/** Makes the report of what was rendered, wherever that was. */
+/** Makes the reports of renders, wherever their units were rendered. */
 public final class Reports {
     private Reports() {}
 
@@ -47,7 +47,7 @@ public final class Reports {
                 peakMemory);
     }
 
-    /** How long the phases took. */
+    /** The times of the phases. */
     public static List<RenderReport.Phase> phases(Phases phases) {
         return phases.list().stream()
                 .map(t -> new RenderReport.Phase(t.name(), t.wallSeconds(), t.cpuSeconds()))

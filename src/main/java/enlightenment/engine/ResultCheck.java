@@ -4,7 +4,7 @@ import enlightenment.file.ContentHash;
 import java.util.Objects;
 import java.util.Optional;
 
-/** Tells what can be the results of a render's units, without the memory that its picture takes. For use by several threads at once. */
+/** Checks results of a render's units, without the memory of its picture. For use by several threads at once. */
 public final class ResultCheck {
     private final WorkUnits units;
     private final ResultForm form;

@@ -57,7 +57,7 @@ abstract class ResultForm {
     /** Puts a result without problems, which must not be there. */
     abstract void put(PictureFilm film, int unit, byte[] bytes);
 
-    /** Takes out a result that is there. */
+    /** Removes a result that is present. */
     abstract void remove(PictureFilm film, int unit, ResultStore store);
 
     /** Whether taking a result out needs what was put. */
@@ -68,7 +68,7 @@ abstract class ResultForm {
         return ResultHeader.digest(bytes, kinds);
     }
 
-    /** Where the header ends. */
+    /** The offset behind the header. */
     final int start() {
         return ResultHeader.length(kinds);
     }

@@ -14,7 +14,7 @@ import java.util.OptionalLong;
 final class ResultHeader {
     private static final int SCALARS = 12;
 
-    /** All results of a render together count no more than this. */
+    /** Upper bound of each counter, summed over all results of a render. */
     private static final long MOST_COUNTED = 1L << 62;
 
     private long surveyRays;
@@ -113,7 +113,7 @@ final class ResultHeader {
         return ByteBuffer.wrap(result).getLong();
     }
 
-    /** How many camera rays are in a result; 0 for what is none. */
+    /** The number of camera rays in a result; 0 for bytes that are no result. */
     static long cameraRays(byte[] result) {
         return result.length < 2 * Long.BYTES ? 0 : ByteBuffer.wrap(result).getLong(Long.BYTES);
     }
@@ -123,7 +123,7 @@ final class ResultHeader {
         return (ByteBuffer.wrap(result).getLong(length(kinds) - Long.BYTES) & 1) != 0;
     }
 
-    /** How many samples of a result were no finite numbers. */
+    /** The number of samples of a result that were not finite. */
     static long lostSamples(byte[] result, int kinds) {
         return ByteBuffer.wrap(result).getLong(length(kinds) - Long.BYTES) / 2;
     }

@@ -18,6 +18,6 @@ public interface ResultStore {
     /** Keeps a result, in place of what was kept of the unit. */
     void keep(int unit, byte[] bytes);
 
-    /** What was kept of a unit last. */
+    /** The last result kept of a unit. */
     byte[] get(int unit);
 }

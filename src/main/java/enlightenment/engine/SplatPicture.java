@@ -40,13 +40,13 @@ final class SplatPicture extends PictureFilm {
                         place.folder().get());
     }
 
-    /** What the batches have brought so far. */
+    /** The sums of the batches so far. */
     Splats splats() {
         return film;
     }
 
     /**
-     * What the batches have brought so far, in memory.
+     * The sums of the batches so far, in memory.
      *
      * @throws ClassCastException if it is in a file
      */
@@ -76,7 +76,7 @@ final class SplatPicture extends PictureFilm {
         mark(unit);
     }
 
-    /** Takes out a batch that is there, and was this. */
+    /** Removes a batch that is present, with these sums. */
     void remove(int unit, SplatSums batch) {
         film.remove(unit, batch);
         unmark(unit);

@@ -112,7 +112,7 @@ final class TileForm extends ResultForm {
         return Math.multiplyExact(place.width() * place.height(), TileGrowth.BYTES);
     }
 
-    /** Where those of a pixel are. */
+    /** The offset of a pixel's growth data. */
     private int tail(int unit, int pixel) {
         return longest(unit) + TileGrowth.BYTES * pixel;
     }

@@ -5,8 +5,8 @@ import enlightenment.scene.RenderSettings;
 import java.math.BigInteger;
 
 /**
- * How a picture is cut for the threads of one process: into the squares of the settings, numbered in the order in which they are
- * handed out.
+ * The tiles of a picture for the threads of one process. They are the squares of the settings, numbered in the order in which they are
+ * rendered.
  */
 public final class TileGrid implements TileCut {
     private final RenderSettings.Crop region;

@@ -100,7 +100,7 @@ public final class TilePicture extends PictureFilm {
     }
 
     /**
-     * Takes a pass out that is there.
+     * Removes a pass that is present.
      *
      * @return the units that were added up with it and are gone, too
      */

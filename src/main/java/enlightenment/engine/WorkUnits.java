@@ -23,8 +23,8 @@ import java.util.Optional;
  */
 public final class WorkUnits {
     /**
-     * What a unit is worth, in camera rays: half a second of one processor or more. With shorter ones a thousand workers would be more
-     * than a server can listen to, with longer ones they would wait for each other.
+     * The camera rays of a unit: half a second of one processor or more. With shorter units a server could not serve a thousand workers,
+     * with longer ones workers would wait for each other.
      */
     static final double RAYS_PER_UNIT = 1 << 21;
 
@@ -39,7 +39,7 @@ public final class WorkUnits {
 
     private static final int SAMPLES_PER_PASS = 16;
 
-    /** Where blocks are large and not more than these, their quarters are units: there is something to do for all. */
+    /** Up to this many large blocks their quarters are units, so that all processors have work. */
     private static final int FEW_LARGE_BLOCKS = 1 << 10;
 
     /** Paths of a batch; twice, four times, ... as many where there would be too many batches. */
@@ -140,12 +140,12 @@ public final class WorkUnits {
         return blockSide;
     }
 
-    /** How many there are. */
+    /** The number of units. */
     public int count() {
         return count;
     }
 
-    /** How many of them are batches of paths: those with the lowest numbers. The others are tiles or passes over them. */
+    /** The number of batches of paths, which have the lowest numbers. The others are tiles or passes over them. */
     public int batches() {
         return batches;
     }
@@ -179,7 +179,7 @@ public final class WorkUnits {
         return new PictureMemory(outline.settings(), isLinear, films, moreImages + (passes > 1 ? IMAGES_OF_PASSES : 0));
     }
 
-    /** What needs a picture in memory while units are added up in any order, as {@link FilmRoom#place} wants it. */
+    /** The reason why a picture must be in memory while units are added in any order; empty without one. */
     Optional<String> wholeInMemory(RenderPlan plan) {
         if (cut == null) {
             return FilmRoom.wholeInMemory(plan.method());
@@ -202,7 +202,7 @@ public final class WorkUnits {
         return cut.place(tile(unit));
     }
 
-    /** How many paths all batches have together: those of the plan, rounded up so that all groups of batches are alike. */
+    /** The number of paths of all batches, at least the plan's; all groups of batches have equally many. */
     public long paths() {
         return paths;
     }
@@ -212,7 +212,7 @@ public final class WorkUnits {
         return (long) Objects.checkIndex(unit, batches) * pathsPerBatch;
     }
 
-    /** How many paths a batch has. */
+    /** The number of paths of a batch. */
     int paths(int unit) {
         return (int) Math.min(pathsPerBatch, paths - firstPath(unit));
     }

@@ -8,10 +8,10 @@ import java.util.function.Consumer;
 
 /** The number of samples that an error takes, as far as trials tell. */
 final class ErrorPlanner {
-    /** What a search begins with where no picture is surveyed. */
+    /** The number of samples that a search begins with where no picture is surveyed. */
     private static final double FEW_SAMPLES = 2;
 
-    /** Where rounding takes more than this share of the squared error, a file with more bits would take far fewer samples. */
+    /** Share of the squared error above which a file with more bits would take far fewer samples. */
     private static final double MUCH_ROUNDING = 0.5;
 
     private final RenderSettings settings;

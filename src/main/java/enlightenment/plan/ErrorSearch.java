@@ -17,16 +17,16 @@ final class ErrorSearch {
     /** The largest factor from one number of samples to the next. */
     private static final double LONGEST_STEP = 8;
 
-    /** And the smallest, if it was too few: smaller steps may stay on the same plateau of the error. */
+    /** The smallest factor after too few samples: smaller steps may stay on the same plateau of the error. */
     private static final double SHORTEST_STEP = 1.1;
 
     private static final double LEAST_SLOPE = 0.5;
     static final double USUAL_SLOPE = 0.75;
 
-    /** It does not fall more steeply than 1/n unless other rays are followed. */
+    /** The steepest slope of the error: 1/n, unless other rays are followed. */
     private static final double MOST_SLOPE = 1;
 
-    /** Of the way between too few and enough, in logarithms: what a step may come to, so that either side shrinks. */
+    /** Least step as a share of the logarithmic interval between too few and enough, so that either side shrinks. */
     private static final double LEAST_SHARE = 0.15;
 
     private final double error;
@@ -48,7 +48,7 @@ final class ErrorSearch {
         this.most = most;
     }
 
-    /** Takes note of an error. */
+    /** Records the error of a number of samples. */
     void found(double n, double e) {
         last = n;
         lastError = e;
@@ -94,7 +94,7 @@ final class ErrorSearch {
         return inside(Math.min(Math.max(share(), LEAST_SHARE), 1 - LEAST_SHARE));
     }
 
-    /** How far from too few to enough the error is as asked, if it falls as a power of the number in between. */
+    /** The logarithmic position of the error asked for between too few and enough, if the error is a power. */
     private double share() {
         return enoughError > 0 ? StrictMath.log(fewError / error) / StrictMath.log(fewError / enoughError) : 0.5;
     }

@@ -20,7 +20,7 @@ final class ErrorTrials {
     private static final double MOST_SHARE = 1.0 / 8;
     private static final double LEAST_BLOCKS = 320;
 
-    /** Where an eighth of the blocks is fewer than this, they do not represent the others. */
+    /** Least number of blocks in the sample of an eighth: fewer do not represent the others. */
     private static final double TOO_FEW_BLOCKS = 16;
 
     /** Target of the trials as a share of the error asked for: a trial covers only some of the picture. */
@@ -53,7 +53,7 @@ final class ErrorTrials {
     /** Whether no picture follows that could make up for what trials miss. */
     private final boolean isLast;
 
-    /** What was spent, in samples per pixel of the whole render. */
+    /** The cost of the trials, in samples per pixel of the whole render. */
     private double work;
 
     private double rounding;
@@ -101,7 +101,7 @@ final class ErrorTrials {
         rounding = stop.getAsBoolean() ? 0 : Math.sqrt(squaredRounding(tiles));
     }
 
-    /** What all trials have cost, in samples per pixel of the whole render. */
+    /** The cost of all trials, in samples per pixel of the whole render. */
     double work() {
         return work;
     }
@@ -162,8 +162,8 @@ final class ErrorTrials {
     }
 
     /**
-     * What is compared with the error asked for. The interval is between that of the trial, which knows what it may have missed,
-     * and that of a whole picture like it, in which chance is less.
+     * The figure that is compared with the error asked for. Its interval lies between that of the trial, which allows for what it may have
+     * missed, and that of a whole picture like it, which has less noise.
      */
     private double figure(List<FilmTile> tiles) {
         double square = squaredRounding(tiles);

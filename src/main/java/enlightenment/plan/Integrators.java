@@ -24,7 +24,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
-/** Makes what does the work of a render: the one place that knows the class behind each method, and what planning needs of it. */
+/** Makes integrators. It is the only place that refers to the class behind each method, and to the traits that planning needs. */
 public final class Integrators {
     /**
      * With fewer samples per pixel than this, method {@code cluster} is exactly {@code raytrace}: its survey takes 1.27, every
@@ -36,7 +36,7 @@ public final class Integrators {
     /** The largest number with three digits that is still too few for a survey. */
     private static final double MOST_WITHOUT_SURVEY = 2.44;
 
-    /** What a search for an error begins with, and what follows a picture without a survey. */
+    /** The number of samples that a search for an error begins with, and that follows a picture without a survey. */
     private static final double FIRST_OF_CLUSTER = 4;
 
     /** Paths of a pass of caustics per camera sample: docs/notes/caustics.md has what more and less of them bring. */
@@ -65,7 +65,7 @@ public final class Integrators {
 
     private Integrators() {}
 
-    /** What has to be known of a method before there is a scene: of a side that depends on the scene's shading the larger one. */
+    /** The traits of a method before there is a scene. If the block side depends on the shading, it is the larger one. */
     public static MethodTraits traits(Method method) {
         if (!(method instanceof BuiltInMethod own)) {
             return MethodTraits.ofAnySamples(
@@ -121,7 +121,7 @@ public final class Integrators {
         return method == BuiltInMethod.RAYTRACE;
     }
 
-    /** How the level of a method follows from the number of samples. */
+    /** The function from the number of samples to the level of a method. */
     static Levels levels(Method method, CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         return method == BuiltInMethod.CLUSTER ? new EffortLevels(scene, settings, cancelled) : Levels.SAMPLES;
     }
@@ -137,8 +137,8 @@ public final class Integrators {
     }
 
     /**
-     * How many paths that may end anywhere are splatted over the tiles of a method, per camera sample of the whole picture; 0 for none,
-     * as of a method that has no tiles.
+     * The number of light paths splatted over a method's tiles, per camera sample of the whole picture. 0 for none, as of a method that has
+     * no tiles.
      */
     static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
         if (method instanceof BuiltInMethod own) {
@@ -153,14 +153,14 @@ public final class Integrators {
                 : 0;
     }
 
-    /** How long a path that is splatted over the tiles of a method takes, in camera samples of these: about, to tell what is done. */
+    /** The approximate cost of a light path splatted over a method's tiles, in camera samples of these; for progress. */
     public static double weightOfLightPath(Method method) {
         return method == BuiltInMethod.LIGHT ? LIGHT_PATH_WEIGHT : 1;
     }
 
     /**
-     * What follows the paths of a plan that may end anywhere, for one thread: all of those of a method without tiles, otherwise the
-     * plan's light paths.
+     * The integrator of a plan's splatted paths, for one thread. These are all paths of a method without tiles, otherwise the plan's light
+     * paths.
      *
      * @param counters are added to by it
      */
@@ -180,7 +180,7 @@ public final class Integrators {
         };
     }
 
-    /** What a method cannot see of a scene, in plain words; empty if it sees everything. */
+    /** The light transport of a scene that a method cannot sample, in plain words; empty without such. */
     public static Optional<String> blindSpot(Method method, CompiledScene scene) {
         if (method != BuiltInMethod.LIGHT
                 || scene.physical == null
@@ -223,17 +223,17 @@ public final class Integrators {
                 : settings.withMethod(below);
     }
 
-    /** What does the work of the planned method, for one thread. */
+    /** The integrator of the planned method, for one thread. */
     public static Integrator of(RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
         return of(plan, scene, settings, counters, Learned.UNSEEN);
     }
 
     /**
-     * What does the work of the planned method, for one thread.
+     * The integrator of the planned method, for one thread, with listeners.
      *
      * @param counters are added to by it
-     * @param learned is shown what the method learns
-     * @throws InvalidValueException for a method that nothing here can do the work of
+     * @param learned the listeners for what the method learns
+     * @throws InvalidValueException for a method without an integrator
      */
     public static Integrator of(
             RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters, Learned learned) {

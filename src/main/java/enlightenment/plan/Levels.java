@@ -15,7 +15,7 @@ interface Levels {
     /** Works out now what all levels have in common. */
     default void prepare() {}
 
-    /** What it costs to know the level of another number, at most, in rays per pixel of what is rendered. */
+    /** The largest cost of finding the level of another number, in rays per rendered pixel. */
     default double planningRays() {
         return 0;
     }

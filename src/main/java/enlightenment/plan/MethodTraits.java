@@ -4,7 +4,7 @@ import enlightenment.film.FilmTile;
 import enlightenment.scene.Method;
 
 /**
- * What has to be known of a method before there is a scene to use it on.
+ * The traits of a method that planning needs before there is a scene.
  *
  * @param areBatches whether its units of work are batches of paths, whose light may fall anywhere in the picture, rather than tiles
  * @param dividesIntoPasses whether the samples of a tile can be taken in several passes
@@ -23,7 +23,7 @@ public record MethodTraits(
         double mostBelow,
         double first,
         int blockSide) {
-    /** What a search for an error begins with where every number of samples will do. */
+    /** The number of samples that a search for an error begins with where every number will do. */
     private static final double FIRST_SAMPLES = 2;
 
     /** A method that can do with one sample per pixel. */

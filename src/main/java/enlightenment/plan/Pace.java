@@ -38,10 +38,10 @@ final class Pace {
     /** The share of the time that is left that is planned with. */
     private static final double PLANNED_TIME = 0.93;
 
-    /** Where there is time for this many times what is wanted, at the speed of the last trials, time decides nothing. */
+    /** With time for this many times the wanted samples, at the last trials' speed, time is no limit. */
     private static final double PLENTY = 2;
 
-    /** What no clock resolves is taken for this many seconds. */
+    /** The duration in seconds that stands for one below the clock's resolution. */
     private static final double INSTANT = 1e-9;
 
     private final double seconds;
@@ -120,7 +120,7 @@ final class Pace {
     }
 
     /**
-     * How many samples per pixel the rest of the time is enough for, as far as it is known; not more than 0 if no time is left.
+     * The number of samples per pixel for the rest of the time at the expected speed; at least 0.
      *
      * @param now seconds since the budget began
      */
@@ -134,7 +134,7 @@ final class Pace {
         return PLANNED_TIME * (seconds - now) * speed / pixels;
     }
 
-    /** How many times as fast the render will be as the last trials, if they were still getting faster. */
+    /** The factor by which the render will be faster than the last trials, if they were still getting faster. */
     private double warming() {
         if (trials == 0 || calm >= CALM - 1) {
             return 1;

@@ -155,7 +155,7 @@ public final class Planner {
         notes.add(text);
     }
 
-    /** What cannot be kept of the budget, or only at a price, in plain words; known when it is planned. */
+    /** Parts of the budget that cannot be kept, or only at a price, in plain words; complete after planning. */
     public List<String> notes() {
         return List.copyOf(notes);
     }
@@ -179,7 +179,7 @@ public final class Planner {
         return unlessCancelled(plans.of(samples, by));
     }
 
-    /** What there is of a plan where planning was cancelled, for the report of a picture of which nothing is rendered. */
+    /** The plan for the report of a picture of which nothing is rendered, as planning was cancelled. */
     public RenderPlan none() {
         return new RenderPlan(settings.method(), 0, 0, "nothing");
     }

@@ -14,7 +14,7 @@ import java.util.OptionalDouble;
  * as much as the last; as a rule there are one or two.
  */
 public final class Rounds {
-    /** What is aimed at, as a share of the error asked for: another round costs more than a few samples too many. */
+    /** Target of a round as a share of the error asked for: a further round costs more than excess samples. */
     private static final double AIM = 0.95;
 
     /** The smallest and the largest factor from one round to the next. */
@@ -46,15 +46,15 @@ public final class Rounds {
 
     private final RenderSettings.Budget budget;
 
-    /** Of the first round that tells something; 0 before that. */
+    /** Samples of the first telling round; 0 before that. */
     private double firstSamples;
 
     private double firstError;
 
-    /** How many samples would be needed, where that is too many; 0 before. */
+    /** The number of samples that would be needed, where that is too many; 0 before. */
     private double outOfReach;
 
-    /** Of the last round. */
+    /** Samples per pixel of the last round. */
     private double samples;
 
     private double error;
@@ -132,7 +132,7 @@ public final class Rounds {
                 : OptionalDouble.empty();
     }
 
-    /** How many samples would make the error as small as this if they were independent. */
+    /** The number of samples for an error if samples were independent. */
     private static double asIndependent(double n, double e, double aim) {
         return n * StrictMath.pow(e / aim, 1 / LEAST_SLOPE);
     }
@@ -173,14 +173,14 @@ public final class Rounds {
                 + "; try another method, or --time or --samples for the best within a limit");
     }
 
-    /** What decided about the last number: error, samples or time. */
+    /** The part of the budget that decided the last number: error, samples or time. */
     public String decidedBy(double next) {
         return isLimited
                 ? "time"
                 : next < budget.samples().orElse(RenderSettings.Budget.MAX_SAMPLES) ? "error" : "samples";
     }
 
-    /** What is said of a picture that another one follows. */
+    /** The note about a picture that a further round follows. */
     public String note(RenderReport report, double next) {
         if (isMet(report.sampling())) {
             return String.format(
@@ -199,7 +199,7 @@ public final class Rounds {
     }
 
     /**
-     * What is said where a further round was stopped, or not begun for that reason.
+     * The note where a further round was stopped, or not begun for that reason.
      *
      * @param report of the last round that was not
      */

@@ -74,7 +74,7 @@ final class SamplePlans {
         return tracedPixels;
     }
 
-    /** What has to be known of the method of the settings. */
+    /** The traits of the settings' method. */
     MethodTraits traits() {
         return traits;
     }
@@ -94,7 +94,7 @@ final class SamplePlans {
         levels.prepare();
     }
 
-    /** What it costs to know the level of another number of samples, at most, in rays per pixel of what is rendered. */
+    /** The largest cost of finding the level of another number of samples, in rays per rendered pixel. */
     double planningRays() {
         return levels.planningRays();
     }

@@ -75,10 +75,10 @@ final class TimePlanner {
     }
 
     /**
-     * How long a trial would have taken without the just-in-time compiler: that shares the processors with the first seconds of a render,
-     * and with little of the rest.
+     * The duration of a trial without the just-in-time compiler's share. The compiler shares the processors with the first seconds of a
+     * render, and with little of the rest.
      *
-     * @param took how long it took
+     * @param took its duration
      * @param processors seconds of all threads of this process meanwhile
      * @param worked those of the trial alone
      */

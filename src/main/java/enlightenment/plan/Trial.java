@@ -44,7 +44,7 @@ final class Trial {
         this.plans = plans;
     }
 
-    /** What pixels are, and how they become what a screen takes. */
+    /** The display curve of the pixels. */
     DisplayCurve display() {
         return scene.display;
     }
@@ -60,9 +60,9 @@ final class Trial {
         worked.add(Stopwatch.threadSeconds() - before);
     }
 
-    /** What a trial for a time does: a part of the picture, and of a method whose paths may end anywhere some of the paths. */
+    /** The work of a trial for a time. It is a part of the picture, or some of the paths that may end anywhere. */
     interface Piece {
-        /** How many pixels take about as long. */
+        /** The number of pixels that take about as long. */
         double pixels();
 
         /** Renders it with this many samples per pixel, unless it is stopped. */

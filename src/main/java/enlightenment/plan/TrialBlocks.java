@@ -46,7 +46,7 @@ final class TrialBlocks {
         first = Hash.unit(Hash.of(settings.seed(), PURPOSE));
     }
 
-    /** How many blocks there are in all. */
+    /** The number of blocks in all. */
     long count() {
         return (long) across * down;
     }

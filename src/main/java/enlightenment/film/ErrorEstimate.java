@@ -43,12 +43,12 @@ public final class ErrorEstimate {
 
     private final double most;
 
-    /** What is added to the largest mean square. */
+    /** Added to the upper end of the mean square's interval. */
     private final double unseen;
 
     private final long pixels;
 
-    /** Of a film of linear light, or null. */
+    /** The error of linear light, or null. */
     private final LinearError linear;
 
     private ErrorEstimate(float[] variances, double meanSquare, double least, double most, double unseen, long pixels) {
@@ -240,7 +240,7 @@ public final class ErrorEstimate {
         return light ? ofLight(figures) : of(figures, kind(differences), contrast.get());
     }
 
-    /** What samples are that are no linear light. */
+    /** The kind of samples of a display-referred film. */
     static Samples kind(boolean differences) {
         return differences ? Samples.DIFFERENCES : Samples.WHOLE;
     }
@@ -290,7 +290,7 @@ public final class ErrorEstimate {
         return variances.clone();
     }
 
-    /** How many pixels it is the error of. */
+    /** The number of pixels that the estimate covers. */
     public long pixels() {
         return pixels;
     }

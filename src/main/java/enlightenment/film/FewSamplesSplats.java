@@ -38,7 +38,7 @@ final class FewSamplesSplats {
         /** Reads those of a pixel; zeros if none were kept. */
         void get(long pixel, float[] four);
 
-        /** Gives up what is not in memory. */
+        /** Releases files. */
         default void release() {}
     }
 
@@ -47,7 +47,7 @@ final class FewSamplesSplats {
         this.figures = figures;
     }
 
-    /** Those of a picture whose figures are in memory, which they take only where there are some. */
+    /** Splats of a picture with its figures in memory, which is allocated with the first of them. */
     static FewSamplesSplats inMemory(DisplayCurve curve, int pixels) {
         return new FewSamplesSplats(curve, new Figures() {
             private float[] all;

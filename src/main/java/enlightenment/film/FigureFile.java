@@ -4,7 +4,7 @@ import enlightenment.file.ScratchFile;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 
-/** What the pixels of a film tell of its error, where that does not fit in memory: written once, then read from its beginning. */
+/** The error figures of a film's pixels in a file, where memory is too small. They are written once, then read from the beginning. */
 final class FigureFile implements PixelFigures, PixelFigures.Visitor {
     private static final int BYTES = 2 * Float.BYTES + Integer.BYTES;
     private static final int PIXELS_AT_ONCE = 1 << 16;

@@ -16,7 +16,7 @@ public final class Film extends TileFilm {
     /** Per pixel of linear light: means of the quarters of its samples; null for display-referred pixels. */
     private final float[] quarterMeans;
 
-    /** What was splatted over pixels of one to three samples of linear light, of which those tell too little; null for nothing. */
+    /** Light splatted over pixels with one to three samples of linear light, whose spread shows too little; null for none. */
     private final FewSamplesSplats fewSplats;
 
     /** A film for a rectangle of the whole picture, display-referred. */

@@ -7,7 +7,7 @@ final class FilmBand {
     /** Side of the blocks, of which each has its pixels together, row by row. */
     static final int SIDE = FilmTile.BLOCK_SIDE;
 
-    /** Where in a pixel its numbers are. */
+    /** Offsets of the numbers within a pixel. */
     private static final int HALVES = 3 * Double.BYTES;
 
     private static final int QUARTERS = HALVES + Float.BYTES;

@@ -19,13 +19,13 @@ public final class FilmInFile extends TileFilm {
     /** Rows of blocks that are kept: those of a pixel and of its neighbours. */
     private static final int BANDS = 3;
 
-    /** Of the finished picture: three floats. */
+    /** Bytes of a pixel of the finished picture: three floats. */
     private static final int IMAGE_BYTES = 3 * Float.BYTES;
 
-    /** Of the figures that the error is found from. */
+    /** Bytes of a pixel's figures, which the error is estimated from. */
     private static final int FIGURE_BYTES = 2 * Float.BYTES + Integer.BYTES;
 
-    /** The most pixels that are read one by one, for those who look: a second's work at most. */
+    /** The most pixels that are read one by one, for previews: a second's work at most. */
     private static final int MOST_SHOWN = ReducedPicture.MOST_PIXELS;
 
     private final boolean isLinear;
@@ -40,13 +40,13 @@ public final class FilmInFile extends TileFilm {
     private final FilmBand[] bands = new FilmBand[BANDS];
     private final int[] bandRows = new int[BANDS];
 
-    /** What the pixels tell of the error; null until it is asked for, and after another tile. */
+    /** The pixels' error figures; null until they are needed, and after another tile. */
     private FigureFile figures;
 
     private LinearFigures light;
     private double contrast;
 
-    /** What was splatted over pixels of one to three samples of linear light; null for nothing. */
+    /** Light splatted over pixels with one to three samples of linear light; null for none. */
     private final FewSamplesSplats fewSplats;
 
     /**

@@ -25,7 +25,7 @@ public final class FilmPixel {
     /** A pixel that is not finished. */
     public FilmPixel() {}
 
-    /** Makes this a pixel that is not finished. */
+    /** Sets this to a pixel without samples. */
     void clear() {
         Arrays.fill(means, 0);
         Arrays.fill(ofQuarters, 0);
@@ -34,7 +34,7 @@ public final class FilmPixel {
         samples = 0;
     }
 
-    /** Makes this a pixel of a tile, by its place in the whole picture. */
+    /** Sets this to a pixel of a tile, by its place in the whole picture. */
     void take(FilmTile tile, int column, int row) {
         for (int c = 0; c < 3; c++) {
             means[c] = tile.mean(column, row, c);
@@ -49,7 +49,7 @@ public final class FilmPixel {
         quarters = hasFigures ? tile.quarters(column, row) : 0;
     }
 
-    /** Makes this the same as another pixel. */
+    /** Copies another pixel. */
     void set(FilmPixel other) {
         System.arraycopy(other.means, 0, means, 0, means.length);
         System.arraycopy(other.ofQuarters, 0, ofQuarters, 0, ofQuarters.length);
@@ -58,7 +58,7 @@ public final class FilmPixel {
         samples = other.samples;
     }
 
-    /** How many bytes {@link #write} writes. */
+    /** The number of bytes that {@link #write} writes. */
     static int bytes(boolean isLinear) {
         return isLinear ? BYTES + QuarterMeans.PER_PIXEL * Float.BYTES : BYTES;
     }

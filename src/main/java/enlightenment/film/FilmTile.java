@@ -195,7 +195,7 @@ public final class FilmTile {
         return sums.sum(pixel(column, row), component);
     }
 
-    /** What has to be added to {@link #sum}. */
+    /** The compensation term of {@link #sum}, to be added to it. */
     public double compensation(int column, int row, int component) {
         return sums.compensation(pixel(column, row), component);
     }
@@ -287,7 +287,7 @@ public final class FilmTile {
         return !isLinear ? value : curve.nearly(part + value) - (known == null ? 0 : curve.nearly(part));
     }
 
-    /** How the pixels become what a screen takes. */
+    /** The display curve of the pixels. */
     DisplayCurve curve() {
         return curve;
     }

@@ -43,7 +43,7 @@ final class Neighbours {
     private int pixels;
     private double weights;
 
-    /** Of the tile as it is now. */
+    /** Figures of the tile as it is now. */
     Neighbours(FilmTile tile) {
         this.tile = tile;
         single = new float[tile.width * tile.height];

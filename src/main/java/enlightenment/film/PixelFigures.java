@@ -8,7 +8,7 @@ interface PixelFigures {
     /** The number of pixels where a number for each fits in memory; otherwise 0. */
     int pixelsInMemory();
 
-    /** Is shown a pixel. */
+    /** Receives the figures of pixels. */
     @FunctionalInterface
     interface Visitor {
         /**

@@ -56,7 +56,7 @@ final class PixelSums {
         return sums[PER_PIXEL * pixel + 2 * component];
     }
 
-    /** What has to be added to {@link #sum}. */
+    /** The compensation term of {@link #sum}, to be added to it. */
     double compensation(int pixel, int component) {
         return sums[PER_PIXEL * pixel + 2 * component + 1];
     }

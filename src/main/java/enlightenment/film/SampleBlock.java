@@ -71,14 +71,14 @@ public final class SampleBlock {
         return bytes.getDouble(afterNumbers() + Double.BYTES * (size * which + i));
     }
 
-    /** What became of a sample's ray; empty for what no program writes. */
+    /** The outcome of a sample's ray; empty for a number that is none. */
     public Optional<SampleLog.Outcome> outcome(int i) {
         int number = bytes.get(afterNumbers() + Double.BYTES * SampleLog.COORDINATES * size + i);
         SampleLog.Outcome[] all = SampleLog.Outcome.values();
         return number >= 0 && number < all.length ? Optional.of(all[number]) : Optional.empty();
     }
 
-    /** How many mirrors and borders of glass a sample's ray met before S. */
+    /** The number of mirrors and glass interfaces that a sample's ray met before S. */
     public int bounces(int i) {
         return bytes.get(afterNumbers() + (Double.BYTES * SampleLog.COORDINATES + 1) * size + i);
     }

@@ -27,7 +27,7 @@ final class SampleLevel {
     private double secondSquared;
     private long pixels;
 
-    /** Of the second figure to the first, of these pixels or of all. */
+    /** The ratio of the second figure to the first, of these pixels or of all. */
     private double ratio;
 
     private double share = 1;
@@ -60,7 +60,7 @@ final class SampleLevel {
         return levels;
     }
 
-    /** That of pixels with this many samples. */
+    /** The level of pixels with this many samples. */
     static SampleLevel of(SampleLevel[] levels, int count, Samples kind) {
         return levels[index(count, kind)];
     }

@@ -26,17 +26,17 @@ public final class SampleLog {
     private static final int FLOATS = 6;
     private static final int FIRST = 1 << 10;
 
-    /** What became of a ray, as its number. */
+    /** The outcomes of rays, stored as their ordinals. */
     public enum Outcome {
-        /** It met nothing. */
+        /** The ray met nothing. */
         MISSED,
         /** The point on the light shines on the surface. */
         LIT,
-        /** Something is between them. */
+        /** An object occludes the point on the light. */
         SHADOWED,
-        /** It ran into a light: S is on it. */
+        /** The ray met a light: S is on it. */
         LIGHT_SEEN,
-        /** No light was asked: there is none that shines on that side of the surface. */
+        /** No light was sampled, as none shines on that side of the surface. */
         UNLIT
     }
 
@@ -115,9 +115,9 @@ public final class SampleLog {
     }
 
     /**
-     * Says which ray belongs to the sample added last.
+     * Sets the ray of the sample added last.
      *
-     * @param points P, S and L; what there is none of is not a number
+     * @param points P, S and L; missing points are NaN
      */
     public void ray(double[] points, Outcome outcome, int bounceCount) {
         System.arraycopy(points, 0, coordinates, COORDINATES * (size - 1), COORDINATES);
@@ -136,7 +136,7 @@ public final class SampleLog {
         }
     }
 
-    /** Gives away what there is, be it nothing. */
+    /** Passes the samples so far to the sink, also if there are none. */
     public void flush() {
         ByteBuffer out = ByteBuffer.allocate(size * bytesPerSample(kind)).order(ByteOrder.LITTLE_ENDIAN);
         for (int i = 0; i < size; i++) {

@@ -34,7 +34,7 @@ public final class SampleSpread {
         Arrays.fill(places, Double.NaN);
     }
 
-    /** Says where in the pixel the next sample lies, 0..1 from the left and from above: of the first two it is kept. */
+    /** Sets the place of the next sample in the pixel, 0..1 from the left and from above. The places of the first two are kept. */
     public void at(double x, double y) {
         if (taken < 2) {
             places[2 * taken] = x;
@@ -103,7 +103,7 @@ public final class SampleSpread {
         QuarterMeans.of(sums, count, out, from);
     }
 
-    /** How many samples the pixel has. */
+    /** The number of samples of the pixel. */
     int samples() {
         return count;
     }

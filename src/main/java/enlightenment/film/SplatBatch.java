@@ -87,7 +87,7 @@ public final class SplatBatch {
     }
 
     /**
-     * What was added since it began, as it is kept and sent.
+     * The sums since the batch began, in the form that is stored and sent.
      *
      * @throws ArithmeticException if a pixel's sum was too large, with the pixel
      */

@@ -6,7 +6,7 @@ import java.util.stream.IntStream;
 
 /** Splats whose sums are in memory. */
 public final class SplatFilm extends Splats {
-    /** Of each group, for each pixel: units of red, green and blue. */
+    /** By group and pixel, units of red, green and blue. */
     private final long[][] sums;
 
     /**
@@ -108,8 +108,8 @@ public final class SplatFilm extends Splats {
     }
 
     /**
-     * How far the four groups say that the pixels are from the truth, in units of the film; the interval allows for pixels that err
-     * together. With less than two groups all may be chance: then each pixel's variance is its square.
+     * The error of the pixels as estimated from the four groups, in units of the film. Its interval allows for correlated pixels. With less
+     * than two groups each pixel's variance is its square.
      */
     public synchronized ErrorEstimate error() {
         SplatLight light = light();

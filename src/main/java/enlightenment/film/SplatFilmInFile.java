@@ -15,13 +15,13 @@ import java.util.Arrays;
 public final class SplatFilmInFile extends Splats {
     private static final int BAND_ROWS = 8;
 
-    /** Of a contribution that waits: pixel and group in one number, and units of red, green and blue. */
+    /** Bytes of a waiting contribution: pixel and group in one number, and units of red, green and blue. */
     private static final int ENTRY_BYTES = Integer.BYTES + 3 * Long.BYTES;
 
-    /** Of the sums of a pixel. */
+    /** Bytes of a pixel's sums. */
     private static final int SUM_BYTES = GROUPS * 3 * Long.BYTES;
 
-    /** Contributions that wait take at most this share of what the sums take. */
+    /** Waiting contributions take at most one part in this many of the sums' size. */
     private static final int WAITING_SHARE = 2;
 
     /** Memory for what is not written yet, if there are not very many bands. */

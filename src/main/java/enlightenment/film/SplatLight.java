@@ -1,8 +1,8 @@
 package enlightenment.film;
 
-/** What paths have brought to the pixels of a film of splats as it stands, to be read by one thread, row by row. */
+/** The light of a film of splats as it stands, to be read by one thread, row by row. */
 final class SplatLight {
-    /** What the upper half of a sum counts. */
+    /** The factor of the upper half of a sum. */
     private static final double HIGH = 1L << Integer.SIZE;
 
     private final SplatView sums;

@@ -17,13 +17,13 @@ final class SplatLog {
     /** Binary digits of the index of a pixel. */
     private final int bits;
 
-    /** What was written down: pixels, units of red, green and blue, and how much it is. */
+    /** The contributions in their order: pixels, units of red, green and blue, and their number. */
     private int[] logPixels = new int[LEAST];
 
     private long[] logUnits = new long[3 * LEAST];
     private int logged;
 
-    /** What was sorted: pixels, ascending, and sums. */
+    /** The sorted contributions: pixels, ascending, and sums. */
     private int[] pixels = new int[0];
 
     private long[] sums = new long[0];
@@ -66,9 +66,9 @@ final class SplatLog {
     }
 
     /**
-     * What was added to each pixel.
+     * The sums of pixels.
      *
-     * @param paths what it says of their number
+     * @param paths the number of paths for the result
      */
     SplatSums sums(long paths) {
         settle();
@@ -114,7 +114,10 @@ final class SplatLog {
         }
     }
 
-    /** Where the first of each digit belongs. Loops apart: the compiler takes more time than they do where there are many in a method. */
+    /**
+     * Computes the place of the first item of each digit. A method of its own, as the just-in-time compiler is slow where a method has many
+     * loops.
+     */
     private static void findPlaces(int[] pixels, int length, int shift, int[] counts) {
         Arrays.fill(counts, 0);
         for (int i = 0; i < length; i++) {

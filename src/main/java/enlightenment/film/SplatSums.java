@@ -3,7 +3,9 @@ package enlightenment.film;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** What a batch of paths adds to a picture: the sums of the pixels that it reached, and the number of its paths. Immutable. */
+/**
+ * The contribution of a batch of paths to a picture. It has the sums of the pixels that it reached, and the number of its paths. Immutable.
+ */
 public final class SplatSums {
     /** Indices of pixels in the rectangle that is rendered, row by row, ascending. */
     final int[] pixels;
@@ -84,10 +86,10 @@ public final class SplatSums {
     }
 
     /**
-     * What {@link #toBytes} wrote.
+     * The sums in the bytes of {@link #toBytes}.
      *
-     * @param pixels how many the rectangle has that is rendered
-     * @throws IllegalArgumentException with the reason, where these are not such bytes
+     * @param pixels the number of pixels of the rendered rectangle
+     * @throws IllegalArgumentException with the reason, if the bytes are not valid
      */
     public static SplatSums of(byte[] bytes, int pixels) {
         VarintReader in = new VarintReader(bytes);

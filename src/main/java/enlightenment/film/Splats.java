@@ -41,7 +41,7 @@ public abstract sealed class Splats permits SplatFilm, SplatFilmInFile {
         this.curve = curve;
     }
 
-    /** What the pixels mean. */
+    /** The encoding of the pixels. */
     public Color.Encoding encoding() {
         return curve.encoding();
     }
@@ -65,10 +65,10 @@ public abstract sealed class Splats permits SplatFilm, SplatFilmInFile {
     }
 
     /**
-     * Takes a unit of work out.
+     * Removes a unit of work.
      *
-     * @param batch what was added for it
-     * @return whether it was in; otherwise nothing has changed
+     * @param batch its contribution
+     * @return whether it was present; otherwise nothing has changed
      * @throws IllegalArgumentException if this has more paths than were added; then nothing has changed
      */
     public synchronized boolean remove(int unit, SplatSums batch) {
@@ -87,7 +87,7 @@ public abstract sealed class Splats permits SplatFilm, SplatFilmInFile {
     /** Adds the sums of a batch to a group. */
     abstract void put(int group, SplatSums batch);
 
-    /** Takes the sums of a batch out of a group. */
+    /** Subtracts the sums of a batch from a group. */
     abstract void take(int group, SplatSums batch);
 
     /** The sums as they stand; nothing may be added while they are read. */
@@ -107,11 +107,11 @@ public abstract sealed class Splats permits SplatFilm, SplatFilmInFile {
         return sum;
     }
 
-    /** What the paths have brought; nothing may be added while it is read. */
+    /** The light of the film; nothing may be added while it is read. */
     final synchronized SplatLight light() {
         return new SplatLight(view(), scale, picturePixels, paths);
     }
 
-    /** Gives up what is not in memory; nothing can be read any more. */
+    /** Releases files; nothing can be read any more. */
     public void release() {}
 }

@@ -8,7 +8,7 @@ import enlightenment.color.DisplayCurve;
  * that errors are those of the sum. Pixels that are not finished stay so. Asked for row by row.
  */
 final class SplattedPixels implements TileFilm.Source {
-    /** Of a pixel's light, to tell the slope of the curve there. */
+    /** Step for the slope of the curve, as a share of a pixel's light. */
     private static final double STEP = 1.0 / 64;
 
     private final FilmView tiles;
@@ -16,7 +16,7 @@ final class SplattedPixels implements TileFilm.Source {
     private final DisplayCurve curve;
     private final boolean isLinear;
 
-    /** Hears of pixels with few samples of linear light. */
+    /** Receives pixels with few samples of linear light. */
     private final FewSamplesSplats few;
 
     private final FilmPixel before = new FilmPixel();
@@ -91,7 +91,7 @@ final class SplattedPixels implements TileFilm.Source {
         return a > 0 ? Math.min(b / a, 1) : 1;
     }
 
-    /** Of display-referred pixels: paths and samples do not depend on each other, so their squared errors add. */
+    /** Adds to a display-referred pixel: paths and samples are independent, so their squared errors add. */
     private void addShown(int column, int row, FilmPixel pixel) {
         if (pixel.samples == 0) {
             pixel.clear();

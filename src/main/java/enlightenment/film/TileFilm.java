@@ -34,14 +34,14 @@ public abstract sealed class TileFilm permits Film, FilmInFile {
         this.curve = curve;
     }
 
-    /** Gives pixels. */
+    /** A source of finished pixels. */
     @FunctionalInterface
     public interface Source {
-        /** Makes {@code pixel} the one at a place; places are asked for row by row within blocks of 8 rows. */
+        /** Reads the pixel at a place into {@code pixel}; places come row by row within blocks of 8 rows. */
         void read(int column, int row, FilmPixel pixel);
     }
 
-    /** What the pixels mean. */
+    /** The encoding of the pixels. */
     public final Color.Encoding encoding() {
         return curve.encoding();
     }
@@ -70,17 +70,17 @@ public abstract sealed class TileFilm permits Film, FilmInFile {
         put(left, top, columns, rows, (column, row, pixel) -> pixel.clear());
     }
 
-    /** Says how many samples were no finite numbers, by what there is now. */
+    /** Sets the number of samples that were not finite, by the present units. */
     public final synchronized void samplesAreLost(long number) {
         lost = number;
     }
 
-    /** How many samples were no finite numbers ({@link FilmTile#lostSamples}). */
+    /** The number of samples that were not finite ({@link FilmTile#lostSamples}). */
     public final synchronized long lostSamples() {
         return lost;
     }
 
-    /** Says whether the samples of pixels are differences from something known ({@link FilmTile#known}), by what there is now. */
+    /** Sets whether the samples of pixels are differences from known values ({@link FilmTile#known}), by the present units. */
     public final synchronized void samplesAreDifferences(boolean are) {
         differences = are;
     }
@@ -100,7 +100,7 @@ public abstract sealed class TileFilm permits Film, FilmInFile {
      */
     public abstract float[] quarterMeans();
 
-    /** How far the samples say that the pixels are from the truth, in what a screen shows. */
+    /** The error of the pixels as estimated from the samples, in displayed values. */
     public abstract ErrorEstimate error();
 
     /** Camera rays of all finished pixels: their samples, and those that only showed where samples are needed. */
@@ -159,6 +159,6 @@ public abstract sealed class TileFilm permits Film, FilmInFile {
         return toImage();
     }
 
-    /** Gives up what is not in memory; only images that were taken before can be used then. */
+    /** Releases files; only images that were taken before can be used then. */
     public void release() {}
 }

@@ -89,7 +89,7 @@ public final class TileGrowth {
         }
     }
 
-    /** How many samples were there of a pixel. */
+    /** The number of samples that a pixel had before. */
     public int before(int column, int row) {
         return before[pixel(column, row)];
     }
@@ -118,7 +118,7 @@ public final class TileGrowth {
         return there;
     }
 
-    /** Takes note that the first half of a pixel's samples is in the tile. */
+    /** Stores the sums of the first half of a pixel's samples, which is in the tile. */
     public void half(FilmTile tile, int column, int row) {
         for (int c = 0; c < 3; c++) {
             numbers[at + FIRST_HALF + c] = tile.sum(column, row, c);

@@ -117,20 +117,20 @@ public final class TilePasses {
         return done.get(pass);
     }
 
-    /** How many passes are not in yet. */
+    /** The number of passes that are missing. */
     public synchronized int missing() {
         return passes - done.cardinality();
     }
 
-    /** How many tiles of sums are kept. */
+    /** The number of tiles whose sums are kept. */
     synchronized int kept() {
         return sums.size();
     }
 
     /**
-     * Takes a pass out, with those that it was added up with: they have to be made again.
+     * Removes a pass, with those that it was added up with: they have to be made again.
      *
-     * @return all of these, in ascending order; empty if it was not in
+     * @return all of these, in ascending order; empty if it was missing
      */
     public synchronized List<Integer> remove(int pass) {
         List<Integer> lost = new ArrayList<>();

@@ -56,7 +56,7 @@ final class VarianceDecay {
 
     private VarianceDecay() {}
 
-    /** What samples are. */
+    /** The kinds of samples. */
     enum Samples {
         /** Colours that a screen takes. */
         WHOLE,

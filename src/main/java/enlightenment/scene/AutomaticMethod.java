@@ -38,7 +38,7 @@ enum AutomaticMethod implements Method {
         return true;
     }
 
-    /** Those of all methods that may be chosen. */
+    /** The settings of all methods that may be chosen. */
     @Override
     public List<Method.Setting> settings() {
         return Method.settings(BuiltInMethod.ALL).stream()

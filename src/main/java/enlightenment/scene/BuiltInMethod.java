@@ -48,7 +48,7 @@ public enum BuiltInMethod implements Method {
             RAYTRACE,
             Shading.Model.values());
 
-    /** All of them, in order. */
+    /** All built-in methods, in order. */
     public static final List<Method> ALL = List.of(values());
 
     private final String word;
@@ -66,7 +66,7 @@ public enum BuiltInMethod implements Method {
         this.shadings = Set.of(shadings);
     }
 
-    /** Those that can render scenes of a shading, in order. */
+    /** The built-in methods that can render scenes of a shading, in order. */
     public static List<BuiltInMethod> rendering(Shading.Model model) {
         List<BuiltInMethod> able = new ArrayList<>();
         for (BuiltInMethod method : values()) {
@@ -142,7 +142,7 @@ public enum BuiltInMethod implements Method {
             SHADOW_SAMPLES.checked(shadowSamples);
         }
 
-        /** What was chosen. */
+        /** The values in render settings. */
         public static RayTraceSettings of(RenderSettings settings) {
             return new RayTraceSettings(settings.chosen().whole(SHADOW_SAMPLES));
         }
@@ -178,7 +178,7 @@ public enum BuiltInMethod implements Method {
             PROPOSAL.checked(proposal);
         }
 
-        /** What was chosen. */
+        /** The values in render settings. */
         public static ClusterSettings of(RenderSettings settings) {
             return new ClusterSettings(settings.chosen().word(PROPOSAL));
         }
@@ -222,13 +222,13 @@ public enum BuiltInMethod implements Method {
             MUTATIONS.checked(mutations);
         }
 
-        /** What was chosen. */
+        /** The values in render settings. */
         public static MetropolisSettings of(RenderSettings settings) {
             ChosenSettings chosen = settings.chosen();
             return new MetropolisSettings(chosen.whole(LARGE_STEPS), chosen.whole(MUTATIONS));
         }
 
-        /** How many blocks a render has: those of the whole picture that the part that is rendered has pixels in. */
+        /** The number of blocks of a render: those of the whole picture with pixels of the rendered part. */
         public static long blocks(RenderSettings settings) {
             RenderSettings.Crop c = settings.region();
             long across = (c.x() + c.width() - 1) / BLOCK_SIDE - c.x() / BLOCK_SIDE + 1;

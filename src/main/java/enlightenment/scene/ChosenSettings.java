@@ -20,7 +20,7 @@ public final class ChosenSettings {
         this.values = values;
     }
 
-    /** Those of one method; all others have their defaults. */
+    /** The settings of one method; all others have their defaults. */
     public static ChosenSettings of(Method.Settings settings) {
         return NONE.with(settings);
     }
@@ -101,12 +101,12 @@ public final class ChosenSettings {
         public static final Method.Setting.Whole SEED =
                 new Method.Setting.Whole("seed", Long.MIN_VALUE, Long.MAX_VALUE, 0, "seed of the random numbers");
 
-        /** All of them, in the order of help and reports. */
+        /** All common settings, in the order of help and reports. */
         public static final List<Method.Setting> ALL = List.of(SEED);
 
         private Common() {}
 
-        /** Whether one of them has this key: then no method's own may. */
+        /** Whether a common setting has this key: then no method's own may. */
         static boolean has(String key) {
             return ALL.stream().anyMatch(setting -> setting.key().equals(key));
         }

@@ -20,9 +20,9 @@ final class Extensions {
     private Extensions() {}
 
     /**
-     * By their words: the order in which services are found is anybody's.
+     * The methods found as services, sorted by their words, as services come in no fixed order.
      *
-     * @throws IllegalStateException if one cannot be made, or two cannot be told apart
+     * @throws IllegalStateException if one cannot be made, or two of them conflict ({@link #requireDistinct})
      */
     static List<Method> found() {
         Throwable fault = SEARCH.fault();

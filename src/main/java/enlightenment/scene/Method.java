@@ -34,7 +34,7 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
     /** The program chooses: one of {@link BuiltInMethod} takes its place before anything is rendered. Not among {@link #all}. */
     Method AUTO = AutomaticMethod.AUTO;
 
-    /** What a unit of a method's work is. */
+    /** The kinds of a method's units of work. */
     enum Kind {
         /** The pixels of one tile: units write disjoint parts of the picture. */
         TILES,
@@ -46,16 +46,16 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
     /** The name in scene files, on the command line and in reports: letters, digits and hyphens. */
     String word();
 
-    /** What it does, in one line without a full stop. */
+    /** Its description, in one line without a full stop. */
     String description();
 
-    /** What a unit of its work is. */
+    /** The kind of its units of work. */
     Kind kind();
 
-    /** What it can render; at least one. */
+    /** The shadings that it can render; at least one. */
     Set<Shading.Model> shadings();
 
-    /** Whether it can render scenes of physical shading that ask for this. */
+    /** Whether it can render scenes of physical shading that need this feature. */
     boolean canRender(Shading.LightFeature feature);
 
     /** Its settings, each with its key, its range and its default, in the order of lists and reports. */
@@ -64,17 +64,17 @@ public sealed interface Method permits BuiltInMethod, AutomaticMethod, MethodExt
     /** What makes the samples in its place where there are too few of them for its survey; empty if none are too few. */
     Optional<Method> standIn();
 
-    /** Whether it learns ray clusters that can be told of. */
+    /** Whether it learns ray clusters that can be returned. */
     boolean hasClusters();
 
-    /** All methods that render: our own in order, then those from outside by their words. */
+    /** All methods that render: the built-in ones in order, then those from services by their words. */
     static List<Method> all() {
         List<Method> all = new ArrayList<>(BuiltInMethod.ALL);
         all.addAll(Extensions.found());
         return List.copyOf(all);
     }
 
-    /** What a method can be set to: {@link #all}, and behind them {@link #AUTO}. */
+    /** The methods that can be selected: {@link #all}, and behind them {@link #AUTO}. */
     static List<Method> selectable() {
         return selectable(all());
     }

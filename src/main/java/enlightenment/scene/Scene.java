@@ -223,7 +223,7 @@ public record Scene(
 
         Builder() {}
 
-        /** What the scene is called; "" unless set. */
+        /** The name of the scene; "" unless set. */
         public Builder name(String value) {
             name = value;
             return this;
@@ -236,19 +236,19 @@ public record Scene(
             return this;
         }
 
-        /** Where the scene is seen from; must be set. */
+        /** The camera; must be set. */
         public Builder camera(Camera value) {
             camera = value;
             return this;
         }
 
-        /** How surfaces are shaded; {@link Shading.Classic#DEFAULT} unless set. */
+        /** The shading; {@link Shading.Classic#DEFAULT} unless set. */
         public Builder shading(Shading value) {
             shading = value;
             return this;
         }
 
-        /** How the light of physical shading becomes a picture for a screen; {@link Display#DEFAULT} unless set. */
+        /** The display of physical shading's light on a screen; {@link Display#DEFAULT} unless set. */
         public Builder display(Display value) {
             display = value;
             return this;
@@ -295,7 +295,7 @@ public record Scene(
             return this;
         }
 
-        /** How the scene changes over its frames, or null (unless set) if it does not. */
+        /** The animation, or null (unless set) for none. */
         public Builder animation(Animation value) {
             animation = value;
             return this;

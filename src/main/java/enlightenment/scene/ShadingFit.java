@@ -31,13 +31,13 @@ final class ShadingFit {
 
     private final Map<String, Material> named;
 
-    /** What is wrong, by its place. */
+    /** The problems by their places. */
     private final Map<String, String> found = new LinkedHashMap<>();
 
-    /** Where the first glass that disperses light stands; null if there is none. */
+    /** The place of the first glass that disperses light; null if there is none. */
     private String glass;
 
-    /** Where the first fluorescent surface stands; null if there is none. */
+    /** The place of the first fluorescent surface; null if there is none. */
     private String dye;
 
     ShadingFit(Shading shading, Map<String, Material> named) {
@@ -89,7 +89,7 @@ final class ShadingFit {
         }
     }
 
-    /** Looks at an object. */
+    /** Checks an object. */
     void look(SceneObject object, int index) {
         String place = "objects/" + index + "/material";
         look(object.material(), place);
@@ -172,7 +172,7 @@ final class ShadingFit {
         }
     }
 
-    /** Where a material stands: with its name, if it has one. */
+    /** The place of a material: its name, if it has one. */
     static String placeOf(Map<String, Material> named, Material material, String place) {
         String name = nameOf(m -> m == material, named);
         String known = name == null ? nameOf(m -> Objects.equals(m, material), named) : name;

@@ -125,7 +125,7 @@ final class Family<T> {
         return byName.get(type);
     }
 
-    /** What a reader or writer says of a kind that it does not know: it was added here, and forgotten there. */
+    /** The exception of a reader or writer without a case for a kind. */
     static IllegalStateException unknown(Object kind) {
         return new IllegalStateException("the scene format knows " + kind + ", but not how to read or write it");
     }

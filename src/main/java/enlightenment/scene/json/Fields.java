@@ -166,12 +166,12 @@ final class Fields {
         return type.getEnumConstants()[Math.max(0, words(type).indexOf(word))];
     }
 
-    /** How an enum's constants are called in scene files. */
+    /** The words of an enum's constants in scene files. */
     static List<String> words(Class<? extends Enum<?>> type) {
         return Arrays.stream(type.getEnumConstants()).map(Fields::word).toList();
     }
 
-    /** How an enum's constant is called in scene files. */
+    /** The word of an enum's constant in scene files. */
     static String word(Enum<?> constant) {
         return constant.name().toLowerCase(Locale.ROOT);
     }
@@ -226,7 +226,7 @@ final class Fields {
     }
 
     /**
-     * Makes a record from values that were all right; what the record itself refuses becomes a problem at its place.
+     * Makes a record from valid values. An exception of the record becomes a problem at its place.
      *
      * @return null where there is a problem with this part
      */

@@ -13,7 +13,7 @@ import java.util.List;
  * @param optional keys that may be there
  */
 record Keys(String schemaName, String noun, List<String> required, List<String> optional) {
-    /** Of words separated by blanks. */
+    /** Keys from words separated by blanks. */
     static Keys of(String schemaName, String noun, String required, String optional) {
         return new Keys(schemaName, noun, words(required), words(optional));
     }

@@ -38,7 +38,7 @@ final class Library {
     /** Those image files whose numbers are light without limits: no surface has such a colour. */
     final Set<Path> lightFiles = new HashSet<>();
 
-    /** What the paths of image files are relative to. */
+    /** The folder that the paths of image files are relative to. */
     final Path folder;
 
     /** What files hold that are not on the disk, by their names; null if they are. */

@@ -167,7 +167,7 @@ final class ObjectStream {
                 .anyMatch(t -> !t.isEmpty() && (t.get(0).equals("objects") || LIBRARY.contains(t.get(0))));
     }
 
-    /** Tells the problems of textures and materials. */
+    /** Reports the problems of textures and materials. */
     void tellLibrary() {
         values.problems().add(ofLibrary);
     }

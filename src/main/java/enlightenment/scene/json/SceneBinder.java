@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 
-/** Makes a scene of a document, or says all that is wrong with it. */
+/** Makes a scene of a document, or reports all of its problems. */
 final class SceneBinder {
     private static final int NO_INSTANT = -1;
 

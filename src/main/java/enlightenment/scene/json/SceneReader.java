@@ -285,7 +285,7 @@ public final class SceneReader {
         }
 
         /**
-         * Makes a frame, counted from 0.
+         * The scene of a frame, counted from 0.
          *
          * @throws SceneException as {@link SceneReader#read(Path, int)}
          */

@@ -11,7 +11,7 @@ import java.util.List;
 final class Vocabulary {
     private Vocabulary() {}
 
-    /** All parts that come in several kinds. */
+    /** All parts of a scene that come in several kinds. */
     static List<Family<?>> families() {
         return List.of(
                 Cameras.FAMILY, Shapes.FAMILY, Materials.FAMILY, Lights.FAMILY, Textures.FAMILY, Backgrounds.FAMILY);

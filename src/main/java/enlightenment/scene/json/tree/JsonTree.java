@@ -34,10 +34,10 @@ public final class JsonTree {
     public static final int LONGEST_TEXT = 1_000_000;
     public static final int LONGEST_KEY = 10_000;
 
-    /** What is wrong with a text that UTF-8 cannot say. */
+    /** The problem of a text that UTF-8 cannot encode. */
     public static final String NO_TEXT = "is not a text: it holds half a character";
 
-    /** What is wrong with a part of a text that is longer than that. */
+    /** The problem of a part of a text that is too long. */
     public static final String TOO_LONG = "is too long: a number may have " + LONGEST_NUMBER + " characters, a text "
             + LONGEST_TEXT + ", a key " + LONGEST_KEY;
 

@@ -20,7 +20,7 @@ public abstract sealed class JsonValue {
         this.column = column;
     }
 
-    /** What the value is, for messages: {@code the text "abc"}. */
+    /** A description of the value for messages: {@code the text "abc"}. */
     public abstract String describe();
 
     /** An object; the keys keep their order, and of a duplicate key the last value counts. */

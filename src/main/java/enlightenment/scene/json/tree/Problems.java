@@ -40,7 +40,7 @@ public final class Problems {
         count += part.count;
     }
 
-    /** How many problems were found so far: unchanged means that what was done in between went well. */
+    /** The number of problems so far. If it stays equal, the calls in between found none. */
     public int count() {
         return count;
     }

@@ -44,7 +44,9 @@ public record DeviceScene(Program program, double[] doubles, int[] ints, float[]
         HAS_MIRROR_BALLS,
         PICKER,
         PICKER_WEIGHTS,
-        PICKER_TREE
+        PICKER_TREE,
+        LENS,
+        LENS_CORNERS
     }
 
     /** What stands first among the numbers, one behind the other. */

@@ -29,6 +29,9 @@ import java.util.stream.IntStream;
 
 /** Writes the arrays of a {@link DeviceScene}; the code of the kernel says what a record holds, beside its sizes. */
 final class DeviceSceneWriter {
+    /** The numbers of a lens before those of its corners. */
+    private static final int LENS_VECTORS = 12;
+
     /** Boxes of faces that touch others are asked one by one: a primitive with more is left to the host as a whole. */
     private static final int MOST_CONTACTS = 64;
 
@@ -63,6 +66,7 @@ final class DeviceSceneWriter {
         for (DeviceScene.Int slot : DeviceScene.Int.values()) {
             ints.add(0);
         }
+        writeLens(scene.camera.lensForm());
         writeHierarchies();
         writePrimitives();
         writeUnion();
@@ -105,6 +109,12 @@ final class DeviceSceneWriter {
                     classic.background().b());
         }
         doubles.add(scene.camera.linearForm());
+    }
+
+    /** As samples.cl reads it: at place 0 there is none. */
+    private void writeLens(double[] lens) {
+        set(DeviceScene.Int.LENS, lens.length == 0 ? 0 : doubles.add(lens));
+        set(DeviceScene.Int.LENS_CORNERS, Math.max(lens.length - LENS_VECTORS, 0) / 2);
     }
 
     /** One hierarchy in which meshes that are searched together are one item, and one in which each is an item: the same if there are none. */

@@ -19,7 +19,7 @@ final class SceneRefusal {
         }
         double[] camera = scene.camera.linearForm();
         if (camera == null) {
-            return Optional.of("a lens or a panorama");
+            return Optional.of("a panorama");
         }
         if (camera[CAMERA_START] < 0) {
             return Optional.of("an isometric view");

@@ -13,6 +13,7 @@ typedef struct {
 #define CHOICE 1
 #define ROULETTE 2
 #define LIGHT_POINT 3
+#define LENS_POINT 15
 
 #define STRATIFIED_BOUNCES 2
 #define SINGLE_NUMBER (1UL << 40)
@@ -86,6 +87,29 @@ int pixelOf(__global const int *start, int pixels, int item) {
     return low;
 }
 
+// A point of the aperture: world.camera.Aperture. The corners stand behind the lens.
+double2 pointOfAperture(const Scene *s, __global const double *lens, double2 u) {
+    int corners = s->i[LENS_CORNERS];
+    if (corners == 0) {
+        Vec disk = toDisk(u.x, u.y);
+        return (double2)(disk.x, disk.y);
+    }
+    int blades = corners - 1;
+    int k = min((int) (u.x * blades), blades - 1);
+    double off = sqrt(u.x * blades - k);
+    __global const double *x = lens + 12 + k;
+    __global const double *y = x + corners;
+    return (double2)(off * ((1 - u.y) * x[0] + u.y * x[1]), off * ((1 - u.y) * y[0] + u.y * y[1]));
+}
+
+// Moves the ray through the middle of the lens to a sampled point of it: world.camera.ThinLens.
+void moveToLens(Scene *s, Ray *r, const Sampler *sampler, double from) {
+    __global const double *q = s->d + s->i[LENS];
+    double2 p = pointOfAperture(s, q, pairOf(sampler, 0, LENS_POINT));
+    setRay(s, r, q[0] * p.x + q[3] * p.y, q[1] * p.x + q[4] * p.y, q[2] * p.x + q[5] * p.y, r->dx - (q[6] * p.x + q[9] * p.y),
+            r->dy - (q[7] * p.x + q[10] * p.y), r->dz - (q[8] * p.x + q[11] * p.y), from);
+}
+
 void setCameraRay(Scene *s, Ray *r, const Sampler *sampler) {
     ulong filmSeed = hashOf(sampler->pixelHash, 0);
     double x = (sampler->column + sobolX(sampler->sample, filmSeed)) / s->d[WIDTH];
@@ -93,6 +117,9 @@ void setCameraRay(Scene *s, Ray *r, const Sampler *sampler) {
     __global const double *c = s->d + CAMERA;
     setRay(s, r, fma(x, c[3], fma(y, c[6], c[0])), fma(x, c[4], fma(y, c[7], c[1])), fma(x, c[5], fma(y, c[8], c[2])),
             fma(x, c[12], fma(y, c[15], c[9])), fma(x, c[13], fma(y, c[16], c[10])), fma(x, c[14], fma(y, c[17], c[11])), c[18]);
+    if (s->i[LENS] != 0) {
+        moveToLens(s, r, sampler, c[18]);
+    }
 }
 
 void finish(const Scene *s, Vec light, int place, __global double *rgb, __global int *states, __global int *counts) {

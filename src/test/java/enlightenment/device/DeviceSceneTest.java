@@ -35,7 +35,7 @@ class DeviceSceneTest {
         "lanterns, surroundings that are not the same everywhere",
         "knot, surfaces with holes",
         "minerals, a fluorescent material",
-        "panorama, a lens or a panorama",
+        "panorama, a panorama",
         "caustics, 'glass that does not turn rays, such as panes'",
         "prism, glass that disperses light",
         "furnace, rough glass",

@@ -123,10 +123,21 @@ final class RandomScene {
 
     private Camera camera() {
         return switch (random.nextInt(3)) {
-            case 0 -> new Camera.Perspective(at(0.1, 0.2, -2), at(0, 0, 4), Vec3.Y, 40 + random.nextInt(50));
+            case 0 -> perspective();
             case 1 -> new Camera.Window(at(0, 0, -3), at(-2, -1, 0), at(-2, 1, 0), at(2, 1, 0), at(2, -1, 0), 0);
             default -> new Camera.Orthographic(at(0.3, 0.1, -2), at(0, 0, 4), Vec3.Y, 4, Camera.Handedness.LEFT);
         };
+    }
+
+    /** With and without a lens, round and with blades. */
+    private Camera perspective() {
+        Camera.Perspective camera =
+                new Camera.Perspective(at(0.1, 0.2, -2), at(0, 0, 4), Vec3.Y, 40 + random.nextInt(50));
+        if (!isPhysical || random.nextBoolean()) {
+            return camera;
+        }
+        int blades = random.nextBoolean() ? 0 : 3 + random.nextInt(6);
+        return camera.withLens(new Camera.Lens(0.25 * random.nextDouble(), 2 + random.nextInt(6), blades, 20));
     }
 
     private Rectangle rectangle(ExactPoint corner, Vec3 up, Vec3 right) {

@@ -222,9 +222,6 @@ final class AffineCamera extends CompiledCamera {
 
     @Override
     public double[] linearForm() {
-        if (lens != null) {
-            return null;
-        }
         double[] all = new double[19];
         Vec3[] parts = {origin, originX, originY, direction, directionX, directionY};
         for (int k = 0; k < 18; k++) {
@@ -232,5 +229,10 @@ final class AffineCamera extends CompiledCamera {
         }
         all[18] = tMin;
         return all;
+    }
+
+    @Override
+    public double[] lensForm() {
+        return lens == null ? super.lensForm() : lens.flatForm();
     }
 }

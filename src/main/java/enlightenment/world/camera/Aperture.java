@@ -2,6 +2,7 @@ package enlightenment.world.camera;
 
 import enlightenment.frame.Rotation;
 import enlightenment.sampling.Warp;
+import java.util.Arrays;
 
 /** Samples the aperture of a thin lens uniformly by area: a disk or a regular polygon in the circle of radius 1. Immutable. */
 final class Aperture {
@@ -48,5 +49,12 @@ final class Aperture {
         double far = Math.sqrt(u * blades - k);
         out[0] = far * ((1 - v) * x[k] + v * x[k + 1]);
         out[1] = far * ((1 - v) * y[k] + v * y[k + 1]);
+    }
+
+    /** The x and then the y of all corners, of which the first is also the last; empty for a disk. */
+    double[] corners() {
+        double[] all = Arrays.copyOf(x, 2 * x.length);
+        System.arraycopy(y, 0, all, x.length, x.length);
+        return all;
     }
 }

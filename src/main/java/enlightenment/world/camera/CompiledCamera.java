@@ -8,6 +8,8 @@ import enlightenment.sampling.Sampler;
 
 /** A camera in the scene's frame: it makes the rays of film positions. Immutable, shared by all threads. */
 public abstract sealed class CompiledCamera permits AffineCamera, PanoramaCamera {
+    private static final double[] NO_LENS = {};
+
     /** The picture's width and height in pixels. */
     public final int columns;
 
@@ -64,10 +66,19 @@ public abstract sealed class CompiledCamera permits AffineCamera, PanoramaCamera
     public abstract RayStarts rayStarts();
 
     /**
-     * Of a camera without a lens whose rays are linear in the film position (x, y): the ray's origin and its derivatives by x and y, its
-     * direction likewise, and the t that it starts at. Null for others.
+     * Of a camera whose rays through the middle of the lens are linear in the film position (x, y): the ray's origin and its derivatives by
+     * x and y, its direction likewise, and the t that it starts at. Null for others.
      */
     public double[] linearForm() {
         return null;
+    }
+
+    /**
+     * The lens of such a camera, as vectors of the frame and numbers: the radius to the right and upwards, both over the distance of the
+     * plane in focus, and the x and then the y of the aperture's corners, of which the first is also the last; no corners of a disk. Empty
+     * without a lens.
+     */
+    public double[] lensForm() {
+        return NO_LENS;
     }
 }

@@ -8,6 +8,9 @@ import enlightenment.math.Vec3;
  * parallel to this plane, each point of the lens is the eye of an affine camera with the same determinant. Immutable.
  */
 final class ThinLens {
+    /** The numbers of its four vectors. */
+    private static final int VECTORS = 12;
+
     private final Aperture aperture;
 
     /** The radius of the lens towards the picture's right and upwards, as vectors of the frame. */
@@ -57,5 +60,17 @@ final class ThinLens {
 
     Vec3 up() {
         return up;
+    }
+
+    /** As {@link CompiledCamera#lensForm}. */
+    double[] flatForm() {
+        double[] corners = aperture.corners();
+        double[] all = new double[VECTORS + corners.length];
+        Vec3[] vectors = {right, up, turnRight, turnUp};
+        for (int k = 0; k < VECTORS; k++) {
+            all[k] = vectors[k / 3].component(k % 3);
+        }
+        System.arraycopy(corners, 0, all, VECTORS, corners.length);
+        return all;
     }
 }

@@ -62,7 +62,7 @@ public final class DeviceTileShader implements TileShader {
 
     /**
      * @param counters are added to
-     * @param kernel has the scene; closed by whoever made it
+     * @param kernel has the scene; closed by the caller
      * @param failures hears once of it if the device fails
      */
     public DeviceTileShader(

@@ -78,9 +78,9 @@ public final class DividedRender implements UnitSource {
     }
 
     /**
-     * The same for one of several scenes.
+     * Compiles one of several scenes that share image files, and plans the render.
      *
-     * @param images is asked for image files
+     * @param images provides image files
      * @param room where finished pixels may be
      */
     public static DividedRender prepare(
@@ -89,7 +89,7 @@ public final class DividedRender implements UnitSource {
     }
 
     /**
-     * The same of a render whose {@link #next} is never asked for: its plan is all that keeps an error.
+     * Compiles the scene and plans a render whose {@link #next} is never called: its plan alone keeps a requested error.
      *
      * @param room where finished pixels may be
      * @throws enlightenment.math.InvalidValueException also if an error is all that limits a method that has no trials for it
@@ -99,7 +99,7 @@ public final class DividedRender implements UnitSource {
         return prepare(scene, settings, new SharedImages(), Optional.of(room), cancelled, true);
     }
 
-    /** As {@link #prepareOnce}, of a render of whose picture nothing is put together here: only some of its units are made. */
+    /** {@link #prepareOnce} for a render of which only some units are made here, and no picture. */
     public static DividedRender preparePart(Scene scene, RenderSettings settings, BooleanSupplier cancelled) {
         return prepare(scene, settings, new SharedImages(), Optional.empty(), cancelled, true);
     }
@@ -178,9 +178,9 @@ public final class DividedRender implements UnitSource {
     }
 
     /**
-     * The same for one of several scenes.
+     * A render of one of several scenes that share image files, planned elsewhere, to make its units.
      *
-     * @param images is asked for image files
+     * @param images provides image files
      */
     public static DividedRender planned(Scene scene, RenderSettings settings, RenderPlan plan, SharedImages images) {
         Phases phases = new Phases();
@@ -236,7 +236,7 @@ public final class DividedRender implements UnitSource {
     }
 
     /**
-     * The same.
+     * A picture of which nothing is there yet.
      *
      * @param canLose whether units may have to be taken out again, which takes more memory
      */

@@ -65,7 +65,7 @@ public interface UnitAssembly {
     /** Consecutive units, from {@code first} (included) to {@code last} (excluded). */
     record Range(int first, int last) {}
 
-    /** The units that went with others, although nobody took them out, since this was asked last: they must be made again. */
+    /** The units that were lost with others since the last call, without {@link #remove}: they must be made again. */
     default List<Range> takeLost() {
         return List.of();
     }

@@ -58,7 +58,7 @@ public final class RenderWorker {
 
     /**
      * Works until the picture is done, the server refuses, shows a certificate that is not to be trusted, or has been away, or
-     * of no use, for too long. Only a server that has proved that it knows the token is believed: whoever else answers there is as good as a
+     * of no use, for too long. Only a server that has proved that it knows the token is believed: any other that answers there counts as a
      * server that is away.
      *
      * @param cancelled asked a few times a second by several threads; once true, or once the calling thread is interrupted, the

@@ -48,7 +48,7 @@ public final class MethodPilot {
     /** Camera samples of a render from which on the pilot pays: it takes one to three seconds at least, most of it to compile what is not used later. */
     private static final double FEWEST_WORTH_A_PILOT = 1 << 20;
 
-    /** The same in seconds of a budget. */
+    /** {@link #FEWEST_WORTH_A_PILOT} in seconds of a budget. */
     private static final double FEWEST_SECONDS_WORTH_A_PILOT = 60;
 
     /** Samples per pixel of a render whose budget does not say. */

@@ -23,17 +23,17 @@ class LanguageTest {
     private static final Map<String, Integer> IN_SOURCES = Map.ofEntries(
             Map.entry("so many", 0),
             Map.entry("for who", 0),
-            Map.entry("whoever", 4),
-            Map.entry("nobody", 3),
+            Map.entry("whoever", 0),
+            Map.entry("nobody", 0),
             Map.entry("nobodys", 0),
             Map.entry("business of", 0),
             Map.entry("left to chance", 0),
-            Map.entry("is told", 1),
+            Map.entry("is told", 0),
             Map.entry("are told", 0),
             Map.entry("tells that", 0),
             Map.entry("dear", 0),
             Map.entry("as likely as", 0),
-            Map.entry("/\\*\\* (?:The same|As above)", 6));
+            Map.entry("/\\*\\* (?:The same|As above)", 0));
 
     /** By phrase: how often pages have it, the list of changes aside. */
     private static final Map<String, Integer> IN_PAGES = Map.ofEntries(

@@ -53,8 +53,8 @@ public final class MachineIdentity {
     }
 
     /**
-     * The same for all processes of a machine, and that of no other: a hash of what only those know who are on it. It is
-     * told to nobody as it is.
+     * A number that all processes of a machine share and no other machine has: a hash of facts that are known on the machine alone. It is
+     * never sent as it is.
      */
     public static byte[] secret() {
         StringBuilder all = new StringBuilder(name());

@@ -2,7 +2,7 @@ package enlightenment.net.worker;
 
 /**
  * How long a worker goes on trying to work for a server, and how long it pauses before it tries again. Only tiles that the server has taken
- * begin both anew: whoever can greet can also talk nonsense. Knows no clock; times are nanoseconds of any origin.
+ * begin both anew: a peer that greets can also talk nonsense. Reads no clock; times are nanoseconds of any origin.
  */
 public final class Patience {
     private static final double SECOND = 1e9;

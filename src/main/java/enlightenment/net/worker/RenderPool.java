@@ -74,7 +74,7 @@ public final class RenderPool implements AutoCloseable {
                 flush.run();
             }
         } catch (CancellationException e) {
-            // Nobody wants the tile any more.
+            // The tile is not needed any more.
             return;
         } catch (RuntimeException | Error e) {
             failed.accept(e);

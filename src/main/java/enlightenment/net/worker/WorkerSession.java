@@ -210,7 +210,7 @@ public final class WorkerSession {
                                 : answer == null ? "closes the connection" : "says what makes no sense now");
     }
 
-    /** Whoever has not proved to be our server decides nothing: it may be our server later, and somebody else now. */
+    /** A peer that has not proved to be our server decides nothing: the address may be our server's later, and another's now. */
     private SessionEnd unproven(String what) {
         return new SessionEnd(
                 false,

@@ -19,9 +19,9 @@ import java.util.concurrent.CancellationException;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
-/** Final renders of a view, one at a time on a thread of its own; keeps the files of the last one. All members are safe for several threads. */
+/** Final renders of a view, one at a time on a background thread, and the files of the last one. All members are thread-safe. */
 final class BackgroundRender {
-    /** The formats of the files that are kept. */
+    /** Formats of the files that are made of each render. */
     static final List<ImageFormat> FORMATS = List.of(ImageFormat.PNG, ImageFormat.EXR);
 
     private static final double NANO = 1e-9;
@@ -38,10 +38,10 @@ final class BackgroundRender {
     private boolean isCancelled;
     private long began;
 
-    /** When the status was last told to change by progress. */
+    /** Time of the last status change caused by progress, in nanoseconds of the clock. */
     private long told;
 
-    /** @param clock nanoseconds */
+    /** @param clock nanoseconds of any origin */
     BackgroundRender(ViewSession session, PictureFiles files, LongSupplier clock) {
         this.session = session;
         this.files = files;
@@ -49,9 +49,9 @@ final class BackgroundRender {
     }
 
     /**
-     * Begins a render; the files of the last one are forgotten.
+     * Begins a render and discards the files of the last one.
      *
-     * @throws InvalidValueException if there is one under way
+     * @throws InvalidValueException if a render is under way
      */
     synchronized void start(RenderOrder order) {
         if (status.isRunning()) {
@@ -69,7 +69,7 @@ final class BackgroundRender {
         thread.start();
     }
 
-    /** Ends the render that is under way, if there is one. */
+    /** Cancels the render that is under way, if any. */
     synchronized void cancel() {
         isCancelled = true;
     }
@@ -133,7 +133,7 @@ final class BackgroundRender {
         session.background(false);
     }
 
-    /** The status changes to this one, with a version of its own. */
+    /** Sets the status, with the next version in place of that of {@code next}, and wakes waiting threads. */
     private synchronized void change(RenderStatus next) {
         status = new RenderStatus(
                 status.version() + 1,
@@ -182,9 +182,9 @@ final class BackgroundRender {
     }
 
     /**
-     * Waits until there is something newer than a version.
+     * Waits for a status newer than a version, and returns the latest status.
      *
-     * @param millis no longer than this
+     * @param millis the longest wait
      */
     synchronized RenderStatus awaitNewer(long than, long millis) throws InterruptedException {
         long end = System.nanoTime() + millis * 1_000_000;
@@ -195,7 +195,7 @@ final class BackgroundRender {
         return status;
     }
 
-    /** A file of the last render; null unless it is done. */
+    /** The bytes of a file of the last render; null unless that render is done. */
     synchronized byte[] file(ImageFormat format) {
         return written.get(format);
     }

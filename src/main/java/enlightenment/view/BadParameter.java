@@ -1,6 +1,6 @@
 package enlightenment.view;
 
-/** A request says something that an action cannot take; the message says what it takes. */
+/** Thrown for a request parameter that an action cannot take; the message names the accepted values. */
 final class BadParameter extends RuntimeException {
     private static final long serialVersionUID = 1;
 

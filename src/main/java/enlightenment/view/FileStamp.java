@@ -7,11 +7,11 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
 
 /**
- * What changes with a file's content, without reading it.
+ * Metadata of a file that change with its content, so that the content need not be read.
  *
  * @param modified time of the last change in the file system's own resolution; null if there is no file
- * @param bytes its length; 0 if there is no file
- * @param key what the file system knows the file by, which changes when it is replaced; null where there is none
+ * @param bytes the file's length; 0 if there is no file
+ * @param key the file system's identity of the file, which changes when the file is replaced; null where there is none
  */
 record FileStamp(Object modified, long bytes, Object key) {
     static FileStamp of(Path file) {

@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** What a page can show of each pixel. */
+/** The layers of a view that a page can show. */
 enum Layer {
     /** The picture itself. */
     PICTURE(null),
@@ -28,7 +28,7 @@ enum Layer {
     /** Materials in false colours. */
     MATERIAL(RenderResult.Auxiliary.OBJECT),
 
-    /** Standard error of the displayed colour, as the passes' spread shows it. */
+    /** Standard error of the displayed colour, estimated from the spread of the passes. */
     ERROR(null),
 
     /** Number of samples. */
@@ -43,22 +43,22 @@ enum Layer {
         this.source = source;
     }
 
-    /** What renders make for it beside the picture; empty where the picture and its passes suffice. */
+    /** The auxiliary image that the layer is made from; empty where the picture and its passes suffice. */
     Optional<RenderResult.Auxiliary> source() {
         return Optional.ofNullable(source);
     }
 
-    /** Its name in small letters, as in requests. */
+    /** The name of the layer in lower case, as in requests. */
     String word() {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** Whether a scene has it. */
+    /** Whether the layer is defined for a scene. */
     boolean isOf(Scene scene) {
         return this != ALBEDO || scene.shading() instanceof Shading.Physical;
     }
 
-    /** @throws BadParameter if there is none of this name */
+    /** @throws BadParameter if no layer has this name */
     static Layer of(String word) {
         return Arrays.stream(values())
                 .filter(layer -> layer.word().equals(word))

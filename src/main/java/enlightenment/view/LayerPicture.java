@@ -13,16 +13,16 @@ import java.util.OptionalDouble;
 import java.util.function.IntFunction;
 
 /**
- * A layer of a picture as a page shows it.
+ * A layer of the view: its values, its picture in false colours, and the key to them.
  *
- * @param numbers of each pixel: all components alike, but of albedo and normals
- * @param image as large as the picture
- * @param explanation what its colours mean
- * @param marks the numbers of its scale, spread evenly; empty where there is none
- * @param names of the objects or materials that the numbers stand for; of other layers null
- * @param legend what false colours stand for
- * @param rmse of all pixels, in displayed units: of the error estimated, of a difference measured; else empty
- * @param noise what the estimated errors of both pictures let a difference come to; else empty
+ * @param numbers raw values of each pixel; the three components are equal except for albedo and normals
+ * @param image the layer in colours, of the size of {@code numbers}
+ * @param explanation the meaning of the colours, in words
+ * @param marks labels of the colour scale at equal distances; empty without a scale
+ * @param names names of objects or materials by their number; null for other layers
+ * @param legend names and shares of the false colours
+ * @param rmse root mean square over all pixels in displayed units, estimated for the error, measured for the difference; else empty
+ * @param noise the difference in displayed units that the estimated errors of both pictures alone would cause; empty if unknown
  */
 record LayerPicture(
         Image numbers,
@@ -34,7 +34,7 @@ record LayerPicture(
         OptionalDouble rmse,
         OptionalDouble noise) {
 
-    /** A layer that is not there, with the reason in words. */
+    /** Thrown for a layer that is not available; the message is the reason. */
     static final class Missing extends Exception {
         private static final long serialVersionUID = 1;
 
@@ -43,7 +43,7 @@ record LayerPicture(
         }
     }
 
-    /** Whether {@link #of} has it. */
+    /** Whether {@link #of} returns the layer; also true for the picture itself, if there is one. */
     static boolean exists(Layer layer, Snapshot view) {
         Frame frame = view.frame();
         return switch (layer) {
@@ -57,11 +57,11 @@ record LayerPicture(
     }
 
     /**
-     * A layer as it was rendered last.
+     * Makes the picture of a layer from the last render of it.
      *
      * @param layer any but the picture itself
-     * @param materials of the scene of the layers; used by {@link Layer#MATERIAL} alone
-     * @throws Missing if it is not there, or not yet
+     * @param materials materials of the layers' scene; used for {@link Layer#MATERIAL} alone
+     * @throws Missing if the layer is not available, or not yet
      */
     static LayerPicture of(Layer layer, Snapshot view, MaterialIndex materials) throws Missing {
         if (!exists(layer, view)) {

@@ -11,14 +11,14 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Renders the layers that pages look at, beside the picture, so that they need not wait for its passes: at a quarter of the resolution, then
- * whole. Runs on a thread of its own.
+ * Renders the layers that pages have requested: at a quarter of the resolution, then whole. Runs on a thread of its own, so that layers need not
+ * wait for the passes of the picture.
  */
 final class LayerRefinement implements Runnable {
-    /** Sides of squares of pixels, in their order. */
+    /** Side in pixels of the block that one sample stands for, pass by pass. */
     private static final int[] SHRINKS = {4, 1};
 
-    /** Of albedo: the mean over a pixel with an edge or a texture in it. */
+    /** Samples per pixel: the albedo is a mean over edges and textures within a pixel. */
     private static final int SAMPLES = 4;
 
     private final ViewSession session;
@@ -29,7 +29,7 @@ final class LayerRefinement implements Runnable {
     /**
      * @param preparation prepares the scene
      * @param source finds the lines of problems
-     * @param threads that share a render
+     * @param threads number of threads of a render
      */
     LayerRefinement(ViewSession session, ScenePreparation preparation, SceneSource source, int threads) {
         this.session = session;
@@ -38,7 +38,7 @@ final class LayerRefinement implements Runnable {
         this.threads = threads;
     }
 
-    /** Layers of a view that are to be rendered. */
+    /** A request for layers of a shot. */
     record Wish(Shot shot, Set<RenderResult.Auxiliary> kinds) {}
 
     @Override
@@ -52,7 +52,7 @@ final class LayerRefinement implements Runnable {
         }
     }
 
-    /** Pages that still look ask again: what fails is not tried without end. */
+    /** Withdraws all requests after a failure, so that one is retried only if a page asks again. */
     private void refineSafely(Wish wish) throws InterruptedException {
         List<String> problems = RefinementProblems.of(() -> refine(wish), source);
         if (!problems.isEmpty()) {

@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.LongSupplier;
 
-/** What pages look at beside the picture: only that is rendered. A wish ends unless it is renewed. Safe for several threads. */
+/** Requests of pages for layers, the only ones that are rendered. A request expires unless it is renewed. Thread-safe. */
 final class LayerWishes {
-    /** Longer than a page waits for news, so that one that still looks has asked again. */
+    /** Lifetime of a request: longer than an open page waits for news before it renews its request. */
     static final long WISH_NANOS = 12_000_000_000L;
 
     private final LongSupplier clock;
@@ -20,19 +20,19 @@ final class LayerWishes {
         this.clock = clock;
     }
 
-    /** A page looks at a layer now. */
+    /** Requests a layer, or renews the request for it. */
     synchronized void add(Layer layer) {
         layer.source().ifPresent(source -> since.put(source, clock.getAsLong()));
     }
 
-    /** What renders should make beside the picture. */
+    /** The auxiliary images of all requests that have not expired. */
     synchronized Set<RenderResult.Auxiliary> current() {
         long now = clock.getAsLong();
         since.values().removeIf(then -> now - then > WISH_NANOS);
         return since.isEmpty() ? Set.of() : EnumSet.copyOf(since.keySet());
     }
 
-    /** Ends all wishes: pages that still look ask again. */
+    /** Withdraws all requests; open pages request their layers again. */
     synchronized void clear() {
         since.clear();
     }

@@ -10,9 +10,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What rays of a view meet, each kind as it was rendered last: it may be of a view before.
+ * The auxiliary images of a view, each as it was rendered last, which may be of an earlier generation. Immutable.
  *
- * @param all by what they are
+ * @param all the images, by kind
  */
 record Layers(Map<RenderResult.Auxiliary, Numbers> all) {
     static final Layers NONE = new Layers(Map.of());
@@ -22,16 +22,16 @@ record Layers(Map<RenderResult.Auxiliary, Numbers> all) {
     }
 
     /**
-     * Raw numbers of each pixel.
+     * An auxiliary image with raw values.
      *
-     * @param generation of the {@link Shot} that they show
-     * @param scene of it
-     * @param shrink the side of the squares of pixels that each number stands for
-     * @param image as large as a picture of that resolution
+     * @param generation the generation of the {@link Shot} that the image shows
+     * @param scene the scene of that shot
+     * @param shrink side in pixels of the block that each pixel of the image stands for
+     * @param image the values, at that resolution
      */
     record Numbers(long generation, Scene scene, int shrink, Image image) {}
 
-    /** Which of some wishes are not there at full resolution, of a view as it is now. */
+    /** The requested images that are missing at full resolution for a generation. */
     Set<RenderResult.Auxiliary> missing(long generation, Set<RenderResult.Auxiliary> wishes) {
         EnumSet<RenderResult.Auxiliary> missing = EnumSet.noneOf(RenderResult.Auxiliary.class);
         for (RenderResult.Auxiliary wish : wishes) {
@@ -43,7 +43,7 @@ record Layers(Map<RenderResult.Auxiliary, Numbers> all) {
         return missing;
     }
 
-    /** These layers, but for those that were rendered anew. */
+    /** A copy of these layers in which images of the same kind are replaced. */
     Layers with(Map<RenderResult.Auxiliary, Numbers> next) {
         Map<RenderResult.Auxiliary, Numbers> merged = new EnumMap<>(RenderResult.Auxiliary.class);
         merged.putAll(all);

@@ -9,10 +9,10 @@ import java.util.Map;
 import java.util.function.IntFunction;
 
 /**
- * What false colours stand for, those of most pixels first.
+ * The legend of a false-colour picture: names by colour, those of most pixels first.
  *
- * @param entries at most {@link #MOST}
- * @param more how many others there are
+ * @param entries the entries, at most {@link #MOST}
+ * @param more number of colours without an entry
  */
 record Legend(List<Entry> entries, int more) {
     /** The most entries. */
@@ -21,11 +21,11 @@ record Legend(List<Entry> entries, int more) {
     static final Legend NONE = new Legend(List.of(), 0);
 
     /**
-     * A colour.
+     * A colour of the picture.
      *
-     * @param name what it stands for
-     * @param color as {@code #rrggbb}
-     * @param share of the pixels, 0..1
+     * @param name the object or material
+     * @param color the colour as {@code #rrggbb}
+     * @param share its share of the pixels, 0..1
      */
     record Entry(String name, String color, double share) {}
 
@@ -34,9 +34,9 @@ record Legend(List<Entry> entries, int more) {
     /**
      * The legend of a picture.
      *
-     * @param numbers of things, −1 where there is none; all components alike
-     * @param picture of the same size: the colours
-     * @param name of a thing, by its number
+     * @param numbers number of the object or material at each pixel, −1 for none; all components are equal
+     * @param picture the colours, of the same size
+     * @param name name of an object or material by its number
      */
     static Legend of(Image numbers, Image picture, IntFunction<String> name) {
         int width = numbers.width();

@@ -7,7 +7,7 @@ import java.security.SecureRandom;
 import java.util.HexFormat;
 import java.util.Optional;
 
-/** A scene that is rendered while its camera and its file change, with a page on loopback that shows it. */
+/** An interactive view of a scene file on a page on loopback. It is rendered anew whenever the camera or the file changes. */
 public final class LiveView implements Closeable {
     private static final int KEY_BYTES = 16;
     private static final long WATCH_MILLIS = 300;
@@ -19,12 +19,12 @@ public final class LiveView implements Closeable {
     private final ViewServer server;
 
     /**
-     * How a view is shown.
+     * Settings of a view.
      *
-     * @param title of the page
-     * @param port 0 for any that is free
-     * @param threads that render, at least 1
-     * @param samples per pixel after which a picture is finished, at least 1
+     * @param title the title of the page
+     * @param port the port on loopback; 0 for any free one
+     * @param threads number of rendering threads, at least 1
+     * @param samples samples per pixel of a finished picture, at least 1
      */
     public record Options(String title, int port, int threads, int samples) {}
 
@@ -61,11 +61,11 @@ public final class LiveView implements Closeable {
     }
 
     /**
-     * Reads the scene and begins to render and to answer, on threads that keep no process from ending.
+     * Reads the scene, then renders and answers requests on daemon threads.
      *
-     * @param files makes the files of final renders
-     * @throws enlightenment.scene.SceneException if the scene cannot be used now
-     * @throws IOException if it cannot listen at the port
+     * @param files encodes final renders
+     * @throws enlightenment.scene.SceneException if the scene cannot be read
+     * @throws IOException if the port cannot be opened
      */
     public static LiveView start(SceneSource source, PictureFiles files, Options options, ServerLog log)
             throws IOException {
@@ -89,15 +89,15 @@ public final class LiveView implements Closeable {
         }
     }
 
-    /** The address of the page, with the key that it needs behind {@code #}: browsers do not send that part to servers. */
+    /** The address of the page, with the access key behind {@code #}: browsers do not send that part to servers. */
     public String address() {
         return "http://127.0.0.1:" + server.port() + "/#" + key;
     }
 
     /**
-     * Writes camera and exposure into the scene file, if they have changed.
+     * Writes camera and exposure into the scene file, if they differ from the file's.
      *
-     * @return why that was not done; empty if it was, or was not needed
+     * @return the reason in words if the file could not be written; else empty
      */
     public Optional<String> save() {
         try {
@@ -110,7 +110,7 @@ public final class LiveView implements Closeable {
         }
     }
 
-    /** Ends rendering and answers. */
+    /** Stops rendering and closes the server. */
     @Override
     public void close() throws IOException {
         session.close();

@@ -5,11 +5,11 @@ import enlightenment.json.JsonText;
 import enlightenment.view.frame.ErrorPoint;
 import java.util.List;
 
-/** What {@link LookPages} answers, as JSON; docs/view.md describes it. */
+/** Answers of {@link LookPages} as JSON; docs/guide/view.md describes them. */
 final class LookJson {
     private LookJson() {}
 
-    /** What a layer shows. */
+    /** Size, explanation, scale and legend of a layer. */
     static String layer(Layer layer, LayerPicture picture) {
         return JsonText.of(json -> {
             json.writeStartObject();
@@ -36,7 +36,7 @@ final class LookJson {
         });
     }
 
-    /** What is at a place, by its name. */
+    /** The name of the object or material at a pixel. */
     static String name(String name) {
         return JsonText.of(json -> {
             json.writeStartObject();
@@ -45,7 +45,7 @@ final class LookJson {
         });
     }
 
-    /** The numbers at a place; none where one is not finite. */
+    /** The leading components of a pixel, up to the first that is not finite. */
     static String values(Image numbers, int components, int x, int y) {
         return JsonText.of(json -> {
             json.writeStartObject();
@@ -58,7 +58,7 @@ final class LookJson {
         });
     }
 
-    /** How exact the picture was, by time. */
+    /** Estimated errors of the picture over time. */
     static String convergence(List<ErrorPoint> points) {
         return JsonText.of(json -> {
             json.writeStartObject();

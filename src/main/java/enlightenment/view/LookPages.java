@@ -15,21 +15,21 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 
-/** Answers about what a picture shows beside its colours: layers, the picture that was kept, how exact it is. Safe for several threads. */
+/** Answers requests for layers, the kept picture, and the convergence of the error. Thread-safe. */
 final class LookPages {
     private final ViewSession session;
 
-    /** The layers of the last picture that were asked for. */
+    /** Layers of the last picture that have been requested. */
     private final Map<Layer, LayerPicture> made = new EnumMap<>(Layer.class);
 
-    /** What they were made of. */
+    /** Number of the picture that the layers in {@link #made} belong to. */
     private long madeOf;
 
     private Kept comparedWith;
 
     private MaterialIndex materials;
 
-    /** The scene whose materials they are. */
+    /** The scene of {@link #materials}; null until they are needed. */
     private Scene indexed;
 
     LookPages(ViewSession session) {
@@ -37,9 +37,9 @@ final class LookPages {
     }
 
     /**
-     * An answer.
+     * Answers a request.
      *
-     * @throws BadParameter if the request says no layer or place
+     * @throws BadParameter if the request names no valid layer or place
      */
     SmallHttp.Answer answer(SmallHttp.Request request) throws IOException {
         try {
@@ -56,7 +56,7 @@ final class LookPages {
         }
     }
 
-    /** Notes what a page looks at, if its request says so. */
+    /** Requests the layer that the page shows, if its request names one. */
     void wish(SmallHttp.Request request) {
         if (request.value("layer").isPresent()) {
             Layer layer = Layer.of(request.value("layer").get());
@@ -87,7 +87,7 @@ final class LookPages {
         return made(layer, now);
     }
 
-    /** One thread at a time: the others then find what it has made. */
+    /** The picture of a layer. Synchronized, so that concurrent requests make it once. */
     private synchronized LayerPicture made(Layer layer, Snapshot now) throws LayerPicture.Missing {
         if (madeOf != now.picture() || comparedWith != now.kept()) {
             made.clear();
@@ -138,7 +138,7 @@ final class LookPages {
         return png(kept.image());
     }
 
-    /** Errors are for an exposure: after a change of it, of the picture as it is only. */
+    /** Errors at the current exposure, on which they depend: after a change of exposure that of the present picture alone. */
     private SmallHttp.Answer convergence() {
         Snapshot now = session.snapshot();
         List<ErrorPoint> points = new ArrayList<>();

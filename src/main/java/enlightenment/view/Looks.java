@@ -7,39 +7,39 @@ import enlightenment.view.frame.Kept;
 import java.util.Map;
 import java.util.Set;
 
-/** What pages look at beside the picture: layers, and the picture that later ones are compared with. Guarded by the session that holds it. */
+/** Layers of a view, and the kept picture that later ones are compared with. Guarded by the session that owns it. */
 final class Looks {
     private final LayerWishes wishes;
 
-    /** Each kind as it was rendered last. */
+    /** The auxiliary images, each as it was rendered last. */
     private Layers layers = Layers.NONE;
 
-    /** Null if none is kept. */
+    /** The kept picture, or null. */
     private Kept kept;
 
     private long keptSoFar;
 
-    /** @param wishes none yet */
+    /** @param wishes without requests yet */
     Looks(LayerWishes wishes) {
         this.wishes = wishes;
     }
 
-    /** A page looks at a layer now. */
+    /** Requests a layer that a page shows. */
     void wish(Layer layer) {
         wishes.add(layer);
     }
 
-    /** Ends all wishes: pages that still look ask again. */
+    /** Withdraws all requests; open pages request their layers again. */
     void clearWishes() {
         wishes.clear();
     }
 
-    /** Which layers pages look at that are not there at full resolution, of a view as it is now. */
+    /** The requested images that are missing at full resolution for a generation. */
     Set<RenderResult.Auxiliary> missing(long generation) {
         return layers.missing(generation, wishes.current());
     }
 
-    /** Layers that were rendered. */
+    /** Adds rendered images, in place of earlier ones of the same kind. */
     void add(Map<RenderResult.Auxiliary, Layers.Numbers> next) {
         layers = layers.with(next);
     }
@@ -51,18 +51,18 @@ final class Looks {
     /**
      * Keeps a picture in place of the one before.
      *
-     * @param shown the picture of the frame, as it is shown
+     * @param shown the image of the frame, with the exposure of the view
      */
     void keep(Frame frame, Image shown) {
         kept = Kept.of(++keptSoFar, frame, shown);
     }
 
-    /** Forgets the picture that was kept. */
+    /** Discards the kept picture. */
     void forget() {
         kept = null;
     }
 
-    /** The picture that others are compared with; null if there is none. */
+    /** The kept picture; null if there is none. */
     Kept kept() {
         return kept;
     }

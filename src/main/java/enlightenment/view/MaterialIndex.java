@@ -8,7 +8,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** A number for each material of a scene, in the order of its objects; lights and objects with a material for each face count as one each. */
+/**
+ * Numbers of the materials of a scene, in the order of its objects. Each light, and each object with a material for each face, has a number of
+ * its own.
+ */
 final class MaterialIndex {
     private final int[] ofObject;
     private final List<String> names = new ArrayList<>();
@@ -39,12 +42,12 @@ final class MaterialIndex {
         return names.size() - 1;
     }
 
-    /** The number of the material of an object or, counted on after the last object, of a light; −1 for −1. */
+    /** The material number of an object or light; lights are counted on after the last object. −1 if the number is neither. */
     int of(int object) {
         return object < 0 || object >= ofObject.length ? -1 : ofObject[object];
     }
 
-    /** What a number stands for. */
+    /** The name of a material or light by its number. */
     String name(int material) {
         return names.get(material);
     }

@@ -6,16 +6,16 @@ import enlightenment.scene.Scene;
 import java.io.IOException;
 import java.util.OptionalInt;
 
-/** How finished pictures become files. */
+/** Encoder of finished pictures. */
 @FunctionalInterface
 public interface PictureFiles {
     /**
-     * The file of a picture, as the command {@code render} writes it for the same settings.
+     * The bytes of a picture's file, as the command {@code render} writes it for the same settings.
      *
-     * @param scene that was rendered
-     * @param frame of its animation that it shows, counted from 0; empty if it was read as its own numbers say
-     * @param result a whole picture, with its settings
-     * @param format a format that is written
+     * @param scene the scene that was rendered
+     * @param frame the animation frame, counted from 0; empty if no track has been applied
+     * @param result a complete picture, with its settings
+     * @param format a format that the program can write
      */
     byte[] bytes(Scene scene, OptionalInt frame, RenderResult result, ImageFormat format) throws IOException;
 }

@@ -14,13 +14,13 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * What the ray through the middle of a pixel meets first.
+ * The first hit of the ray through the middle of a pixel.
  *
- * @param object its name, or its number and type; of a light the same; empty where there is nothing
- * @param material its name, or its type; empty of a light
- * @param depth from the eye, in scene units; infinite where there is nothing
- * @param point in scene units, as the nearest floats
- * @param normal of length 1, on the side that faces the viewer
+ * @param object name, number and type of the object or light in words; empty where the ray hits nothing
+ * @param material the material's name, or its type; empty for a light
+ * @param depth distance from the eye in scene units; infinite where the ray hits nothing
+ * @param point the hit in scene units, as the nearest floats
+ * @param normal unit normal, on the viewer's side
  */
 record PixelProbe(Optional<String> object, Optional<String> material, double depth, Vec3 point, Vec3 normal) {
     private static final Set<RenderResult.Auxiliary> WANTED = EnumSet.of(
@@ -30,10 +30,10 @@ record PixelProbe(Optional<String> object, Optional<String> material, double dep
             RenderResult.Auxiliary.OBJECT);
 
     /**
-     * Follows one ray.
+     * Traces the ray of a pixel.
      *
      * @param shot the view
-     * @param preparation prepares its scene
+     * @param preparation prepares the shot's scene
      * @param x column in 0..width − 1
      * @param y row in 0..height − 1
      * @throws enlightenment.scene.SceneException if the scene cannot be rendered
@@ -58,7 +58,7 @@ record PixelProbe(Optional<String> object, Optional<String> material, double dep
         return new Vec3(image.component(0, 0, 0), image.component(0, 0, 1), image.component(0, 0, 2));
     }
 
-    /** An object or light by the number that {@link RenderResult.Auxiliary#OBJECT} gives it, in words; empty where there is nothing. */
+    /** An object or light in words, by its number in {@link RenderResult.Auxiliary#OBJECT}; empty if the number is neither. */
     static Optional<String> object(Scene scene, int index) {
         int objects = scene.objects().size();
         if (index < 0 || index >= objects + scene.lights().size()) {
@@ -90,12 +90,12 @@ record PixelProbe(Optional<String> object, Optional<String> material, double dep
                 .orElse(type));
     }
 
-    /** Whether the ray met something. */
+    /** Whether the ray has a hit. */
     boolean isHit() {
         return object.isPresent();
     }
 
-    /** The point that was met. */
+    /** The hit in exact decimals, equal to {@link #point()}. */
     ExactPoint exactPoint() {
         return ExactPoint.of(point.x(), point.y(), point.z());
     }

@@ -7,7 +7,7 @@ import enlightenment.view.frame.PassPlan;
 import java.util.List;
 import java.util.function.LongSupplier;
 
-/** Renders what a view asks for, pass by pass, until the view changes or there are enough samples. Runs on a thread of its own. */
+/** Renders the picture of a view pass by pass, until the view changes or has enough samples. Runs on a thread of its own. */
 final class Refinement implements Runnable {
     private static final double NANO = 1e-9;
 
@@ -18,15 +18,15 @@ final class Refinement implements Runnable {
     private final int samples;
     private final LongSupplier clock;
 
-    /** What a sample of a pixel took lately; infinite at first. */
+    /** Seconds per sample of a pixel in the last pass; infinite before the first. */
     private double secondsPerPixel = Double.POSITIVE_INFINITY;
 
     /**
      * @param preparation prepares the scene
      * @param source finds the lines of problems
-     * @param threads that share a pass
-     * @param samples per pixel after which a picture is finished
-     * @param clock nanoseconds
+     * @param threads number of threads of a pass
+     * @param samples samples per pixel of a finished picture
+     * @param clock nanoseconds of any origin
      */
     Refinement(
             ViewSession session,

@@ -5,21 +5,21 @@ import enlightenment.scene.SceneException;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 
-/** Why something of a view could not be rendered: a scene that cannot be rendered must not end the view, as the next change may mend it. */
+/** Converts failures of a render into problems in words. They must not end the view, as the next change may mend the scene. */
 final class RefinementProblems {
     private RefinementProblems() {}
 
-    /** What renders something of a view. */
+    /** A render that may fail. */
     @FunctionalInterface
     interface Work {
         void run() throws InterruptedException;
     }
 
     /**
-     * Does some work.
+     * Runs a render and returns its problems.
      *
      * @param source finds the lines of problems
-     * @return why it failed, one problem in a line; empty if it did not, or was cancelled
+     * @return the problems, one in a line; empty if the render succeeded or was cancelled
      */
     static List<String> of(Work work, SceneSource source) throws InterruptedException {
         try {

@@ -6,25 +6,25 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 
-/** The settings of a final render, from the words and numbers of a request. */
+/** Parser of the settings of a final render from the parameters of a request. */
 final class RenderForm {
-    /** Files are kept in memory until they are fetched; larger ones are for the command line. */
+    /** The most pixels of a final render, whose files are kept in memory until they are fetched. */
     static final int MOST_PIXELS = 1 << 25;
 
     /** Bits per component of the PNG file, whose rounding is part of its error. */
     private static final int PNG_DEPTH = 8;
 
-    /** Smaller errors are below the rounding of floats. */
+    /** The least error that can be requested: smaller ones are below the rounding of floats. */
     private static final double LEAST_ERROR = 1e-7;
 
     private RenderForm() {}
 
     /**
-     * The settings: those of the scene, changed by what the request names.
+     * The settings of the scene, with those of the request in their place.
      *
-     * @param threads that render
-     * @throws BadParameter if a number is none, or out of range
-     * @throws InvalidValueException if the scene cannot be rendered so
+     * @param threads number of rendering threads
+     * @throws BadParameter if a parameter is not a number, or out of range
+     * @throws InvalidValueException if the method is unknown or does not support the scene
      */
     static RenderSettings settings(Scene scene, SmallHttp.Request request, int threads) {
         RenderSettings usual = RenderSettings.of(scene);

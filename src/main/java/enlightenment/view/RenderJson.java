@@ -7,14 +7,14 @@ import enlightenment.scene.Scene;
 import java.util.List;
 import java.util.Locale;
 
-/** What pages hear of final renders, as JSON; docs/view.md describes it. */
+/** The status of final renders as JSON; docs/guide/view.md describes it. */
 final class RenderJson {
     private RenderJson() {}
 
     /**
-     * How a render gets on, and what may be asked of the next.
+     * The status of a render, with the default size and the methods of the next one.
      *
-     * @param scene that is seen; null if it could not be read yet
+     * @param scene the scene of the view; null if none has been read yet
      */
     static String of(RenderStatus s, Scene scene) {
         return JsonText.of(json -> {

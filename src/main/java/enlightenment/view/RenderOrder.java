@@ -6,11 +6,11 @@ import enlightenment.scene.Scene;
 import java.util.OptionalInt;
 
 /**
- * A final render that was asked for.
+ * A request for a final render.
  *
- * @param scene as it is seen, with motion blur
- * @param film what its pictures have in common with those of the view
- * @param frame of its animation, counted from 0; empty if it is as the file's own numbers say
- * @param settings all of them
+ * @param scene the scene with the camera and exposure of the view, and with motion blur
+ * @param film images and material tables that are shared with the pictures of the view
+ * @param frame the animation frame, counted from 0; empty if no track has been applied
+ * @param settings size, method, budget and threads
  */
 record RenderOrder(Scene scene, Film film, OptionalInt frame, RenderSettings settings) {}

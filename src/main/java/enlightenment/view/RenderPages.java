@@ -6,14 +6,14 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.scene.RenderSettings;
 import java.util.concurrent.Semaphore;
 
-/** What pages ask of final renders. */
+/** Answers requests for final renders: start, cancel, status and files. Thread-safe. */
 final class RenderPages {
     private final ViewSession session;
     private final BackgroundRender render;
     private final int threads;
     private final Semaphore waiting = new Semaphore(ViewServer.MOST_VIEWERS);
 
-    /** @param threads that share a render */
+    /** @param threads number of threads of a render */
     RenderPages(ViewSession session, BackgroundRender render, int threads) {
         this.session = session;
         this.render = render;
@@ -21,10 +21,10 @@ final class RenderPages {
     }
 
     /**
-     * Begins a render of the scene as it is seen.
+     * Begins a render with the camera and exposure of the view.
      *
-     * @throws BadParameter if the request's words or numbers are none that it takes
-     * @throws InvalidValueException if the scene cannot be rendered so, or a render is under way
+     * @throws BadParameter if a parameter of the request is invalid
+     * @throws InvalidValueException if the scene cannot be rendered with these settings, or a render is under way
      */
     void start(SmallHttp.Request request) {
         ViewSession.Seen seen = session.seen();
@@ -32,15 +32,15 @@ final class RenderPages {
         render.start(new RenderOrder(seen.scene(), seen.film(), seen.moment(), settings));
     }
 
-    /** Ends the render that is under way. */
+    /** Cancels the render that is under way, if any. */
     void cancel() {
         render.cancel();
     }
 
     /**
-     * The answer to a page that waits for news.
+     * Waits for a status newer than the page's, and returns it as JSON; 503 if too many pages wait.
      *
-     * @param millis it waits at most so long
+     * @param millis the longest wait
      */
     SmallHttp.Answer status(SmallHttp.Request request, long millis) throws InterruptedException {
         long after =
@@ -56,7 +56,7 @@ final class RenderPages {
         }
     }
 
-    /** A file of the last render. */
+    /** A file of the last render; 404 unless that render is done. */
     SmallHttp.Answer file(ImageFormat format, String type) {
         byte[] bytes = render.file(format);
         return bytes == null

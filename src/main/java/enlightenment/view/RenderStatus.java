@@ -3,15 +3,15 @@ package enlightenment.view;
 import java.util.List;
 
 /**
- * How a final render gets on.
+ * The status of a final render.
  *
- * @param version counts changes of any of this
- * @param state what becomes of it
+ * @param version number of the status: each change of a component has a larger one
+ * @param state whether the render runs, or how it ended
  * @param done the finished share of the picture, 0..1
- * @param seconds since it began, or that it took
- * @param width of the picture in pixels; 0 if there is no render
- * @param height of the picture in pixels; 0 if there is no render
- * @param notes what is to be known about it, or why it failed, one in a line
+ * @param seconds duration of the render so far, or as a whole
+ * @param width width of the picture in pixels; 0 if there is no render
+ * @param height height of the picture in pixels; 0 if there is no render
+ * @param notes the last notes of the render, or the reasons of its failure, one in a line
  */
 record RenderStatus(long version, State state, double done, double seconds, int width, int height, List<String> notes) {
     enum State {

@@ -5,9 +5,10 @@ import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
 
 /**
- * The cancellation check of a render in the background, at which its threads rest while the view is in use: three times as long as they have
- * worked, so that a motion of the camera finds the processors nearly free. What is rendered is the same. {@link enlightenment.render.Renderer}
- * allows pauses there: priorities of threads would be simpler, but Java on Linux ignores them, and a smaller number of threads holds until the end.
+ * The cancellation check of a background render, at which its threads pause while the view is in use. A pause is three times as long as the
+ * work before it, so that a motion of the camera finds the processors nearly free. Pauses do not change the picture;
+ * {@link enlightenment.render.Renderer} allows them. Thread priorities would be simpler, but Java on Linux ignores them, and a smaller number of
+ * threads would hold until the end.
  */
 final class RestingThreads implements BooleanSupplier {
     private static final int RESTS_PER_WORK = 3;
@@ -19,12 +20,12 @@ final class RestingThreads implements BooleanSupplier {
     private final LongSupplier clock;
     private final LongConsumer rest;
 
-    /** When the thread went on with its work; 0 before its first check. */
+    /** Time of the thread's last check in nanoseconds of the clock; 0 before its first. */
     private final ThreadLocal<Long> resumed = ThreadLocal.withInitial(() -> 0L);
 
     /**
-     * @param clock nanoseconds
-     * @param rest lets the calling thread rest for milliseconds
+     * @param clock nanoseconds of any origin
+     * @param rest pauses the calling thread for a number of milliseconds
      */
     RestingThreads(BooleanSupplier isCancelled, BooleanSupplier isViewInUse, LongSupplier clock, LongConsumer rest) {
         this.isCancelled = isCancelled;
@@ -43,7 +44,7 @@ final class RestingThreads implements BooleanSupplier {
         return isCancelled.getAsBoolean();
     }
 
-    /** Lets the calling thread sleep. */
+    /** Sleeps; an interrupt ends the sleep and stays set. */
     static void sleep(long millis) {
         try {
             Thread.sleep(millis);

@@ -18,12 +18,12 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
 
-/** Reads the file of a view whenever it or a file that it names has changed, and writes the view's camera into it. */
+/** Reads the scene file of a view after changes to it or to files it names, and saves the camera. */
 final class SceneLoader {
     /** The parts of a scene file that a view can change. */
     private static final List<String> PARTS = List.of("/camera", "/display");
 
-    /** Of scenes with more objects only the file itself is watched: finding the others takes a text of all objects. */
+    /** The most objects of a scene whose further files are watched: finding them takes a text of all objects. */
     private static final int MOST_OBJECTS = 20_000;
 
     private static final int CHECKS_BEFORE_RETRY = 4;
@@ -31,17 +31,17 @@ final class SceneLoader {
     private final SceneSource source;
     private final ViewSession session;
 
-    /** The files that the scene was read from, itself first, and their stamps before it was read. */
+    /** Files of the scene, the scene file first; {@link #stamps} has their stamps from before they were read. */
     private List<Path> files;
 
     private List<FileStamp> stamps;
 
-    /** Whether the scene of the session is what the file holds. */
+    /** Whether the last read succeeded, so that the session shows the scene of the file. */
     private boolean isLoaded;
 
     private int checksSinceFailure;
 
-    /** The frame that was asked for; empty until one was. */
+    /** The animation frame that the user has chosen; empty if none. */
     private OptionalInt chosen = OptionalInt.empty();
 
     SceneLoader(SceneSource source, ViewSession session) {
@@ -50,7 +50,7 @@ final class SceneLoader {
         files = List.of(source.file());
     }
 
-    /** A save that was refused, with the reason in words. */
+    /** Thrown for a save that is refused; the message is the reason. */
     static final class Refusal extends Exception {
         private static final long serialVersionUID = 1;
 
@@ -60,9 +60,9 @@ final class SceneLoader {
     }
 
     /**
-     * Reads the scene.
+     * Reads the scene and shows it.
      *
-     * @throws SceneException if that cannot be used
+     * @throws SceneException if the scene cannot be read or used
      */
     synchronized void load() {
         stamps = FileStamp.of(files);
@@ -79,7 +79,7 @@ final class SceneLoader {
         session.loaded(shown, filmOf(scene), frame);
     }
 
-    /** The frame that was chosen, if the scene still has it; else the one of the source. */
+    /** The chosen frame, if the scene still has it; else the frame of the source. */
     private OptionalInt frameOf(Scene scene) {
         boolean hasFrame = chosen.isPresent()
                 && scene.animation().isPresent()
@@ -97,8 +97,8 @@ final class SceneLoader {
      * Shows a frame of the scene's animation.
      *
      * @param frame counted from 0
-     * @throws InvalidValueException if there is no such frame
-     * @throws SceneException if its scene cannot be used
+     * @throws InvalidValueException if the animation has no such frame
+     * @throws SceneException if the frame's scene cannot be used
      */
     synchronized void show(int frame) {
         ViewSession.Seen seen = session.seen();
@@ -113,8 +113,8 @@ final class SceneLoader {
     }
 
     /**
-     * Reads the scene if a file has changed since it was last read; one that cannot be used also now and then, since what it needs may be a file
-     * that was not there.
+     * Reads the scene if one of its files has changed since the last read. After a failure it is also read at every
+     * {@value #CHECKS_BEFORE_RETRY}th check, since a missing file may have appeared.
      */
     synchronized void check() {
         boolean isRetry = !isLoaded && ++checksSinceFailure >= CHECKS_BEFORE_RETRY;
@@ -133,7 +133,7 @@ final class SceneLoader {
         }
     }
 
-    /** The file itself, and those that a scene says it was made of, as far as scenes know. */
+    /** The scene file, then the files that the scene names, such as textures and meshes. */
     private List<Path> filesOf(Scene scene) {
         Set<Path> all = new LinkedHashSet<>(List.of(source.file()));
         if (scene.objects().size() > MOST_OBJECTS) {
@@ -152,7 +152,7 @@ final class SceneLoader {
         return List.copyOf(all);
     }
 
-    /** Why this view cannot be saved; "" if it can. */
+    /** The reason in words why a view cannot be saved; "" if it can. */
     String reasonAgainstSaving(Snapshot view) {
         if (!source.isNative()) {
             return "this is a file of another program: 'enlightenment convert' makes a scene file of it";
@@ -170,9 +170,9 @@ final class SceneLoader {
     }
 
     /**
-     * Writes camera and exposure of the view into the scene file, and leaves everything else as it is.
+     * Writes camera and exposure of the view into the scene file; its other text stays.
      *
-     * @throws Refusal if it cannot be done, or the file has changed meanwhile; it is as it was
+     * @throws Refusal if the view cannot be saved, or the file has changed since it was read; the file is then unchanged
      */
     synchronized void save() throws Refusal {
         Snapshot view = session.snapshot();
@@ -206,7 +206,7 @@ final class SceneLoader {
                 : SceneWriter.withExposure(edited, view.exposure());
     }
 
-    /** What is written must be read as what is seen. */
+    /** Fails unless the edited text is a scene with exactly the camera of the view. */
     private void requireReadable(String edited, Snapshot view) {
         Path folder = source.file().toAbsolutePath().getParent();
         byte[] bytes = edited.getBytes(StandardCharsets.UTF_8);

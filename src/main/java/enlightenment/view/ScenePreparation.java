@@ -8,24 +8,24 @@ import java.util.Map;
 import java.util.function.BooleanSupplier;
 
 /**
- * The scene of a view, prepared for rendering once for all passes, layers and pixels of the same camera and size. Holds at most two sizes at a
- * time, so that picture and layers do not take it from each other. Safe for several threads: two that want the same at once may both make it.
+ * A cache of prepared scenes, shared by all passes, layers and pixel probes of one camera and size. It holds at most two sizes, so that picture
+ * and layers do not evict each other. Thread-safe; two threads that need the same entry at once may both prepare it.
  */
 final class ScenePreparation {
     private static final int MOST = 2;
 
-    /** Those of one shot, the one that was asked for last at the end. */
+    /** Prepared scenes of one generation, the most recently used last. */
     private final Map<Key, RenderRequest.MethodChoice> prepared = new LinkedHashMap<>(MOST, 1, true);
 
-    /** What is prepared: a shot's scene at a size. */
+    /** A generation and a size in pixels. */
     private record Key(long generation, int width, int height) {}
 
     /**
-     * The request for a render of a shot, with the scene prepared.
+     * A render request for a shot, with its scene prepared.
      *
-     * @param settings of the shot; size, samples, seed and crop are free
+     * @param settings the settings of the shot; size, samples, seed and crop are free
      * @throws enlightenment.scene.SceneException if the scene cannot be rendered
-     * @throws java.util.concurrent.CancellationException if it was cancelled before that was known
+     * @throws java.util.concurrent.CancellationException if the preparation was cancelled
      */
     RenderRequest request(Shot shot, RenderSettings settings, BooleanSupplier cancelled) {
         Key wanted = new Key(shot.generation(), settings.width(), settings.height());
@@ -40,7 +40,7 @@ final class ScenePreparation {
                 .withCancelled(cancelled);
     }
 
-    /** What is prepared so; null if nothing is: then what is of no use any more is let go, and room is made, before it is. */
+    /** The cached entry, or null; then older generations are evicted and room is made before the entry is prepared. */
     private synchronized RenderRequest.MethodChoice known(Key wanted) {
         RenderRequest.MethodChoice known = prepared.get(wanted);
         if (known == null) {

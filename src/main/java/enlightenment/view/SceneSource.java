@@ -5,32 +5,32 @@ import enlightenment.scene.SceneException;
 import java.nio.file.Path;
 import java.util.OptionalInt;
 
-/** Where the scene of a view comes from. */
+/** The scene file of a view, and how it is read. */
 public interface SceneSource {
-    /** The file that is looked at. */
+    /** The scene file, which the view watches. */
     Path file();
 
-    /** Whether it is a scene file, into which a camera can be written; others are files of other programs. */
+    /** Whether the file is in the scene format of this program, so that a camera can be written into it. */
     boolean isNative();
 
     /**
      * Reads the file as it is now.
      *
-     * @throws SceneException if it cannot be read or used, with all problems and their places
+     * @throws SceneException if the file cannot be read or used, with all problems and their places
      */
     Scene read();
 
     /**
-     * Reads a frame of the file's animation, with what it has in common with the frame that was read before.
+     * Reads a frame of the file's animation; meshes are shared with the last read.
      *
      * @param frame counted from 0
-     * @throws SceneException if it cannot be read or used, with all problems and their places
+     * @throws SceneException if the file cannot be read or used, with all problems and their places
      */
     Scene read(int frame);
 
-    /** The frame that {@link #read()} gives, counted from 0; empty if that is the scene as its file's own numbers say. */
+    /** The animation frame that {@link #read()} returns, counted from 0; empty if it applies no track. */
     OptionalInt frame();
 
-    /** Adds file and line to problems without any: those that are found only when a scene is rendered. */
+    /** Adds file and line to problems without a place, such as those that are found only by rendering. */
     SceneException located(SceneException e);
 }

@@ -4,13 +4,13 @@ import enlightenment.camera.Camera;
 import enlightenment.scene.Scene;
 import java.util.List;
 
-/** Variants of scenes. */
+/** Copies of scenes with another camera or display. */
 final class Scenes {
     private Scenes() {}
 
     /**
-     * A scene seen by another camera and with another display, at all moments of its picture. Where the camera is the scene's own, it may move
-     * while the shutter is open.
+     * A copy of a scene with another camera and display, which also hold at all shutter instants. The scene's own camera stays as it is, and may
+     * move while the shutter is open.
      */
     static Scene seenAs(Scene s, Camera camera, Scene.Display display) {
         if (camera.equals(s.camera())) {
@@ -22,7 +22,7 @@ final class Scenes {
         return with(s, camera, display).withInstants(instants);
     }
 
-    /** A scene seen by another camera, as it stands. */
+    /** A copy of a scene with another camera and without shutter instants. */
     static Scene seenBy(Scene s, Camera camera) {
         return with(s, camera, s.display());
     }

@@ -6,16 +6,16 @@ import enlightenment.scene.Scene;
 import enlightenment.view.frame.PassPlan;
 
 /**
- * What is to be rendered.
+ * Scene and size of one picture of a view.
  *
- * @param generation counts changes; a picture of an older one is out of date
- * @param scene with the camera of the view
- * @param film what the scene's pictures have in common with those before; another one whenever the file was read
- * @param size of the view
+ * @param generation number of changes of the view so far; a picture of an older generation is out of date
+ * @param scene the scene with the camera of the view
+ * @param film images and material tables that are shared with earlier pictures; a new one whenever the file is read
+ * @param size size of the view
  */
 record Shot(long generation, Scene scene, Film film, ViewSize size) {
 
-    /** The settings of a pass: those of the scene, but for size, samples and random numbers, which differ from pass to pass. */
+    /** The scene's settings with the size, samples and seed of a pass. */
     RenderSettings settings(PassPlan pass, int threads) {
         RenderSettings usual = RenderSettings.of(scene);
         return usual.toBuilder()

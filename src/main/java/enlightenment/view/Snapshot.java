@@ -11,19 +11,22 @@ import java.util.List;
 import java.util.OptionalInt;
 
 /**
- * All that a page shows, at one moment.
+ * The state of a view at one moment, as a page shows it. Immutable.
  *
- * @param version counts changes of any of this
- * @param picture counts changes of what is to be seen
+ * @param version number of changes of the state so far
+ * @param picture number of changes of the picture and the layers so far
  * @param frame the last picture, or null
- * @param size of the view; null until there is a scene
- * @param moment the frame of the scene's animation that is shown; empty if it is the scene as its file's own numbers say
- * @param problems of the file or of the render, one in a line; the picture is then the last one that could be made
- * @param note of the last action, or ""
+ * @param scene the scene as it was read; null until a file was read
+ * @param viewpoint the camera of the view; null until there is a scene
+ * @param size size of the picture at full resolution; null until there is a scene
+ * @param exposure the exposure of the view, in stops
+ * @param moment the animation frame, counted from 0; empty if no track has been applied
+ * @param problems problems of the file or of the render, one in a line; the picture is then the last that could be rendered
+ * @param note a note about the last action, or ""
  * @param isMoved whether camera or exposure differ from the file's
- * @param isUpToDate whether the picture shows the camera as it is now
+ * @param isUpToDate whether the picture shows the current scene, camera and size
  * @param kept the picture that others are compared with, or null
- * @param layers as they were rendered last
+ * @param layers the auxiliary images, each as it was rendered last
  */
 record Snapshot(
         long version,
@@ -44,7 +47,7 @@ record Snapshot(
         return scene != null && scene.shading() instanceof Shading.Physical;
     }
 
-    /** The last picture as it is shown; null if there is none. */
+    /** The last picture with the exposure of the view; null if there is none. */
     Image shown() {
         Image image = frame == null ? null : frame.image();
         return image == null || image.encoding() == Color.Encoding.DISPLAY

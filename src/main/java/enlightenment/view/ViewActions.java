@@ -5,7 +5,7 @@ import enlightenment.listen.SmallHttp;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneWriter;
 
-/** What pages can ask for, by the words and numbers of their requests. */
+/** Actions of a view, by the parameters of requests. */
 final class ViewActions {
     private static final double TURN = 360;
     private static final double MOST_HEIGHTS = 100;
@@ -18,7 +18,7 @@ final class ViewActions {
     private final ScenePreparation preparation;
     private final RenderPages renders;
 
-    /** The scene for which a window's camera has got an aim; null if there is none. */
+    /** The scene for which a window camera has been given an aim; null if none. */
     private Scene aimed;
 
     ViewActions(ViewSession session, SceneLoader loader, ScenePreparation preparation, RenderPages renders) {
@@ -29,10 +29,10 @@ final class ViewActions {
     }
 
     /**
-     * Does what is asked for.
+     * Performs the action of a request.
      *
-     * @throws BadParameter if the words or numbers are none that it takes
-     * @throws enlightenment.math.InvalidValueException if the view cannot do it
+     * @throws BadParameter if the action is unknown or a parameter invalid
+     * @throws enlightenment.math.InvalidValueException if the view does not support the action
      * @throws SceneLoader.Refusal if the view cannot be saved
      */
     void act(SmallHttp.Request request) throws SceneLoader.Refusal {
@@ -107,10 +107,10 @@ final class ViewActions {
     }
 
     /**
-     * What is seen at a place of the picture. One ray at a time: it may have to prepare the scene.
+     * Traces the ray of a pixel. Synchronized, as the first ray may have to prepare the scene.
      *
-     * @param x 0..1 from the left
-     * @param y 0..1 from the top
+     * @param x place in the picture, 0..1 from its left
+     * @param y place in the picture, 0..1 from its top
      */
     synchronized PixelProbe probe(double x, double y) {
         Shot shot = session.shot();
@@ -119,7 +119,7 @@ final class ViewActions {
         return PixelProbe.of(shot, preparation, column, row);
     }
 
-    /** A window says nothing about how far away what it shows is: the first motion around it finds out. */
+    /** Aims a window camera at the hit in the middle of the picture, once for each scene: it has no focus distance. */
     private synchronized void aimWindow() {
         Snapshot now = session.snapshot();
         if (now.viewpoint() == null || !(now.viewpoint().camera() instanceof Camera.Window) || now.scene() == aimed) {
@@ -132,12 +132,12 @@ final class ViewActions {
         aimed = now.scene();
     }
 
-    /** The camera of the view as a scene file has it. */
+    /** The camera of the view as JSON of a scene file. */
     String camera() {
         return SceneWriter.toJson(session.shot().scene().camera()) + "\n";
     }
 
-    /** A number of a request. */
+    /** A numeric parameter of a request; fails unless it is in {@code least..most}. */
     static double number(SmallHttp.Request request, String name, double least, double most) {
         String text = request.value(name).orElse("");
         try {

@@ -10,15 +10,15 @@ import java.util.Locale;
 import java.util.Optional;
 import tools.jackson.core.JsonGenerator;
 
-/** What pages hear of a view, as JSON; docs/guide/view.md describes it. */
+/** The state of a view as JSON; docs/guide/view.md describes it. */
 final class ViewJson {
     private ViewJson() {}
 
     /**
      * The state of a view.
      *
-     * @param title of the page
-     * @param refusal why the view cannot be saved, or ""
+     * @param title the title of the page
+     * @param refusal the reason why the view cannot be saved, or ""
      */
     static String state(Snapshot s, String title, String refusal) {
         return JsonText.of(json -> {
@@ -88,9 +88,9 @@ final class ViewJson {
     }
 
     /**
-     * What a pixel shows.
+     * Object, material, hit and colour of a pixel.
      *
-     * @param view with the last picture
+     * @param view the state of the view, with its last picture
      * @param x place in the picture, 0..1 from its left
      * @param y place in the picture, 0..1 from its top
      */
@@ -118,7 +118,7 @@ final class ViewJson {
         });
     }
 
-    /** What a pixel of the picture is, how exact that is, and how many samples it has. */
+    /** Value, standard error and number of samples of a pixel of the picture. */
     private static void light(JsonGenerator json, Frame frame, int column, int row) {
         json.writeArrayPropertyStart("value");
         for (int c = 0; c < 3; c++) {
@@ -135,7 +135,7 @@ final class ViewJson {
         json.writeNumberProperty("samples", frame.detail().samples().component(column, row, 0));
     }
 
-    /** A vector of floats, with the digits of floats. */
+    /** A vector with float precision. */
     private static void vector(JsonGenerator json, String key, Vec3 v) {
         json.writeArrayPropertyStart(key);
         json.writeNumber((float) v.x());

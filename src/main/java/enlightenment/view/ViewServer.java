@@ -17,14 +17,14 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.Semaphore;
 
 /**
- * The pages of a view, on loopback. Page, style and script are for everybody who can reach the port; state, picture and actions need the key
- * of the address that was printed, so that other users of the machine neither see nor change anything. Actions need a POST.
+ * The HTTP server of a view, on loopback. Page, style and script are open to all who can reach the port; state, picture and actions need the
+ * key of the printed address, so that other users of the machine neither see nor change anything. Actions need a POST.
  */
 final class ViewServer implements Closeable {
-    /** The most pages that wait for news at a time. */
+    /** The most pages that wait for news at the same time. */
     static final int MOST_VIEWERS = 8;
 
-    /** How long a page waits for news: less than {@link SmallHttp#ANSWER_TIMEOUT_NANOS}. */
+    /** The longest wait of a page for news: less than {@link SmallHttp#ANSWER_TIMEOUT_NANOS}. */
     private static final long PATIENCE_MILLIS = 8_000;
 
     private static final Map<String, String> TYPES = Map.of(
@@ -43,12 +43,12 @@ final class ViewServer implements Closeable {
     private final SmallHttp http;
     private final Semaphore viewers = new Semaphore(MOST_VIEWERS);
 
-    /** The last picture that was encoded, and its number; null if there is none. */
+    /** The last encoded picture, whose number is {@link #pngOf}; null if there is none. */
     private byte[] png;
 
     private long pngOf;
 
-    /** @param key that requests must bring */
+    /** @param key the access key that requests must carry */
     ViewServer(
             ViewSession session,
             SceneLoader loader,
@@ -73,7 +73,7 @@ final class ViewServer implements Closeable {
         return http.port();
     }
 
-    /** Ends connections whose time is over. */
+    /** Closes connections that have timed out; to be called regularly. */
     void check() {
         http.check(System.nanoTime());
     }
@@ -163,7 +163,7 @@ final class ViewServer implements Closeable {
                 : new SmallHttp.Answer(200, "image/png", bytes);
     }
 
-    /** One thread at a time: the others then find what it has made. */
+    /** The picture as PNG, or null. Synchronized, so that concurrent requests encode it once. */
     private synchronized byte[] encoded() throws IOException {
         Snapshot now = session.snapshot();
         Image image = now.shown();

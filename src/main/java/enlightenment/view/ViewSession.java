@@ -15,26 +15,26 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.function.UnaryOperator;
 
-/** What a view shows now: scene, viewpoint, size, exposure, and the last picture. All members are safe for several threads. */
+/** The state of a view: scene, viewpoint, size, exposure, and the last picture. All members are thread-safe. */
 final class ViewSession {
     private static final int BOX_WIDTH = 960;
     private static final int BOX_HEIGHT = 720;
     private static final int MOST_LINES = 20;
     private static final int LONGEST_LINE = 500;
 
-    /** Motions so recent mean that the view is in use. */
+    /** A view is in use for this long after a change that restarts its picture. */
     private static final long IN_USE_NANOS = 3_000_000_000L;
 
-    /** A moment of the scene that was read: without motion blur it is there at once. Null until it could be read. */
+    /** The scene without its shutter instants, as motion blur would delay the first picture. Null until a file was read. */
     private Scene scene;
 
-    /** The scene as it was read. */
+    /** The scene with all shutter instants; null until a file was read. */
     private Scene whole;
 
-    /** The frame of its animation that it is; empty if it is as the file's own numbers say. */
+    /** The animation frame of the scene, counted from 0; empty if no track has been applied. */
     private OptionalInt moment = OptionalInt.empty();
 
-    /** What its pictures have in common; null until there is a scene. */
+    /** Images and material tables that are shared by the scene's pictures; null until a file was read. */
     private Film film;
 
     private Viewpoint viewpoint;
@@ -42,21 +42,21 @@ final class ViewSession {
     private int boxWidth = BOX_WIDTH;
     private int boxHeight = BOX_HEIGHT;
 
-    /** Counts what makes pictures out of date. */
+    /** Number of changes that made pictures out of date. */
     private long generation;
 
-    /** Counts everything that a page shows. */
+    /** Number of changes of anything that a page shows. */
     private long version = 1;
 
     private Frame frame;
 
-    /** Counts what a page shows as its picture. */
+    /** Number of changes of the picture or layers that a page shows. */
     private long picture;
 
-    /** What is wrong with the file. */
+    /** Problems of the file, one in a line; empty if it could be read. */
     private List<String> problems = List.of();
 
-    /** Why the scene cannot be rendered as it is now. */
+    /** Problems of rendering the current generation, one in a line. */
     private List<String> failures = List.of();
 
     private String note = "";
@@ -65,21 +65,21 @@ final class ViewSession {
     /** Whether a final render is under way. */
     private boolean hasBackground;
 
-    /** When what is to be seen last changed. */
+    /** Time of the last change of {@link #generation}, as {@link System#nanoTime}. */
     private long restarted;
 
-    /** What pages look at beside the picture. */
+    /** Layers and the kept picture. */
     private final Looks looks = new Looks(new LayerWishes(System::nanoTime));
 
     /**
-     * The scene as it is seen now, with motion blur.
+     * A scene with the camera and exposure of the view, and with motion blur.
      *
-     * @param film what its pictures have in common
-     * @param moment the frame of its animation; empty if it is as its file's own numbers say
+     * @param film images and material tables that are shared by the scene's pictures
+     * @param moment the animation frame, counted from 0; empty if no track has been applied
      */
     record Seen(Scene scene, Film film, OptionalInt moment) {}
 
-    /** The problems of a scene, one in a line, made harmless. */
+    /** The problems of a scene, one in a line, without control characters; number and length of lines are bounded. */
     static List<String> lines(SceneException e) {
         return e.problems().stream()
                 .limit(MOST_LINES)
@@ -88,10 +88,10 @@ final class ViewSession {
     }
 
     /**
-     * Shows a scene that was read. The camera that the user has chosen stays, unless the file's camera has changed; so does the exposure.
+     * Replaces the scene. The camera that the user has chosen stays, unless the file's camera has changed; so does the exposure.
      *
-     * @param of what pictures of it have in common
-     * @param frame of its animation; empty if it is as the file's own numbers say
+     * @param of images and material tables that are shared by the scene's pictures
+     * @param frame the animation frame, counted from 0; empty if no track has been applied
      */
     synchronized void loaded(Scene read, Film of, OptionalInt frame) {
         boolean sameCamera = scene != null && scene.camera().equals(read.camera());
@@ -112,7 +112,7 @@ final class ViewSession {
         restart();
     }
 
-    /** The file cannot be used as it is now. */
+    /** Sets the problems of a file that could not be read; the last scene stays. */
     synchronized void broken(List<String> lines) {
         if (!problems.equals(lines)) {
             problems = List.copyOf(lines);
@@ -123,7 +123,7 @@ final class ViewSession {
     /**
      * Moves the camera.
      *
-     * @throws InvalidValueException if the camera cannot move so, or the scene could not be read yet
+     * @throws InvalidValueException if the camera cannot make that motion, or no scene has been read yet
      */
     synchronized void move(UnaryOperator<Viewpoint> motion) {
         requireScene();
@@ -137,7 +137,7 @@ final class ViewSession {
         restart();
     }
 
-    /** Shows the camera and the exposure of the file again. */
+    /** Restores the camera and the exposure of the file. */
     synchronized void reset() {
         requireScene();
         viewpoint = Viewpoint.of(scene.camera());
@@ -148,9 +148,9 @@ final class ViewSession {
     }
 
     /**
-     * Shows pictures 2^stops times as bright.
+     * Sets the exposure: pictures are shown 2^stops times as bright.
      *
-     * @throws InvalidValueException if that is out of range, or pictures are display-referred
+     * @throws InvalidValueException if the exposure is out of range, or pictures are display-referred
      */
     synchronized void expose(double stops) {
         requireScene();
@@ -165,7 +165,7 @@ final class ViewSession {
         changed();
     }
 
-    /** The picture is to fit into a box of pixels; values beyond the limits of {@link ViewSize} are brought within them. */
+    /** Sets the box in pixels that the picture is fitted into, clamped to the limits of {@link ViewSize}. */
     synchronized void resize(int width, int height) {
         ViewSize before = size();
         boxWidth = width;
@@ -175,7 +175,7 @@ final class ViewSession {
         }
     }
 
-    /** Tells the pages of an action. */
+    /** Sets the note that pages show about the last action. */
     synchronized void note(String text) {
         note = text;
         changed();
@@ -203,16 +203,16 @@ final class ViewSession {
         notifyAll();
     }
 
-    /** Whether pictures of this generation are wanted. */
+    /** Whether a generation is the current one and the session is open. */
     synchronized boolean isCurrent(long which) {
         return which == generation && !closed;
     }
 
     /**
-     * Waits until there is something to render.
+     * Waits for a scene of another generation than the one that is done.
      *
      * @param done the generation that needs no more rendering
-     * @return null if the session was closed
+     * @return the shot to render; null if the session was closed
      */
     synchronized Shot awaitShot(long done) throws InterruptedException {
         while (!closed && (scene == null || generation == done)) {
@@ -221,31 +221,31 @@ final class ViewSession {
         return closed ? null : shot();
     }
 
-    /** What is to be rendered now; there is a scene. */
+    /** The shot of the current generation, without motion blur; fails if no scene has been read yet. */
     synchronized Shot shot() {
         requireScene();
         return new Shot(generation, Scenes.seenBy(scene, viewpoint.camera()), film, size());
     }
 
-    /** What a final render is to show; there is a scene. */
+    /** The scene of a final render, with motion blur; fails if no scene has been read yet. */
     synchronized Seen seen() {
         requireScene();
         Scene.Display display = new Scene.Display(exposure, whole.display().tone());
         return new Seen(Scenes.seenAs(whole, viewpoint.camera(), display), film, moment);
     }
 
-    /** A final render begins or has ended: it has the processors while nothing moves. */
+    /** Sets whether a final render is under way, which has the processors while the view is at rest. */
     synchronized void background(boolean isUnderWay) {
         hasBackground = isUnderWay;
         notifyAll();
     }
 
-    /** Whether what is to be seen has changed lately. */
+    /** Whether the picture was restarted within the last {@link #IN_USE_NANOS} nanoseconds. */
     synchronized boolean isInUse() {
         return System.nanoTime() - restarted < IN_USE_NANOS;
     }
 
-    /** Waits while a final render is under way and the picture that is wanted is there already, at full resolution. */
+    /** Waits while a final render is under way and the generation has a picture at full resolution. */
     synchronized void awaitProcessors(long which) throws InterruptedException {
         while (hasBackground
                 && isCurrent(which)
@@ -256,7 +256,7 @@ final class ViewSession {
         }
     }
 
-    /** Shows a picture, unless it is out of date. */
+    /** Replaces the picture, unless the new one is out of date. */
     synchronized void publish(Frame next) {
         if (isCurrent(next.generation())) {
             frame = next;
@@ -265,7 +265,7 @@ final class ViewSession {
         }
     }
 
-    /** The scene cannot be rendered as it is now. */
+    /** Sets the problems of rendering a generation, unless it is out of date. */
     synchronized void failed(long which, List<String> lines) {
         if (isCurrent(which)) {
             failures = List.copyOf(lines);
@@ -296,21 +296,21 @@ final class ViewSession {
                 looks.layers());
     }
 
-    /** A page looks at a layer: renders make what it needs. */
+    /** Requests a layer that a page shows, and wakes the thread that renders layers. */
     synchronized void wish(Layer layer) {
         looks.wish(layer);
         notifyAll();
     }
 
-    /** Ends all wishes, since they cannot be had: pages that still look ask again. */
+    /** Withdraws all requests for layers, which cannot be rendered; open pages request theirs again. */
     synchronized void clearWishes() {
         looks.clearWishes();
     }
 
     /**
-     * Waits until a page looks at something that is not there.
+     * Waits until a layer is missing that a page has requested.
      *
-     * @return null if the session was closed
+     * @return the missing layers; null if the session was closed
      */
     synchronized LayerRefinement.Wish awaitWish() throws InterruptedException {
         while (!closed && (scene == null || looks.missing(generation).isEmpty())) {
@@ -319,7 +319,7 @@ final class ViewSession {
         return closed ? null : new LayerRefinement.Wish(shot(), looks.missing(generation));
     }
 
-    /** Shows layers, unless they are out of date. */
+    /** Replaces layers, unless the new ones are out of date. */
     synchronized void publish(long which, Map<RenderResult.Auxiliary, Layers.Numbers> next) {
         if (isCurrent(which)) {
             looks.add(next);
@@ -331,7 +331,7 @@ final class ViewSession {
     /**
      * Keeps the picture, as it is shown now, for comparison with later ones.
      *
-     * @throws InvalidValueException if there is none yet
+     * @throws InvalidValueException if there is no picture yet
      */
     synchronized void keep() {
         if (frame == null) {
@@ -342,22 +342,22 @@ final class ViewSession {
         changed();
     }
 
-    /** Forgets the picture that was kept. */
+    /** Discards the kept picture. */
     synchronized void forget() {
         looks.forget();
         note = "";
         changed();
     }
 
-    /** At which exposure pictures are shown, in stops. */
+    /** The exposure of the view, in stops. */
     synchronized double exposure() {
         return exposure;
     }
 
     /**
-     * Waits until there is something newer than a version.
+     * Waits for a state newer than a version, and returns the latest state.
      *
-     * @param millis no longer than this
+     * @param millis the longest wait
      */
     synchronized Snapshot awaitNewer(long than, long millis) throws InterruptedException {
         long end = System.nanoTime() + millis * 1_000_000;

@@ -7,13 +7,13 @@ package enlightenment.view;
  * @param height at least 1
  */
 record ViewSize(int width, int height) {
-    /** The longest side of a view. */
+    /** The longest side of a view, in pixels. */
     static final int MOST_SIDE = 4096;
 
-    /** The most pixels of a view: what is looked at while it changes need not be larger than a screen. */
+    /** The most pixels of a view, about those of a large screen. */
     static final int MOST_PIXELS = 1 << 22;
 
-    /** The largest picture with the shape of another one that fits into a box, within the limits. */
+    /** The largest size with the aspect ratio of a picture that fits into a box, within the limits. */
     static ViewSize fitting(int width, int height, int boxWidth, int boxHeight) {
         double scale = Math.min((double) limited(boxWidth) / width, (double) limited(boxHeight) / height);
         double most = Math.sqrt((double) MOST_PIXELS / ((double) width * height));

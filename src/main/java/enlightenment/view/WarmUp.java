@@ -14,8 +14,8 @@ import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 
 /**
- * Renders a picture of a few pixels that is not shown. Loading the renderer's classes takes longer than the first coarse picture of most scenes: on
- * another processor it is done while the scene is still read.
+ * Renders a small picture that is not shown, to load the renderer's classes while the scene is read. Loading them takes
+ * longer than the first coarse picture of most scenes.
  */
 final class WarmUp implements Runnable {
     private static final int WIDTH = 24;
@@ -31,7 +31,7 @@ final class WarmUp implements Runnable {
         Renderer.render(scene(), RenderSettings.of(scene()).withThreads(1));
     }
 
-    /** Two balls, one of which glows. */
+    /** A scene with two spheres, one of them emissive. */
     static Scene scene() {
         Texture white = Texture.of(DisplayRgb.WHITE);
         return Scene.builder()

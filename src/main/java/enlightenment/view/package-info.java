@@ -1,2 +1,2 @@
-/** A live view of a scene: rendering that starts anew with each change and becomes finer until the next one, on a page of its own. */
+/** An interactive view of a scene on a page: progressive rendering, restarted by each change of camera or file. */
 package enlightenment.view;

@@ -5,16 +5,16 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import java.util.function.UnaryOperator;
 
-/** Cameras with other points. None of these is for isometric views, which have a single one. */
+/** Copies of cameras with other points; not for isometric views, which have no eye. */
 public final class CameraPoints {
     private CameraPoints() {}
 
     /**
-     * A camera whose points are moved and rounded.
+     * A copy of a camera whose points are moved and rounded.
      *
-     * @param move from the place of each point to its new one; the point that is looked at ends at the aim
-     * @param aim where the camera looks at afterwards
-     * @param up the upward direction afterwards; a window has none of its own
+     * @param move the motion of eye and window corners
+     * @param aim the new look-at point
+     * @param up the new upward direction; unused for a window, which has none
      */
     public static Camera moved(Camera camera, UnaryOperator<ExactPoint> move, ExactPoint aim, Vec3 up) {
         ExactPoint exact = move.apply(camera.origin());
@@ -36,7 +36,7 @@ public final class CameraPoints {
                 Digits.rounded(exact, size), lowerLeft, upperLeft, upperRight, lowerRight, c.pupilRadius());
     }
 
-    /** A camera that is not behind a window with other points and another upward direction. */
+    /** A copy of a camera, not a window, with other points and another upward direction. */
     public static Camera with(Camera camera, ExactPoint eye, ExactPoint lookAt, Vec3 up) {
         if (camera instanceof Camera.Perspective c) {
             return new Camera.Perspective(eye, lookAt, up, c.fieldOfView(), c.axis(), c.handedness(), c.lens());

@@ -6,21 +6,21 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 
-/** Rounds numbers of cameras to decimals that can be read, by ratios: the unit of length has no part in it. */
+/** Rounding of camera parameters to short decimals, relative to a size, so that the unit of length does not matter. */
 public final class Digits {
-    /** Significant digits of lengths and angles; of coordinates the digits below the size that they are seen at. */
+    /** Significant digits of lengths and angles, and digits of coordinates below the first digit of the reference size. */
     public static final int KEPT = 7;
 
     private static final MathContext SIGNIFICANT = new MathContext(KEPT, RoundingMode.HALF_EVEN);
 
     private Digits() {}
 
-    /** A number with {@link #KEPT} significant digits. */
+    /** A number rounded to {@link #KEPT} significant digits. */
     public static double rounded(double v) {
         return new BigDecimal(v).round(SIGNIFICANT).doubleValue();
     }
 
-    /** A point whose coordinates end {@link #KEPT} digits below the first digit of a size. */
+    /** A point with coordinates rounded to {@link #KEPT} digits below the first digit of a size. */
     public static ExactPoint rounded(ExactPoint p, double size) {
         int places = places(size);
         return new ExactPoint(
@@ -29,7 +29,7 @@ public final class Digits {
                 p.z().setScale(places, RoundingMode.HALF_EVEN));
     }
 
-    /** A direction of length 1, up to rounding. */
+    /** A normalized direction, with rounded components. */
     public static Vec3 direction(Vec3 v) {
         Vec3 unit = v.normalized();
         return rounded(ExactPoint.of(unit.x(), unit.y(), unit.z()), 1).toVec3();

@@ -5,12 +5,12 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 
 /**
- * How a camera stands: the unit axes of its picture, and the point that it looks from.
+ * Position and orientation of a camera: its eye, and the unit axes of its picture.
  *
- * @param eye where it is, in scene units
- * @param right direction of the picture's right side
- * @param up direction of the picture's upper side
- * @param forward line of sight through the picture's middle; of a camera behind a window the window's normal
+ * @param eye centre of projection, in scene units
+ * @param right unit vector towards the picture's right side
+ * @param up unit vector towards the picture's upper side
+ * @param forward unit vector along the line of sight; for a window camera the normal of the window
  */
 public record Pose(ExactPoint eye, Vec3 right, Vec3 up, Vec3 forward) {
 
@@ -45,12 +45,12 @@ public record Pose(ExactPoint eye, Vec3 right, Vec3 up, Vec3 forward) {
         return new Pose(eye, right, up, forward);
     }
 
-    /** A direction with these components along right, up and forward. */
+    /** The direction with the given components along right, up and forward. */
     public Vec3 direction(double r, double u, double f) {
         return right.times(r).plus(up.times(u)).plus(forward.times(f));
     }
 
-    /** The distance of a point from the eye along the line of sight. */
+    /** The distance of a point from the eye along the line of sight, in scene units; negative behind the eye. */
     public double depth(ExactPoint point) {
         return point.minus(eye).dot(forward);
     }

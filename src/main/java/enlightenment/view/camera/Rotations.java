@@ -14,7 +14,7 @@ public final class Rotations {
         return v.times(cos).plus(axis.cross(v).times(sin)).plus(axis.times(axis.dot(v) * (1 - cos)));
     }
 
-    /** The angle between two vectors, 0..180. */
+    /** The angle between two vectors in degrees, 0..180. */
     public static double between(Vec3 a, Vec3 b) {
         return StrictMath.toDegrees(StrictMath.atan2(a.cross(b).length(), a.dot(b)));
     }

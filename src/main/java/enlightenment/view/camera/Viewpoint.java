@@ -7,19 +7,19 @@ import enlightenment.math.Vec3;
 import java.util.Optional;
 
 /**
- * A camera that can be moved, and what it moves around. Immutable; every motion gives another viewpoint.
+ * A camera with the point and the pole that it moves around. Immutable; every motion returns another viewpoint.
  *
  * <p>Coordinates that a motion changes are rounded to {@link Digits#KEPT} digits below the camera's distance from its aim, so that the
- * camera that is seen is the one that is written, and files stay readable.
+ * rendered camera is exactly the written one, and files stay readable.
  *
- * @param camera the camera
- * @param aim the point that it orbits and approaches; {@code lookAt} of cameras that have one
- * @param pole the direction that an orbit turns around, of any length but 0; the upward direction of cameras that have one
+ * @param camera the camera at this viewpoint
+ * @param aim the centre of orbits and dollies; {@code lookAt} of cameras that have one
+ * @param pole the axis of orbits, of any length but 0; the upward direction of cameras that have one
  */
 public record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     private static final double RIGHT_ANGLE = 90;
 
-    /** An orbit stays as far from the pole, in degrees: there a camera has no upper side. */
+    /** The least angle between an orbit and the pole, in degrees: at the pole the upward direction is undefined. */
     private static final double POLE_MARGIN = 1;
 
     private static final double LEAST_FIELD_OF_VIEW = 0.1;
@@ -28,7 +28,7 @@ public record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     /** The cosine of 30°, half of which a unit along x or z measures across an isometric picture. */
     private static final double ISOMETRIC = Math.sqrt(3) / 2;
 
-    /** The viewpoint of a camera as a scene has it. A window is aimed at its own middle until {@link #aimedAt} says better. */
+    /** The viewpoint of a scene's camera. A window is aimed at its own middle, until {@link #aimedAt} sets another aim. */
     public static Viewpoint of(Camera camera) {
         if (camera instanceof Camera.Perspective c) {
             return new Viewpoint(c, c.lookAt(), c.up());
@@ -63,7 +63,7 @@ public record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
      * Moves the camera around its aim, which keeps its distance and its place in the picture.
      *
      * @param right degrees around the pole, towards the picture's right
-     * @param up degrees towards the pole; what would pass it ends before it
+     * @param up degrees towards the pole, clamped before it
      * @throws InvalidValueException for a camera that cannot turn
      */
     public Viewpoint orbit(double right, double up) {
@@ -86,7 +86,7 @@ public record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     }
 
     /**
-     * Moves camera and aim sideways, so that what is at the aim's distance follows a pointer.
+     * Moves camera and aim sideways, so that points at the aim's distance follow a pointer.
      *
      * @param x motion of the pointer to the right, in heights of the picture
      * @param y motion of the pointer downwards, in heights of the picture
@@ -105,7 +105,7 @@ public record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
         return new Viewpoint(moved, newAim, pole);
     }
 
-    /** What the picture's height measures at the aim's distance, in scene units. */
+    /** The height of the field of view at the aim's distance, in scene units. */
     private double heightAtAim(double aspect) {
         if (camera instanceof Camera.Orthographic c) {
             return c.height();
@@ -131,7 +131,7 @@ public record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     }
 
     /**
-     * Moves the camera towards its aim or away from it; a parallel view becomes smaller or larger.
+     * Scales the distance from the camera to its aim; for a parallel view the picture's height.
      *
      * @param factor new distance over the old one, greater than 0
      */
@@ -150,7 +150,7 @@ public record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     /**
      * Turns the camera around its line of sight.
      *
-     * @param degrees by which the picture turns clockwise
+     * @param degrees clockwise rotation of the picture
      * @throws InvalidValueException for a camera that cannot turn
      */
     public Viewpoint roll(double degrees) {
@@ -178,10 +178,10 @@ public record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     }
 
     /**
-     * Sets the angle of view.
+     * Sets the field of view.
      *
-     * @param degrees limited to what can be looked at
-     * @throws InvalidValueException for a camera that has none
+     * @param degrees field of view, clamped to 0.1..170
+     * @throws InvalidValueException unless the camera is a perspective one
      */
     public Viewpoint withFieldOfView(double degrees) {
         if (!(camera instanceof Camera.Perspective c)) {
@@ -192,9 +192,9 @@ public record Viewpoint(Camera camera, ExactPoint aim, Vec3 pole) {
     }
 
     /**
-     * Moves the aim along the line of sight until it is as far away as a point that is seen. The aim of a window is that point itself.
+     * Moves the aim along the line of sight to the depth of a point. The aim of a window becomes the point itself.
      *
-     * @throws InvalidValueException if the point does not lie in front of the eye, or an isometric view has none
+     * @throws InvalidValueException if the point does not lie in front of the eye, or the view is isometric
      */
     public Viewpoint aimedAt(ExactPoint point) {
         requireTurning();

@@ -1,2 +1,2 @@
-/** Where a view looks from: a camera that is turned, moved and written back as text. */
+/** The viewpoint of a view: motions of cameras, rounded so that they can be written as short decimals. */
 package enlightenment.view.camera;

@@ -4,18 +4,18 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How exact a picture was at a time.
+ * The estimated error of a picture at a time, one point of the convergence curve.
  *
  * @param seconds since the change that the picture shows, greater than 0
- * @param samples per pixel
+ * @param samples samples per pixel
  * @param rmse estimated root mean square error, in displayed units 0..1
- * @param exposure in stops for which that is so
+ * @param exposure the exposure in stops that the displayed units refer to
  */
 public record ErrorPoint(double seconds, int samples, double rmse, double exposure) {
-    /** Points nearer to each other than this factor of time are one on a logarithmic curve. */
+    /** Points nearer than this ratio of their times are merged: they coincide on a logarithmic axis. */
     private static final double DISTINCT = 1.02;
 
-    /** The points and a later one, in their order; some hundred at most, whatever the number of passes. */
+    /** The points with a later one appended; at one exposure their number grows with the logarithm of time. */
     public static List<ErrorPoint> with(List<ErrorPoint> points, ErrorPoint next) {
         List<ErrorPoint> all = new ArrayList<>(points);
         int last = all.size() - 1;

@@ -7,7 +7,7 @@ import enlightenment.render.RenderResult;
 import java.util.List;
 import java.util.Optional;
 
-/** Makes the pictures of one {@link Shot} from the results of its passes. For use by one thread. */
+/** Accumulates the passes of one {@link Shot} into pictures. For use by one thread. */
 public final class FrameBuilder {
     private final long generation;
     private final PictureSum sum = new PictureSum();
@@ -15,18 +15,18 @@ public final class FrameBuilder {
     private int shrink;
     private List<ErrorPoint> errors = List.of();
 
-    /** @param generation of the shot */
+    /** @param generation the generation of the shot */
     public FrameBuilder(long generation) {
         this.generation = generation;
     }
 
     /**
-     * The picture after a pass.
+     * Adds a pass and returns the picture so far.
      *
-     * @param result with the samples of each pixel
-     * @param isFinal whether it is the last one
-     * @param seconds since the change, greater than 0
-     * @param exposure at which the picture is shown now
+     * @param result the render of the pass, with {@link RenderResult.Auxiliary#SAMPLES}
+     * @param isFinal whether this is the last pass
+     * @param seconds time since the change of the view, greater than 0
+     * @param exposure the exposure of the view, in stops
      */
     public Frame add(PassPlan pass, RenderResult result, boolean isFinal, double seconds, double exposure) {
         if (pass.shrink() != shrink) {
@@ -43,7 +43,7 @@ public final class FrameBuilder {
         return new Frame(generation, image, all, shrink, isFinal, detail);
     }
 
-    /** The samples of all passes. */
+    /** Adds the sample counts of a pass and returns the sums. */
     private Image count(Image more) {
         float[] added = more.toArray();
         if (samples != null) {
@@ -55,7 +55,7 @@ public final class FrameBuilder {
         return new Image(more.width(), more.height(), added);
     }
 
-    /** How a screen shows a picture at an exposure. */
+    /** The display curve of a picture at an exposure; a display-referred picture keeps its own. */
     public static DisplayCurve curve(Image image, double exposure) {
         return image.encoding() == Color.Encoding.DISPLAY
                 ? image.curve()

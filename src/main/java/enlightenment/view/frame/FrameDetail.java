@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What is known of a picture beside its colours.
+ * Statistics of a picture: sample counts, noise, and the history of its error.
  *
- * @param samples of each pixel so far, as {@link enlightenment.render.RenderResult.Auxiliary#SAMPLES} has them
- * @param noise how exact it is; empty before the second pass
- * @param errors how exact it was after each pass, by time
- * @param seconds since the change that it shows
+ * @param samples number of samples of each pixel so far, as in {@link enlightenment.render.RenderResult.Auxiliary#SAMPLES}
+ * @param noise estimated standard errors; empty before the second pass at full resolution
+ * @param errors estimated errors after earlier passes and this one, by time
+ * @param seconds time since the change of the view that the picture shows
  */
 public record FrameDetail(Image samples, Optional<PictureNoise> noise, List<ErrorPoint> errors, double seconds) {
     public FrameDetail {

@@ -4,17 +4,17 @@ import enlightenment.image.Image;
 import java.util.OptionalDouble;
 
 /**
- * A picture that others are compared with.
+ * A kept picture that later ones are compared with.
  *
- * @param number counts those that were kept
- * @param image as it was shown, with the exposure of then
- * @param samples per pixel
- * @param shrink the side of the squares of pixels that each of its pixels stood for
- * @param rmse estimated root mean square error in displayed units; empty where it is not known
+ * @param number number of pictures kept so far, this one included
+ * @param image the picture as it was shown, with the exposure at that time
+ * @param samples samples per pixel
+ * @param shrink side in pixels of the block that each pixel of the image stands for; 1 at full resolution
+ * @param rmse estimated root mean square error in displayed units; empty if unknown
  */
 public record Kept(long number, Image image, int samples, int shrink, OptionalDouble rmse) {
 
-    /** @param shown the picture of the frame, as it is shown */
+    /** @param shown the image of the frame, with the exposure of the view */
     public static Kept of(long number, Frame frame, Image shown) {
         OptionalDouble rmse = frame.detail()
                 .noise()
@@ -23,15 +23,15 @@ public record Kept(long number, Image image, int samples, int shrink, OptionalDo
         return new Kept(number, shown, frame.samples(), frame.shrink(), rmse);
     }
 
-    /** Whether a picture is as large. */
+    /** Whether a picture has the same size, so that the difference exists. */
     public boolean isComparable(Image now) {
         return now.width() == image.width() && now.height() == image.height();
     }
 
     /**
-     * By how much a picture differs from this one, in displayed units: of each pixel the root mean square over its components.
+     * The difference of a picture from this one: root mean square over the components of each pixel, in displayed units.
      *
-     * @param now of the same size
+     * @param now a picture of the same size
      */
     public Image difference(Image now) {
         int width = now.width();

@@ -1,34 +1,34 @@
 package enlightenment.view.frame;
 
 /**
- * The passes over a picture, from coarse ones to fine ones and on to more samples. A pure function of the times that are given to it.
+ * A pass over a picture; passes go from coarse to full resolution, then add samples. A pure function of the measured times.
  *
- * @param shrink the side of the squares of pixels that one pixel of the pass stands for: a power of two, at most {@link #FIRST}
- * @param number of the pass among those at full resolution, counted from 0; 0 of coarser ones
- * @param samples per pixel of the pass
- * @param before samples per pixel of the passes at full resolution before this one
+ * @param shrink side in pixels of the block that one pixel of the pass stands for: a power of two, at most {@link #FIRST}
+ * @param number number of the pass among those at full resolution, counted from 0; 0 for coarser ones
+ * @param samples samples per pixel of the pass
+ * @param before samples per pixel of earlier passes at full resolution
  */
 public record PassPlan(int shrink, int number, int samples, int before) {
-    /** The coarsest pass while a view is in use has one pixel for squares of this side: things can still be recognized. */
+    /** The largest {@code shrink} once the speed of a scene is known: objects can still be recognized. */
     public static final int COARSEST = 16;
 
-    /** The side of these squares before anything is known of the scene, and most of the program waits to be compiled. */
+    /** The largest {@code shrink} of the first picture, whose speed is unknown and whose code is not yet compiled. */
     public static final int FIRST = 32;
 
-    /** No pass has fewer pixels than about a quarter of this because it is coarse: they take no time. */
+    /** A pass with fewer pixels is not made coarser: it takes no noticeable time. */
     private static final int FEW_PIXELS = 1024;
 
-    /** A pass that is expected to take less is fine enough to begin with: the eye takes it for immediate. */
+    /** Longest expected time of a first pass, in seconds: shorter ones are perceived as immediate. */
     private static final double IMMEDIATE_SECONDS = 0.05;
 
-    /** A pass may take about as long, so that the picture is renewed often enough to be seen to improve. */
+    /** Approximate longest time of a pass, in seconds, so that the picture is seen to improve. */
     private static final double SECONDS_BETWEEN_PICTURES = 0.7;
 
     /**
      * The first pass after a change.
      *
-     * @param secondsPerPixel what one sample takes, from what was seen so far; infinite if nothing was
-     * @param pixels of the picture at full resolution
+     * @param secondsPerPixel measured time of one sample of a pixel; infinite if nothing was measured yet
+     * @param pixels number of pixels at full resolution
      */
     public static PassPlan first(double secondsPerPixel, long pixels) {
         int coarsest = secondsPerPixel == Double.POSITIVE_INFINITY ? FIRST : COARSEST;
@@ -46,9 +46,9 @@ public record PassPlan(int shrink, int number, int samples, int before) {
     /**
      * The pass after this one.
      *
-     * @param seconds that this one took
-     * @param most samples per pixel in all, at least 1
-     * @return null if there are enough
+     * @param seconds measured time of this pass
+     * @param most samples per pixel of a finished picture, at least 1
+     * @return null if this was the last pass
      */
     public PassPlan next(double seconds, int most) {
         if (shrink > 1) {
@@ -58,13 +58,13 @@ public record PassPlan(int shrink, int number, int samples, int before) {
         if (sum >= most) {
             return null;
         }
-        // Never more than there are already: the picture does not become finer by less than half.
+        // At most as many samples as all passes so far, so that each pass at most doubles their number.
         int wanted = seconds < SECONDS_BETWEEN_PICTURES / 2 ? Math.min(2 * samples, sum) : samples;
         int fewer = seconds > 2 * SECONDS_BETWEEN_PICTURES ? Math.max(samples / 2, 1) : wanted;
         return new PassPlan(1, number + 1, Math.min(fewer, most - sum), sum);
     }
 
-    /** The number of pixels along a side of this pass. */
+    /** The number of pixels of this pass along a side of {@code full} pixels; at least 1. */
     public int side(int full) {
         return Math.max(full / shrink, 1);
     }

@@ -6,8 +6,8 @@ import enlightenment.picture.Neighbourhood;
 import java.util.Arrays;
 
 /**
- * How exact the mean of several passes is, estimated from their spread. A component's standard error s is that of its mean m; what a screen
- * shows of it is half of what the display curve makes of m + s less what it makes of m − s.
+ * The noise of the mean of several passes, estimated from their spread. For a component with mean m, standard error s and display curve d, the
+ * displayed standard error is (d(m + s) − d(m − s)) / 2.
  */
 public final class PictureNoise {
     private static final int ENOUGH = 1 << 17;
@@ -18,8 +18,8 @@ public final class PictureNoise {
     private final float[] variances;
 
     /**
-     * @param mean of all passes
-     * @param variances estimated, of each component of the mean; taken over, not copied
+     * @param mean the mean of all passes
+     * @param variances estimated variance of each component of the mean; owned by this object from now on, not copied
      */
     public PictureNoise(Image mean, float[] variances) {
         this.mean = mean;
@@ -34,7 +34,7 @@ public final class PictureNoise {
         return mean.height();
     }
 
-    /** The standard error of a component, in the picture's own units: the root of the mean variance of the 3×3 pixels around it. */
+    /** The standard error of a component in the picture's units: root of the mean variance over 3×3 pixels. */
     public double deviation(int x, int y, int c) {
         double sum = 0;
         int n = 0;
@@ -48,8 +48,8 @@ public final class PictureNoise {
     }
 
     /**
-     * The estimated root mean square error over all pixels and components, in displayed units 0..1. Of large pictures a regular grid of some
-     * {@value #ENOUGH} pixels is asked, since it is wanted after each pass.
+     * The estimated root mean square error over all pixels and components, in displayed units 0..1. For large pictures it is taken over a regular
+     * grid of about {@value #ENOUGH} pixels, since it is computed after each pass.
      */
     public double rmse(DisplayCurve curve) {
         int step = (int) Math.max(Math.ceil(Math.sqrt((double) width() * height() / ENOUGH)), 1);
@@ -67,8 +67,8 @@ public final class PictureNoise {
     }
 
     /**
-     * The standard error of each pixel in displayed units, as {@link enlightenment.render.RenderResult.Auxiliary#ERROR} has it: the root of the mean
-     * variance over the components of the 3×3 pixels around it.
+     * The standard error of each pixel in displayed units, defined as {@link enlightenment.render.RenderResult.Auxiliary#ERROR}. It is the root of
+     * the mean variance over the components of the 3×3 pixels around the pixel.
      */
     public Image map(DisplayCurve curve) {
         int n = width() * height();
@@ -84,7 +84,7 @@ public final class PictureNoise {
         return new Image(width(), height(), rgb);
     }
 
-    /** The mean over the components of a pixel. */
+    /** The variance in displayed units, averaged over the components of a pixel. */
     private double displayedVariance(int x, int y, DisplayCurve curve) {
         double sum = 0;
         for (int c = 0; c < 3; c++) {

@@ -5,12 +5,12 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * The mean of independent pictures of one size, each with a weight, and how exact it is. For use by one thread.
+ * The weighted mean of independent pictures of one size, with an estimate of its variance. For use by one thread.
  *
  * <p>The variance of the mean is estimated from the spread of batches: Σ w (x − m)² / ((K − 1) W) for K batches x of weights w, whose sum is
  * W and whose mean is m. It is unbiased where variances are proportional to 1/w, and for any variances where there are two batches of one
- * weight. Low-discrepancy samples gain more than that by being many. So a picture as heavy as all before makes these one batch: then all
- * batches weigh nearly the same, since passes grow by doubling only.
+ * weight. The variance of low-discrepancy samples falls faster than 1/w. A picture as heavy as all earlier ones therefore merges these into one
+ * batch: then all batches weigh nearly the same, since passes grow by doubling only.
  */
 public final class PictureSum {
     private double[] sums;
@@ -25,7 +25,7 @@ public final class PictureSum {
     /**
      * Adds a picture.
      *
-     * @param samples per pixel that it is the mean of, greater than 0
+     * @param samples samples per pixel of the picture, its weight; greater than 0
      * @return the mean of all pictures so far, with the curve of this one
      */
     public Image add(Image image, int samples) {
@@ -54,7 +54,7 @@ public final class PictureSum {
         return mean;
     }
 
-    /** How exact the mean is as it is now; empty with fewer than two pictures. */
+    /** The estimated noise of the current mean; empty with fewer than two batches. */
     public Optional<PictureNoise> noise() {
         if (batches < 2) {
             return Optional.empty();

@@ -1,2 +1,2 @@
-/** What passes of a view add up to: sums, noise and the frame that is shown. */
+/** Accumulation of the passes of a view: sums, noise, and the frame that is shown. */
 package enlightenment.view.frame;

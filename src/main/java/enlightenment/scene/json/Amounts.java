@@ -9,7 +9,7 @@ final class Amounts {
 
     private Amounts() {}
 
-    /** An amount that must be there; null where it is missing, and after a problem. */
+    /** A required amount; null if it is missing, and after a problem. */
     static Texture.Amount read(Fields f, String key) {
         if (!f.has(key)) {
             return null;
@@ -29,7 +29,7 @@ final class Amounts {
         return Texture.Amount.of(value);
     }
 
-    /** An amount that may be missing; null after a problem. */
+    /** An optional amount; null after a problem. */
     static Texture.Amount read(Fields f, String key, double unlessGiven) {
         return f.has(key) ? read(f, key) : Texture.Amount.of(unlessGiven);
     }

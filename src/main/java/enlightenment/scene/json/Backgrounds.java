@@ -8,23 +8,23 @@ import enlightenment.scene.json.tree.JsonValue;
 import java.util.List;
 import java.util.Map;
 
-/** The light of surroundings: a colour, a picture or a sky. */
+/** Reads and writes backgrounds: a colour, a picture or a sky. */
 final class Backgrounds {
     static final Family<Shading.Background> FAMILY = new Family<Shading.Background>(
                     "background", "surroundings", "picture", Map.of(), Backgrounds::read, Backgrounds::put)
             .with("picture", Shading.Background.Picture.class, "texture | radiance rotation")
             .with("sky", Shading.Background.Sky.class, "elevation | azimuth turbidity groundAlbedo radiance sun");
 
-    /** All that a background may be. */
+    /** The accepted forms of a background, for messages. */
     private static final String EXPECTED = Values.COLOR + ", [r, g, b] with components in 0..1, " + Values.LINEAR
             + ", a picture, {\"texture\": \"...\"}, or a sky, {\"type\": \"sky\", \"elevation\": degrees}";
 
-    /** Keys of which each of these has one. */
+    /** Keys that distinguish the forms given as objects. */
     private static final List<String> KINDS = List.of("linear", "texture", "type");
 
     private Backgrounds() {}
 
-    /** Null after a problem, here or where a texture has its name. */
+    /** The background; null after a problem of it or of its texture. */
     static Shading.Background read(JsonValue v, JsonPointer place, Values values) {
         if (v instanceof JsonValue.Obj o && KINDS.stream().allMatch(key -> o.get(key) == null)) {
             values.problems().add(v, place, "must be " + EXPECTED + ", not " + Values.describe(o, KINDS));
@@ -38,7 +38,7 @@ final class Backgrounds {
         return f == null ? null : FAMILY.read(f);
     }
 
-    /** Whether it says that it is a picture or a sky. */
+    /** Whether a background is a picture or a sky. */
     static boolean isMoreThanColor(JsonValue v) {
         return v instanceof JsonValue.Obj o && (o.get("texture") != null || o.get("type") != null);
     }

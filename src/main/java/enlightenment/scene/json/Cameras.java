@@ -7,7 +7,7 @@ import enlightenment.scene.json.tree.JsonValue;
 import java.util.Map;
 import java.util.Optional;
 
-/** The camera. */
+/** Reads and writes the camera. */
 final class Cameras {
     static final Family<Camera> FAMILY = new Family<Camera>(
                     "camera", "a camera", null, Map.of(), Cameras::read, Cameras::write)

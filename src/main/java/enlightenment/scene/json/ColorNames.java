@@ -4,7 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** The named colours of CSS (W3C CSS Color Module Level 4, section 6.1), in small letters. */
+/** The named colours of CSS (W3C CSS Color Module Level 4, section 6.1), in lower case. */
 final class ColorNames {
     private static final String TABLE =
             """
@@ -36,7 +36,7 @@ final class ColorNames {
             violet ee82ee wheat f5deb3 white ffffff whitesmoke f5f5f5 yellow ffff00 yellowgreen 9acd32
             """;
 
-    /** By name: 0xrrggbb. */
+    /** Colours as 0xrrggbb, by name. */
     static final Map<String, Integer> ALL = read();
 
     private ColorNames() {}

@@ -57,7 +57,7 @@ final class DetailedMaterials {
         return reference == null || !reference.has("texture") ? null : Textures.ofSurface(reference);
     }
 
-    /** A material by its name, or as it is. */
+    /** A material, written as its name or as an object. */
     static JsonValue json(Material m, JsonObjectBuilder p) {
         String name = p.nameOf(m);
         if (name != null) {

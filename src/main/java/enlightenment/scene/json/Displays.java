@@ -9,7 +9,7 @@ import enlightenment.scene.json.tree.JsonValue;
 final class Displays {
     private Displays() {}
 
-    /** Null after a problem. */
+    /** The display settings; null after a problem. */
     static Scene.Display read(JsonValue v, JsonPointer place, Values values) {
         Fields f = Fields.of(v, place, PartKeys.DISPLAY, values);
         if (f == null) {

@@ -10,10 +10,9 @@ import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 
 /**
- * The kinds of a part that {@code "type"} tells apart, such as those of lights: the one place that says how each is called,
- * which keys it has, how it is read and how it is written.
+ * The kinds of a part that {@code "type"} distinguishes, such as those of lights. Each has a name, keys, a reader and a writer.
  *
- * @param <T> what all kinds become
+ * @param <T> common type of the values of all kinds
  */
 final class Family<T> {
     private final String name;
@@ -27,13 +26,13 @@ final class Family<T> {
     private final Map<Class<?>, String> names = new HashMap<>();
 
     /**
-     * @param name its name in the schema's {@code $defs}
-     * @param noun what messages call one of it
-     * @param typeUnlessGiven the type of a part that does not say one, or null if it must
-     * @param plannedTypes types that the format will have, and what is missing for each, or ""
-     * @param reader makes the value of a type; null after a problem. One for all types: one for each takes a class of the JDK's
-     *     for each to start, whether a scene has the type or not
-     * @param writer puts all of a value's keys but {@code "type"}
+     * @param name the name of the family in the schema's {@code $defs}
+     * @param noun the name of a part in messages, with its article
+     * @param typeUnlessGiven the default type, or null if a part must have one
+     * @param plannedTypes types that the format will have, with the reason why each is missing, or ""
+     * @param reader makes the value of a type; null after a problem. One reader serves all types, since a lambda for each type would load a class
+     *     of the JDK at start, whether a scene has the type or not
+     * @param writer puts all keys of a value but {@code "type"}
      */
     Family(
             String name,
@@ -53,9 +52,9 @@ final class Family<T> {
     /**
      * Adds a kind.
      *
-     * @param type its name in the format
-     * @param value the class that it becomes
-     * @param keys the keys that must be there, a bar, the keys that may be there
+     * @param type the name of the kind in the format
+     * @param value the class of its values
+     * @param keys the required keys, a bar, the optional keys
      */
     Family<T> with(String type, Class<? extends T> value, String keys) {
         return with(type, value, keys, Map.of());
@@ -64,10 +63,10 @@ final class Family<T> {
     /**
      * Adds a kind that refuses certain keys with a message of their own.
      *
-     * @param type its name in the format
-     * @param value the class that it becomes
-     * @param keys the keys that must be there, a bar, the keys that may be there
-     * @param whyNot keys that it does not have, although users may expect them, with the message for each
+     * @param type the name of the kind in the format
+     * @param value the class of its values
+     * @param keys the required keys, a bar, the optional keys
+     * @param whyNot refused keys that users may expect, with the message for each
      */
     Family<T> with(String type, Class<? extends T> value, String keys, Map<String, String> whyNot) {
         int bar = keys.indexOf('|');
@@ -85,7 +84,7 @@ final class Family<T> {
         return this;
     }
 
-    /** A shape is called by its type alone: "a sphere"; others by what they are as well: "a sphere light". */
+    /** The end of a kind's noun: none for shapes ("a sphere"), the family's name for others ("a sphere light"). */
     private String nounSuffix() {
         return name.equals("object") ? "" : " " + name;
     }
@@ -106,7 +105,7 @@ final class Family<T> {
         return plannedTypes;
     }
 
-    /** The keys that a kind does not have, although somebody may expect them, and what to say of them. */
+    /** The refused keys of a kind, with the message for each. */
     Map<String, String> refusedKeys(String type) {
         return refused.get(type);
     }
@@ -130,7 +129,7 @@ final class Family<T> {
         return new IllegalStateException("the scene format knows " + kind + ", but not how to read or write it");
     }
 
-    /** The name of the kind that a class is; null if there is none. */
+    /** The name of the kind whose values have a class; null if there is none. */
     String typeOf(Class<?> value) {
         return names.get(value);
     }
@@ -141,9 +140,9 @@ final class Family<T> {
     }
 
     /**
-     * Puts a value's type, where it must be said, and its keys.
+     * Puts a value's type, unless that is the default, and its keys.
      *
-     * @throws IllegalStateException if the value is of none of the kinds: nothing is left out silently
+     * @throws IllegalStateException if no kind has the value's class
      */
     void write(T value, JsonObjectBuilder p) {
         String type = names.get(value.getClass());

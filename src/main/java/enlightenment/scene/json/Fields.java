@@ -18,8 +18,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 
 /**
- * One part of a scene: an object whose keys are known. Making one reports the keys that are missing or unknown; each
- * getter reports a value that is not what it should be, and returns something to go on with.
+ * The members of one part of a scene, a JSON object with known keys. Construction reports missing and unknown keys; each getter reports a value of
+ * the wrong kind, and then returns a substitute.
  */
 final class Fields {
     private final JsonValue.Obj object;
@@ -34,15 +34,15 @@ final class Fields {
         this.problemsBefore = problemsBefore;
     }
 
-    /** A part with these keys; null after a problem where the value is no object. */
+    /** The members of a part with the given keys; null after a problem if the value is not an object. */
     static Fields of(JsonValue v, JsonPointer place, Keys keys, Values values) {
         return of(v, place, keys, Map.of(), values);
     }
 
     /**
-     * A part with these keys, which refuses certain others with a message of their own. Null after a problem where the value is no object.
+     * The members of a part with the given keys; null after a problem if the value is not an object.
      *
-     * @param refused keys that it does not have, although users may expect them, with the message for each
+     * @param refused other keys that users may expect, with the message for each
      */
     static Fields of(JsonValue v, JsonPointer place, Keys keys, Map<String, String> refused, Values values) {
         int before = values.problems().count();
@@ -55,7 +55,7 @@ final class Fields {
         return fields;
     }
 
-    /** A part whose {@code "type"} says which keys it has; null after a problem where it has none. */
+    /** The members of a part whose keys depend on its {@code "type"}; null after a problem with the type. */
     static Fields of(JsonValue v, JsonPointer place, Family<?> family, Values values) {
         int before = values.problems().count();
         JsonValue.Obj o = values.object(v, place, family.noun());
@@ -120,7 +120,7 @@ final class Fields {
         return object.get(key) != null;
     }
 
-    /** The type of a part that has a right one. */
+    /** The type of a part, which is valid or missing. */
     String type(String unlessGiven) {
         return object.get("type") instanceof JsonValue.Str s ? s.text : unlessGiven;
     }
@@ -148,7 +148,7 @@ final class Fields {
         return v == null ? unlessGiven : values.flag(v, at(key));
     }
 
-    /** A text; null where it is missing or wrong. */
+    /** A text; null if it is missing or wrong. */
     String text(String key, String expected) {
         JsonValue v = get(key);
         return v == null ? null : values.text(v, at(key), expected);
@@ -159,7 +159,7 @@ final class Fields {
         return v == null ? unlessGiven : values.word(v, at(key), words, Map.of());
     }
 
-    /** One of an enum's constants, called by its name in small letters; the first one after a problem. */
+    /** A constant of an enum by its name in lower case; the first one after a problem. */
     <E extends Enum<E>> E word(String key, E unlessGiven) {
         Class<E> type = unlessGiven.getDeclaringClass();
         String word = word(key, words(type), word(unlessGiven));
@@ -191,7 +191,7 @@ final class Fields {
         return v == null ? unlessGiven : values.vector(v, at(key), "three angles [x, y, z] in degrees");
     }
 
-    /** A fixed number of positions; origins after a problem. */
+    /** An array of {@code count} positions; origins after a problem. */
     List<ExactPoint> points(String key, int count, String expected) {
         List<ExactPoint> points = new ArrayList<>(count);
         JsonValue v = get(key);
@@ -207,28 +207,28 @@ final class Fields {
         return v == null ? unlessGiven : values.color(v, at(key));
     }
 
-    /** A number for each band, or one for all. */
+    /** A number for each colour band, or one for all. */
     Rgb bands(String key, Rgb unlessGiven) {
         JsonValue v = get(key);
         return v == null ? unlessGiven : values.bands(v, at(key));
     }
 
-    /** A band of wavelengths; null where it is missing or wrong. */
+    /** A band of wavelengths; null if it is missing or wrong. */
     Material.WavelengthBand wavelengths(String key) {
         JsonValue v = get(key);
         return v == null ? null : values.wavelengths(v, at(key));
     }
 
-    /** Reports a value of this part. */
+    /** Reports a problem at a key of this part. */
     void problem(String key, String message) {
         JsonValue v = get(key);
         values.problems().add(v == null ? object : v, at(key), message);
     }
 
     /**
-     * Makes a record from valid values. An exception of the record becomes a problem at its place.
+     * Makes a record from valid values. An exception of the record is reported at the place of its key.
      *
-     * @return null where there is a problem with this part
+     * @return null after a problem of this part
      */
     <T> T make(Supplier<T> maker) {
         if (values.problems().count() > problemsBefore) {

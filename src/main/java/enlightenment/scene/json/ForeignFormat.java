@@ -8,8 +8,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A format of other programs in which scenes and meshes come. It is recognized only where a file has been refused as a scene, to say
- * what the file is and what can be done with it.
+ * A file format of other programs for scenes or meshes. It is recognized only after a file has been refused as a scene, for a message with the
+ * kind of the file and advice.
  */
 enum ForeignFormat {
     PLY("a mesh in the Stanford PLY format", Advice.MESH, Comments.NONE, "ply[\\r\\n]", "ply"),
@@ -61,7 +61,7 @@ enum ForeignFormat {
                     + "|(global_settings|camera|background|light_source)\\s*\\{",
             "pov");
 
-    /** The number of bytes at the beginning of a file that are looked at. */
+    /** Number of bytes at the beginning of a file that are examined. */
     static final int START = 1 << 16;
 
     private static final int STL_HEADER = 84;
@@ -73,7 +73,7 @@ enum ForeignFormat {
     private final Pattern content;
     private final List<String> extensions;
 
-    /** @param content of what follows blanks and comments at the start of a file, each byte a character */
+    /** @param content pattern of the start of a file behind blanks and comments, each byte a character */
     ForeignFormat(String description, String advice, Comments comments, String content, String... extensions) {
         this.description = description;
         this.advice = advice;
@@ -82,17 +82,17 @@ enum ForeignFormat {
         this.extensions = List.of(extensions);
     }
 
-    /** What may stand before the beginning of a format, beside blanks. */
+    /** Comments that are skipped before the content of a file, beside blanks. */
     private enum Comments {
         NONE,
-        /** From a # to the end of the line. */
+        /** Comments from a # to the end of the line. */
         HASH,
-        /** As in C++. */
+        /** Comments of C++. */
         SLASH;
 
         private static final String BLANKS = " \t\r\n";
 
-        /** The place behind blanks and comments at the beginning of a text. */
+        /** The index behind blanks and comments at the beginning of a text. */
         int end(String text) {
             int at = 0;
             while (at < text.length()) {
@@ -115,7 +115,7 @@ enum ForeignFormat {
         }
     }
 
-    /** What can be done. */
+    /** Advice at the end of messages. */
     private static final class Advice {
         static final String MESH =
                 "a scene can have it as an object {\"type\": \"mesh\", \"file\": ...}, see docs/guide/scene-format.md";
@@ -132,7 +132,7 @@ enum ForeignFormat {
      *
      * @param name the file's name, whose extension decides where the content does not; may be ""
      * @param start the file's first {@link #START} bytes; fewer if it has fewer
-     * @param size of the file, in bytes
+     * @param size the size of the file in bytes
      */
     static Optional<ForeignFormat> of(String name, byte[] start, long size) {
         if (isBinaryStl(start, size)) {
@@ -146,7 +146,7 @@ enum ForeignFormat {
                 return Optional.of(format);
             }
         }
-        // Whatever it is called, such a file is meant as a scene.
+        // Such a file is meant as a scene, whatever its extension.
         boolean isJson = content.isBlank() || content.stripLeading().startsWith("{");
         String extension = name.substring(name.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT);
         for (ForeignFormat format : values()) {
@@ -157,7 +157,7 @@ enum ForeignFormat {
         return Optional.empty();
     }
 
-    /** The format has no signature, but the number of its triangles after a header of 80 bytes, and nothing after them. */
+    /** Whether a file has the size of a binary STL with its number of triangles: the format has no signature. */
     private static boolean isBinaryStl(byte[] start, long size) {
         if (start.length < STL_HEADER) {
             return false;
@@ -169,7 +169,7 @@ enum ForeignFormat {
         return triangles > 0 && size == STL_HEADER + STL_TRIANGLE * triangles;
     }
 
-    /** What is to be said of such a file, after its name. */
+    /** The message for a file of this format, which follows the file's name. */
     String refusal() {
         return "is " + description + ", not a scene file: " + advice;
     }

@@ -8,22 +8,22 @@ import java.util.Collections;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Groups: objects that the scene has a name for, which stand wherever an object of type group places them. */
+/** Groups: named lists of objects, which objects of type group place any number of times. */
 final class Groups {
     static final String TYPE = "group";
     static final Keys OBJECT = Keys.of("groupObject", "a group", "type group", "transform name");
 
-    /** The limit of groups in groups. */
+    /** The greatest nesting depth of groups. */
     static final int DEEPEST = 16;
 
-    /** The limit of what groups place, those in groups counted at each: a short file could ask for any number. */
+    /** The most objects placed by groups, counted for each placement: a short file could place any number. */
     static final long MOST_PLACED = 5_000_000;
 
     static final String TOO_MUCH = "places too much: groups place at most " + MOST_PLACED + " objects";
 
     private Groups() {}
 
-    /** How many objects a group places, or more than {@link #MOST_PLACED}; 0 of a group that there is not. */
+    /** Number of objects that a group places, inexact above {@link #MOST_PLACED}; 0 for an unknown group. */
     static long count(Library library, String name, int depth) {
         Long known = library.groupCounts.get(name);
         if (known != null || depth > DEEPEST) {
@@ -45,7 +45,7 @@ final class Groups {
         return count;
     }
 
-    /** Notes the groups of a scene in the library; they are read when an object places one. */
+    /** Adds the JSON of groups to the library; a group is read when an object places it. */
     static void note(JsonValue v, JsonPointer place, Values values) {
         JsonValue.Obj o = values.object(v, place, "groups by their names, each an array of objects");
         for (int i = 0; o != null && i < o.size(); i++) {
@@ -54,9 +54,9 @@ final class Groups {
     }
 
     /**
-     * The problem of a group that lies in itself.
+     * The message for a group that contains itself.
      *
-     * @param within the groups that it is placed in, the outermost first
+     * @param within names of the enclosing groups, the outermost first
      */
     static String circle(String name, List<String> within) {
         List<String> chain = new ArrayList<>(within.subList(within.indexOf(name), within.size()));

@@ -24,15 +24,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** One part of a scene on its way to JSON: what {@link Fields} is on the way back. */
+/** Builder of the JSON object of one part of a scene, the inverse of {@link Fields}. */
 final class JsonObjectBuilder {
     private final JsonPointer place;
     private final Names names;
     private final Map<String, JsonValue> values = new LinkedHashMap<>();
 
     /**
-     * @param names how the scene's textures, materials and image files are called in the text; null for a part without any, in which
-     *     nothing is animated
+     * @param names names of textures, materials and files, and targets of tracks; null for a part without any
      */
     JsonObjectBuilder(JsonPointer place, Names names) {
         this.place = place;
@@ -47,7 +46,7 @@ final class JsonObjectBuilder {
         return new JsonObjectBuilder(place.child(key).child(index), names);
     }
 
-    /** Whether a value, or something inside of it, is animated. */
+    /** Whether a value or a part of it is the target of a track. */
     boolean animated(String key) {
         return names != null && names.isAnimated(place.child(key));
     }
@@ -103,12 +102,12 @@ final class JsonObjectBuilder {
         return v == usual ? this : put(key, new JsonValue.Bool(0, 0, v));
     }
 
-    /** An enum's constant by its name in small letters. */
+    /** Puts the name of an enum's constant in lower case, unless it is the usual one. */
     <E extends Enum<E>> JsonObjectBuilder wordUnless(E usual, String key, E v) {
         return v == usual ? this : text(key, Fields.word(v));
     }
 
-    /** A texture by its name, or the colour that it is. */
+    /** Puts a reference to a texture by name; a solid one without a name, or with tracks, as a colour. */
     JsonObjectBuilder texture(String key, Texture texture) {
         String name = names.of(texture);
         if (texture instanceof Texture.Solid solid && (name == null || animated(key))) {
@@ -117,22 +116,22 @@ final class JsonObjectBuilder {
         return put(key, child(key).text("texture", name).json());
     }
 
-    /** A texture as {@link #texture}, if there is one. */
+    /** Puts a texture as {@link #texture}, if there is one. */
     JsonObjectBuilder textureIfPresent(String key, Optional<Texture> texture) {
         return texture.isPresent() ? texture(key, texture.get()) : this;
     }
 
-    /** A texture that has a name, by that. */
+    /** Puts the name of a texture that has one. */
     JsonObjectBuilder textureName(String key, Texture texture) {
         return text(key, names.of(texture));
     }
 
-    /** A material's name in this place; null if it has none, or is to be written out. */
+    /** The name of a material at this place; null if it must be written as an object. */
     String nameOf(Material m) {
         return names.isAnimated(place) ? null : names.of(m);
     }
 
-    /** A number, or the texture that it comes from. */
+    /** Puts an amount: a number, or a reference to its texture. */
     JsonObjectBuilder amount(String key, Texture.Amount amount) {
         if (!(amount instanceof Texture.Amount.Textured t)) {
             return number(key, ((Texture.Amount.Constant) amount).value());
@@ -152,7 +151,7 @@ final class JsonObjectBuilder {
         return text(key, names.of(file));
     }
 
-    /** The file of a mesh, and what is made of it. */
+    /** Puts the file of a mesh, and the processing of that file. */
     JsonObjectBuilder meshFile(String key, Mesh mesh) {
         Optional<String> whole = names.of(mesh.triangles());
         if (whole.isPresent()) {
@@ -169,7 +168,7 @@ final class JsonObjectBuilder {
                 .numberUnless(180, "crease", origin.crease());
     }
 
-    /** Three rows of four numbers, of which the last ones are exact. */
+    /** Puts three rows of four numbers; the last ones of the rows are exact. */
     JsonObjectBuilder matrix(String key, Transform.Matrix m) {
         Vec3[] rows = {m.row0(), m.row1(), m.row2()};
         List<JsonValue> all = new ArrayList<>();
@@ -215,12 +214,12 @@ final class JsonObjectBuilder {
                 JsonValue.Arr.of(colors.stream().map(c -> color(c, asNumbers)).toList()));
     }
 
-    /** Linear light as three numbers. */
+    /** Puts linear light as three numbers. */
     JsonObjectBuilder linear(String key, Rgb c) {
         return put(key, bands(c));
     }
 
-    /** One number where all bands have it, unless one of them is animated. */
+    /** Puts a single number if all bands are equal and no track targets one of them, else three numbers. */
     JsonObjectBuilder bands(String key, Rgb v) {
         boolean same = Double.compare(v.r(), v.g()) == 0 && Double.compare(v.g(), v.b()) == 0;
         JsonObjectBuilder inside = child(key);

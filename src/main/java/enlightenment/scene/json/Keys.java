@@ -8,12 +8,12 @@ import java.util.List;
  * The keys of one part of a scene. The schema and {@code docs/guide/scene-format.md} say the same; tests hold them together.
  *
  * @param schemaName the part's name in the schema's {@code $defs}
- * @param noun what messages call it
- * @param required keys that must be there
- * @param optional keys that may be there
+ * @param noun the part's name in messages, with its article
+ * @param required required keys
+ * @param optional optional keys
  */
 record Keys(String schemaName, String noun, List<String> required, List<String> optional) {
-    /** Keys from words separated by blanks. */
+    /** The keys of a part, from words separated by blanks. */
     static Keys of(String schemaName, String noun, String required, String optional) {
         return new Keys(schemaName, noun, words(required), words(optional));
     }

@@ -12,39 +12,39 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** What a scene calls by names: its meshes, textures and materials as far as they have been read, and image files. */
+/** The named parts of a scene, as far as they have been read, and its files. */
 final class Library {
-    /** Null for a texture that is there but wrong: its own problem is enough. */
+    /** Textures by name; null for one whose problem has been reported. */
     final Map<String, Texture> textures = new LinkedHashMap<>();
 
-    /** Null for a mesh that is there but wrong: its own problem is enough. */
+    /** Meshes by name; null for one whose problem has been reported. */
     final Map<String, LoadedMesh> meshes = new LinkedHashMap<>();
 
-    /** The groups that have been read, by their names; null for one with a problem of its own. */
+    /** Objects of the groups that have been read, by name; null for one whose problem has been reported. */
     final Map<String, List<SceneObject>> groups = new LinkedHashMap<>();
 
-    /** How many groups lie in each other in a group that has been read, itself included. */
+    /** Nesting depths of the groups that have been read, themselves included. */
     final Map<String, Integer> groupDepths = new HashMap<>();
 
-    /** How many objects a group places, those in its groups included. */
+    /** Numbers of objects that groups place, those of nested groups included. */
     final Map<String, Long> groupCounts = new HashMap<>();
 
-    /** All groups, as they are written. */
+    /** All groups as JSON, by name. */
     final Map<String, JsonValue> unreadGroups = new LinkedHashMap<>();
 
-    /** Null for a material that is there but wrong: its own problem is enough. */
+    /** Materials by name; null for one whose problem has been reported. */
     final Map<String, Material> materials = new LinkedHashMap<>();
 
-    /** Those image files whose numbers are light without limits: no surface has such a colour. */
+    /** Image files with unbounded radiance, which cannot be colours of surfaces. */
     final Set<Path> lightFiles = new HashSet<>();
 
     /** The folder that the paths of image files are relative to. */
     final Path folder;
 
-    /** What files hold that are not on the disk, by their names; null if they are. */
+    /** Contents of files in memory by their names; null if files are on the disk. */
     final Map<String, byte[]> contents;
 
-    /** Files of meshes that have been read. */
+    /** Cache of mesh files. */
     final MeshCache files;
 
     Library(Path folder, Map<String, byte[]> contents, MeshCache files) {
@@ -53,7 +53,7 @@ final class Library {
         this.files = files;
     }
 
-    /** One of the same image files that nothing has been read into. */
+    /** An empty library with the same files. */
     Library unread() {
         return new Library(folder, contents, files);
     }

@@ -3,11 +3,11 @@ package enlightenment.scene.json;
 import enlightenment.scene.json.tree.JsonPointer;
 import enlightenment.scene.json.tree.JsonValue;
 
-/** Reads what a scene has names for. */
+/** Reads the named meshes, textures, materials and groups of a scene. */
 final class LibraryReader {
     private LibraryReader() {}
 
-    /** Reads a scene's meshes, textures and materials, as far as they are there. */
+    /** Reads the scene's named parts into the library; each of them is optional. */
     static void read(JsonValue.Obj scene, Values values) {
         JsonValue meshes = scene.get("meshes");
         if (meshes != null) {

@@ -18,7 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** The lights. */
+/** Reads and writes the lights. */
 final class Lights {
     private static final String NOT_OF_DISTANT = "belongs to other lights; a distant light has \"irradiance\"";
 
@@ -59,7 +59,7 @@ final class Lights {
                             "intensity", NOT_OF_DISTANT,
                             "power", NOT_OF_DISTANT));
 
-    /** The direction of lights that have none. */
+    /** The default direction of lights. */
     private static final Vec3 DOWN = Vec3.of(0, -1, 0);
 
     private Lights() {}
@@ -73,14 +73,14 @@ final class Lights {
                 "radiance", "belongs to lights with a surface; a " + type + " light has \"intensity\" or \"power\"");
     }
 
-    /** How much the light gives, with what it gives of ultraviolet light; null after a problem with that. */
+    /** The emission with its ultraviolet part; null if the record refuses that. */
     private static Emission emission(Fields f, Emission unlessGiven) {
         Emission visible = visible(f, unlessGiven);
         double ultraviolet = f.number("ultraviolet", 0);
         return f.make(() -> visible.withUltraviolet(ultraviolet));
     }
 
-    /** How much the light gives: in the quantity that is usual for it, or as power; not as both. */
+    /** The visible emission: in the usual quantity of the light, or as power; both are a problem. */
     private static Emission visible(Fields f, Emission unlessGiven) {
         String usual = unlessGiven.quantity().key();
         if (!f.has("power")) {
@@ -157,7 +157,7 @@ final class Lights {
         }
     }
 
-    /** The lights that have no problems. */
+    /** The lights without problems; the problems of the others are reported. */
     static List<Light> read(JsonValue v, JsonPointer place, Values values) {
         List<Light> lights = new ArrayList<>();
         JsonValue.Arr a = values.array(v, place, -1, "an array of lights");

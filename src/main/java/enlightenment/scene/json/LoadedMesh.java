@@ -4,5 +4,5 @@ import enlightenment.mesh.MeshFiles;
 import enlightenment.mesh.TriangleMesh;
 import java.util.Optional;
 
-/** A mesh with what is said of where it comes from. */
+/** A mesh with the file and processing it was read with; no origin for meshes made in code. */
 record LoadedMesh(TriangleMesh mesh, Optional<MeshFiles.Origin> origin) {}

@@ -18,7 +18,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** The named materials, and materials where they are used. */
+/** Reads and writes materials: named ones, and those in place of a name. */
 final class Materials {
     private static final String GLASS_IS_DARK = "belongs to opaque materials: glass does not glow";
     private static final String MEDIA_ARE_DARK = "belongs to opaque materials: media do not glow";
@@ -200,7 +200,7 @@ final class Materials {
         }
     }
 
-    /** A name or a material; null after a problem, here or where the material has its name. */
+    /** The material of a name or of an object; null after a problem of the reference or of the material. */
     static Material use(JsonValue v, JsonPointer place, Values values) {
         if (v instanceof JsonValue.Str s) {
             return named(s, place, values);
@@ -279,7 +279,7 @@ final class Materials {
                 pattern));
     }
 
-    /** The constants of the metal that has a name; empty without one, and after a problem. */
+    /** The optical constants of a named metal; empty without a name, and after a problem. */
     private static Optional<Glossy.Conductor> metal(Fields f, boolean hasConstants) {
         if (!f.has("metal")) {
             return Optional.empty();
@@ -301,7 +301,7 @@ final class Materials {
         }
     }
 
-    /** One of the two constants of a conductor. */
+    /** One of the optical constants η and k of a conductor; white if it is missing. */
     private static Rgb constant(Fields f, String key, boolean isConductor) {
         if (isConductor && !f.has(key)) {
             f.problem(key, "missing; \"eta\" and \"k\" belong together");
@@ -382,7 +382,7 @@ final class Materials {
         return f.bands("radiance", Rgb.BLACK);
     }
 
-    /** The points and sides that glow; evenly and to both sides after a problem. */
+    /** The emission pattern: radiance map and side; even emission on both sides after a problem. */
     static Material.EmissionPattern pattern(Fields f) {
         Optional<Texture> map =
                 f.has("radianceMap") ? Optional.ofNullable(Textures.color(f, "radianceMap")) : Optional.empty();

@@ -8,20 +8,20 @@ import enlightenment.scene.json.tree.JsonPointer;
 import enlightenment.scene.json.tree.JsonValue;
 import java.util.List;
 
-/** Reads and writes what scatters light on its way: in solids and as what fills a scene. */
+/** Reads and writes participating media, those of solids and the medium that fills a scene. */
 final class Media {
     private static final String LOOK = "\"color\" and \"meanFreePath\"";
     private static final String PHYSICS = "\"scatteringCoefficient\" and \"absorptionCoefficient\"";
 
     private Media() {}
 
-    /** The medium of a part that is nothing else; null after a problem. */
+    /** The medium of a part of its own; null after a problem. */
     static Medium read(JsonValue v, JsonPointer place, Values values) {
         Fields f = Fields.of(v, place, PartKeys.MEDIUM, values);
         return f == null ? null : read(f);
     }
 
-    /** The medium of a part that has the keys of one, and maybe others; null after a problem. */
+    /** The medium of a part that may have further keys; null after a problem. */
     static Medium read(Fields f) {
         boolean isPhysics = f.has("scatteringCoefficient") || f.has("absorptionCoefficient");
         boolean isLook = f.has("color") || f.has("meanFreePath");

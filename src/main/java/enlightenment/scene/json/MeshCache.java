@@ -6,11 +6,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Files of meshes that have been read, for as long as a scene and its instants are read. */
+/** Cache of mesh files, which a scene and its shutter instants share while they are read. */
 final class MeshCache {
     final Map<String, List<MeshFiles.Part>> parts = new HashMap<>();
     final Map<MeshFiles.Origin, TriangleMesh> meshes = new HashMap<>();
 
-    /** Meshes of scenes made in code, by the names that stand in place of files. */
+    /** Meshes of scenes made in code, by the names used in place of files. */
     final Map<String, LoadedMesh> named = new HashMap<>();
 }

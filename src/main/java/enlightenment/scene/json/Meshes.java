@@ -17,7 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Meshes in files: those that the scene names, and those of objects. */
+/** Reads meshes from files: named ones, and those of objects. */
 final class Meshes {
     static final Keys NAMED = Keys.of("mesh", "a mesh", "file", "part normals crease");
 
@@ -93,7 +93,7 @@ final class Meshes {
         }
     }
 
-    /** The file that a text means, beside the scene or among the files in memory; null after a problem. */
+    /** The path of a file name, relative to the scene or among the files in memory; null after a problem. */
     static Path path(Fields f, String written) {
         Library library = f.values().library();
         if (library.contents != null) {

@@ -5,10 +5,10 @@ import java.math.BigDecimal;
 import java.math.BigInteger;
 
 /**
- * A time of an animation, exactly.
+ * An exact time of an animation, as a fraction in frames.
  *
  * @param over numerator of the time in frames, at least 0
- * @param under its denominator, at least 1
+ * @param under denominator of the time in frames, at least 1
  */
 record Moment(BigInteger over, BigInteger under) {
     /** The time at which a frame begins. */
@@ -17,12 +17,12 @@ record Moment(BigInteger over, BigInteger under) {
     }
 
     /**
-     * One of the moments that a frame's picture is made of: the middle of an equal part of the time in which the shutter is open.
+     * A shutter instant of a frame: the middle of one of the equal parts of the exposure time.
      *
      * @param index 0 to instants − 1
      */
     static Moment instant(Animation animation, int frame, int index) {
-        // The decimal that was written, if it had no more digits than a double tells apart.
+        // The decimal that was written, if it had no more digits than a double distinguishes.
         BigDecimal shutter = BigDecimal.valueOf(animation.shutter());
         BigInteger scale = BigInteger.TEN.pow(Math.max(shutter.scale(), 0));
         BigInteger open = shutter.multiply(new BigDecimal(scale)).toBigIntegerExact();
@@ -32,7 +32,7 @@ record Moment(BigInteger over, BigInteger under) {
                 under);
     }
 
-    /** The frame whose time is not after this. */
+    /** The last frame that begins at or before this time. */
     int frame() {
         return over.divide(under).intValueExact();
     }

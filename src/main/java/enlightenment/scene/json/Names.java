@@ -19,7 +19,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** How a scene's textures, materials and image files are called in its text, and which of its numbers are animated. */
+/** Names of a scene's textures, materials and files in its text, and the targets of its tracks. */
 final class Names {
     private final FileNaming fileNames;
     private final TreeSet<String> targets = new TreeSet<>();
@@ -28,7 +28,7 @@ final class Names {
     private final Set<String> written = new HashSet<>();
     private final Map<Material, String> materialNames = new HashMap<>();
 
-    /** @param fileNames how image files are called in the text */
+    /** @param fileNames names of image files in the text */
     Names(Scene scene, FileNaming fileNames) {
         this.fileNames = fileNames;
         this.textures = new LinkedHashMap<>(scene.textures());
@@ -51,7 +51,7 @@ final class Names {
         }
     }
 
-    /** In the format only colours can stand where they are used, and where colours may stand: every other texture needs a name. */
+    /** Names the textures of a material; solid ones only where the format has no colour in place. */
     private void nameTexture(Material material) {
         nameTexture(material.color());
         List<Texture> others = new ArrayList<>(material.textures());
@@ -81,7 +81,7 @@ final class Names {
         textureNames.put(texture, "texture " + n);
     }
 
-    /** The scene's textures by their names, and those that got one here. */
+    /** The textures by name, those that were named here included. */
     Map<String, Texture> textures() {
         return textures;
     }
@@ -91,13 +91,13 @@ final class Names {
         return textureNames.get(texture);
     }
 
-    /** A material's name; null if it has none, or none that is in the text already: parts are named before what they are parts of. */
+    /** A material's name, if that has been written already, as parts of materials come before their wholes; else null. */
     String of(Material material) {
         String name = materialNames.get(material);
         return written.contains(name) ? name : null;
     }
 
-    /** Notes that the material of a name is in the text now. */
+    /** Records that the material of a name has been written. */
     void wroteMaterial(String name) {
         written.add(name);
     }
@@ -106,12 +106,12 @@ final class Names {
         return fileNames.of(file);
     }
 
-    /** The name of a file that holds a mesh as it is; empty if the one that it was read from is to be named. */
+    /** The name of a file that holds exactly this mesh; empty to write the original file. */
     Optional<String> of(TriangleMesh mesh) {
         return fileNames.of(mesh);
     }
 
-    /** Whether a value, or something inside of it, is animated: then it must be written as numbers, at just that place. */
+    /** Whether a value or a part of it is the target of a track. Such values must be written as numbers in place. */
     boolean isAnimated(JsonPointer place) {
         if (targets.isEmpty()) {
             return false;

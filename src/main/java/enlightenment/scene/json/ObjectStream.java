@@ -11,15 +11,14 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The objects of a scene, each bound as soon as its text is read and then forgotten as JSON, so that a million of them never
- * stand in memory as JSON.
+ * Streaming binder of the objects of a scene. Each is bound as soon as its text is parsed and then discarded as JSON, so that a million objects
+ * are never in memory as JSON.
  *
- * <p>What an object refers to may stand behind it in the file, and tracks may lead to its numbers. The first reading goes by what
- * stands before the objects; where that was not everything, the text is read again. The problems are those that binding
- * everything at the end finds, in its order.
+ * <p>The parts that an object refers to may follow it in the file, and tracks may target its numbers. The first pass uses the parts before the
+ * objects; if others follow, the text is parsed again. Problems and their order are those of binding the whole document at the end.
  */
 final class ObjectStream {
-    /** The parts that objects refer to. */
+    /** Keys of the parts that objects refer to. */
     private static final Set<String> LIBRARY = Set.of("meshes", "textures", "materials", "groups");
 
     private final JsonTree.Source source;
@@ -27,16 +26,16 @@ final class ObjectStream {
     private final Problems ofLibrary;
     private Pass pass;
 
-    /** @param values receive the problems and, from {@link #prepare} on, the library */
+    /** @param values receives the problems and, from {@link #prepare} on, the library */
     ObjectStream(JsonTree.Source source, Values values) {
         this.source = source;
         this.values = values;
         this.ofLibrary = values.problems().ofPart();
     }
 
-    /** One reading of the text. */
+    /** One pass over the text. */
     private final class Pass implements JsonTree.ObjectSink {
-        /** The array of objects of an earlier reading, with those that are to be taken instead; null in the first reading. */
+        /** Objects of an earlier pass that replace those of the text, null items aside; null in the first pass. */
         private final JsonValue.Arr instead;
 
         private Library library = values.library();
@@ -51,7 +50,7 @@ final class ObjectStream {
         public void begin(JsonValue.Obj before) {
             if (instead == null) {
                 library = library.unread();
-                // Its problems are found once more when it is known to be all.
+                // The problems are discarded: the library is read again when it is complete.
                 LibraryReader.read(before, new Values(values.problems().ofPart(), library));
             }
             ofObjects = values.problems().ofPart();
@@ -66,13 +65,13 @@ final class ObjectStream {
         }
     }
 
-    /** Reads the text; null after a problem. In what is returned, null stands for each object. */
+    /** Parses the text; null after a problem. In the result, null stands for each object. */
     JsonValue readAll() {
         pass = new Pass(null);
         return JsonTree.parse(source, values.problems(), pass);
     }
 
-    /** Puts the objects that tracks lead into in their places again. */
+    /** Restores the JSON of objects that tracks target. */
     void keepTargets(JsonValue.Obj scene) {
         Set<Integer> indices = new HashSet<>();
         for (List<String> target : targets(scene)) {
@@ -88,7 +87,7 @@ final class ObjectStream {
         JsonValue again = readAgain(new JsonTree.ObjectSink() {
             @Override
             public void begin(JsonValue.Obj before) {
-                // The array that counts is the last one, and it is the one that the text's value has.
+                // Nothing to do: of several arrays the last one counts, which is that of the parsed root.
             }
 
             @Override
@@ -101,7 +100,7 @@ final class ObjectStream {
         }
     }
 
-    /** What was wrong with the text itself is known from the first reading, unless the file has changed since. */
+    /** Parses the text again. Its problems are known from the first pass, unless it fails now because the file has changed. */
     private JsonValue readAgain(JsonTree.ObjectSink objects) {
         Problems again = values.problems().ofPart();
         JsonValue root = JsonTree.parse(source, again, objects);
@@ -111,7 +110,7 @@ final class ObjectStream {
         return root;
     }
 
-    /** The parts of the pointers that tracks lead to, as far as they are pointers. */
+    /** The targets of the tracks as parts of JSON pointers; invalid pointers are left out. */
     private static List<List<String>> targets(JsonValue.Obj scene) {
         List<List<String>> targets = new ArrayList<>();
         boolean some = scene.get("animation") instanceof JsonValue.Obj animation
@@ -132,14 +131,14 @@ final class ObjectStream {
     /**
      * Completes the library and the objects.
      *
-     * @param animated whether the numbers of a frame were put into the scene
+     * @param animated whether the tracks have been applied to the scene
      */
     void prepare(JsonValue.Obj scene, boolean animated) {
         boolean stands = pass.objects != null && standsBehindLibrary(scene) && !(animated && changesObjects(scene));
         Library library = values.library();
         LibraryReader.read(scene, new Values(ofLibrary, library));
         if (stands) {
-            // The materials that the objects have already, instead of equal ones.
+            // Keeps the instances that the objects refer to, in place of equal ones.
             library.meshes.putAll(pass.library.meshes);
             library.textures.putAll(pass.library.textures);
             library.materials.putAll(pass.library.materials);
@@ -161,18 +160,18 @@ final class ObjectStream {
         return objects > library;
     }
 
-    /** Whether a track leads to an object or to what objects are made of. */
+    /** Whether a track targets an object or a part that objects refer to. */
     private static boolean changesObjects(JsonValue.Obj scene) {
         return targets(scene).stream()
                 .anyMatch(t -> !t.isEmpty() && (t.get(0).equals("objects") || LIBRARY.contains(t.get(0))));
     }
 
-    /** Reports the problems of textures and materials. */
+    /** Reports the problems of the library. */
     void tellLibrary() {
         values.problems().add(ofLibrary);
     }
 
-    /** The objects that have no problems; tells those of the others. */
+    /** The objects without problems; those of the others are reported. */
     List<SceneObject> objects(JsonValue v, JsonPointer place) {
         if (values.array(v, place, -1, "an array of objects") == null || pass.objects == null) {
             return List.of();

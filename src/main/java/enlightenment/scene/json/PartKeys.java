@@ -1,6 +1,6 @@
 package enlightenment.scene.json;
 
-/** The keys of parts that come in one kind; those of shapes, materials and others stand where these are read and written. */
+/** Keys of parts with a single kind; those of shapes, materials and others are beside their readers. */
 final class PartKeys {
     static final Keys SCENE = Keys.of(
             "scene",

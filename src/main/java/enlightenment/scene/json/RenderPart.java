@@ -15,7 +15,7 @@ import java.util.TreeMap;
 final class RenderPart {
     private RenderPart() {}
 
-    /** The keys, where these methods are known. */
+    /** The keys of the render part, with the settings of the given methods. */
     static Keys keys(List<Method> methods) {
         StringBuilder optional = new StringBuilder("method antialias");
         for (Method.Setting setting : Method.settings(methods)) {
@@ -24,7 +24,7 @@ final class RenderPart {
         return Keys.of("render", "the render part", "", optional.toString());
     }
 
-    /** Null after a problem. */
+    /** The render defaults; null after a problem. */
     static RenderSettings.Defaults read(JsonValue v, JsonPointer place, Values values) {
         List<Method> methods = known(v);
         Fields f = Fields.of(v, place, keys(methods), values);
@@ -44,7 +44,7 @@ final class RenderPart {
         return f.make(() -> new RenderSettings.Defaults(Method.named(method), antialias, said));
     }
 
-    /** Our own methods, and those from outside where there is something that is not ours. */
+    /** The built-in methods; if a key or the method is not built in, all methods. Extensions are thus loaded on demand. */
     private static List<Method> known(JsonValue v) {
         if (v instanceof JsonValue.Obj o) {
             Keys own = keys(BuiltInMethod.ALL);
@@ -61,7 +61,7 @@ final class RenderPart {
         return BuiltInMethod.ALL;
     }
 
-    /** The value of a setting that is there; null after a problem. */
+    /** The value of a setting that is present; null after a problem. */
     private static Object value(Fields f, Method.Setting setting) {
         return setting instanceof Method.Setting.Whole w
                 ? (Object) f.whole(w.key(), w.min(), w.max(), w.usualValue())
@@ -69,7 +69,7 @@ final class RenderPart {
     }
 
     /**
-     * What was chosen; and the whole numbers that the method looks at, or that a track of the animation leads to, whatever they are.
+     * Writes the chosen settings. Whole numbers that influence the method or are targets of tracks are written even with default values.
      *
      * @param animation null if there is none
      */

@@ -17,28 +17,28 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 
-/** Makes a scene of a document, or reports all of its problems. */
+/** Converts a JSON document into a scene, or reports all of its problems. */
 final class SceneBinder {
     private static final int NO_INSTANT = -1;
 
     private final Values values;
 
     /**
-     * @param folder what the paths of image files are relative to
-     * @param contents what files hold that are not on the disk, by their names; null if they are
-     * @param files meshes that have been read already, and will be
+     * @param folder the folder that paths of image files are relative to
+     * @param contents contents of files in memory by their names; null if files are on the disk
+     * @param files cache of mesh files, which further reads fill
      */
     SceneBinder(Problems problems, Path folder, Map<String, byte[]> contents, MeshCache files) {
         this.values = new Values(problems, new Library(folder, contents, files));
     }
 
-    /** The scene that a text holds, at a frame or as it is written; null after a problem. */
+    /** The scene of a text at a frame, without tracks applied if that is empty; null after a problem. */
     Scene read(JsonTree.Source source, OptionalInt frame) {
         return read(source, frame, NO_INSTANT);
     }
 
     /**
-     * The scene that a text holds, at one of the moments that a frame's picture averages; null after a problem.
+     * The scene of a text at one of the shutter instants of a frame; null after a problem.
      *
      * @param instant counted from 0; or -1 for the time of the frame
      */

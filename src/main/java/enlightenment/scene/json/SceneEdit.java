@@ -17,16 +17,16 @@ final class SceneEdit {
     private SceneEdit() {}
 
     /**
-     * The text of a camera as a scene file has it: one JSON object, without a line end behind it.
+     * The JSON object of a camera in a scene file, without a line end behind it.
      *
-     * @throws enlightenment.scene.SceneException if the format cannot say a number of it, such as a coordinate of 1e-500
+     * @throws enlightenment.scene.SceneException if the format cannot represent one of its numbers, such as a coordinate of 1e-500
      */
     static String json(Camera camera) {
         return JsonPrinter.print(object(camera)).strip();
     }
 
     /**
-     * Replaces what differs between two cameras, value by value.
+     * Replaces the values that differ between two cameras.
      *
      * @param text a scene file that {@link SceneReader} reads; a byte order mark may stand first
      * @param before the camera of that file

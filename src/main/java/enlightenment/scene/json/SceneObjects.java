@@ -13,31 +13,31 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Reads the objects: shapes and what they are made of. */
+/** Reads the objects: shapes with their materials, and placed groups. */
 final class SceneObjects {
     private static final JsonPointer PLACE = JsonPointer.ROOT.child("objects");
 
     private final Values values;
     private final List<SceneObject> objects = new ArrayList<>();
 
-    /** How many objects groups have placed. */
+    /** Number of objects placed by groups so far. */
     private long ofGroups;
 
     private final Map<String, JsonValue> names = new HashMap<>();
 
-    /** How many groups lie in each other, at most, among those that the objects place. */
+    /** Greatest nesting depth of the groups placed so far. */
     private int depth;
 
     SceneObjects(Values values) {
         this.values = values;
     }
 
-    /** The next object, unless it has a problem; of a group those that are in it. */
+    /** Adds the next object, or the objects of a placed group; reports it instead if it has a problem. */
     void add(JsonValue v, int index) {
         add(v, PLACE.child(index), List.of());
     }
 
-    /** @param within the groups that this is in, the outermost first */
+    /** @param within names of the enclosing groups, the outermost first */
     private void add(JsonValue v, JsonPointer place, List<String> within) {
         if (v instanceof JsonValue.Obj o
                 && o.get("type") instanceof JsonValue.Str type
@@ -76,7 +76,7 @@ final class SceneObjects {
         }
     }
 
-    /** The objects of a group; null after a problem, here or where the group has its name. */
+    /** The objects of a group; null after a problem of the reference or of the group. */
     private List<SceneObject> members(Fields f, List<String> within) {
         String name = f.text("group", "the name of a group");
         Library library = values.library();
@@ -138,7 +138,7 @@ final class SceneObjects {
         library.groupDepths.put(name, 1 + inner.depth);
     }
 
-    /** The objects that have no problems. */
+    /** The objects without problems. */
     List<SceneObject> all() {
         return objects;
     }
@@ -159,7 +159,7 @@ final class SceneObjects {
     }
 
     private static SceneObject object(Fields f, String name, Shape shape, Material material, List<Material> faces) {
-        // Null where a material has a problem of its own that is not this object's.
+        // A material is null after a problem that was reported where the material is defined.
         boolean complete = shape != null && material != null && !faces.contains(null);
         return complete ? f.make(() -> new SceneObject(name, shape, material, List.copyOf(faces))) : null;
     }

@@ -31,13 +31,13 @@ import java.util.OptionalInt;
 import java.util.function.Function;
 
 /**
- * Reads scene files, which are JSON (see {@code docs/guide/scene-format.md}).
+ * Reader of scene files, which are JSON (see {@code docs/guide/scene-format.md}).
  *
- * <p>The reader is strict, and tells all that is wrong with a file at once: whatever it cannot take as it stands becomes
- * a {@link SceneException.Problem} with line, column and JSON pointer. Coordinates are read exactly; other numbers become
- * the nearest double. Image files of textures are looked at (they exist and begin like an image), not read.
+ * <p>The reader is strict, and reports all problems of a file at once: each is a {@link SceneException.Problem} with line, column and JSON pointer.
+ * Coordinates are read exactly; other numbers become the nearest double. Image files of textures are checked (they exist and have the signature
+ * of an image), but not read.
  *
- * <p>All methods may be called by several threads at once.
+ * <p>All methods are thread-safe.
  *
  */
 public final class SceneReader {
@@ -46,7 +46,7 @@ public final class SceneReader {
     private SceneReader() {}
 
     /**
-     * Reads a file. An animated scene is as its file's own numbers say; see {@link #read(Path, int)}.
+     * Reads a file. Tracks of an animated scene are not applied; {@link #read(Path, int)} applies them.
      *
      * @throws SceneException if the file cannot be read or is not a scene
      */
@@ -55,8 +55,8 @@ public final class SceneReader {
     }
 
     /**
-     * Reads one frame of an animated scene, of which {@link Frames} makes many: the numbers that its tracks lead to are replaced by those of the frame,
-     * which are as good as exact fractions. If the animation's shutter is open, the scene has its {@linkplain Scene#instants instants}.
+     * Reads one frame of an animated scene; {@link Frames} reads several with shared meshes. Targets of tracks have their values at the frame, which
+     * are as good as exact fractions. If the animation's shutter is open, the scene has its {@linkplain Scene#instants instants}.
      *
      * @param frame the frame, counted from 0
      * @throws SceneException if the file cannot be read or is not a scene, or the scene has no such frame
@@ -66,10 +66,10 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a text.
+     * Reads a scene from a text.
      *
-     * @param baseFolder what paths of texture files are relative to
-     * @param displayName what problems call the text; may be ""
+     * @param baseFolder the folder that paths of texture files are relative to
+     * @param displayName name of the text in problems; may be ""
      * @throws SceneException if the text is not a scene
      */
     public static Scene readString(String json, Path baseFolder, String displayName) {
@@ -82,12 +82,12 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a file's bytes that are here already, for example from a pipe.
+     * Reads a scene from bytes in memory, for example from a pipe.
      *
      * @param json a text in UTF-8
-     * @param baseFolder what paths of texture files are relative to
-     * @param displayName what problems call the text; may be ""
-     * @param frame the frame, counted from 0; empty for the scene as its own numbers say
+     * @param baseFolder the folder that paths of texture files are relative to
+     * @param displayName name of the text in problems; may be ""
+     * @param frame the frame, counted from 0; empty to apply no tracks
      * @throws SceneException if the bytes are not a scene, or the scene has no such frame
      */
     public static Scene readBytes(byte[] json, Path baseFolder, String displayName, OptionalInt frame) {
@@ -101,12 +101,11 @@ public final class SceneReader {
     }
 
     /**
-     * Reads a text whose files are called by names and lie somewhere else than on the disk: no file is looked at. A texture's path is
-     * then its name.
+     * Reads a text whose files are in memory, by names; the disk is not accessed. The path of a texture is then its name.
      *
-     * @param named the files that there are
-     * @param displayName what problems call the text; may be ""
-     * @throws SceneException if the text is not a scene or has a name that there is not
+     * @param named the files in memory
+     * @param displayName name of the text in problems; may be ""
+     * @throws SceneException if the text is not a scene or has an unknown name
      */
     public static Scene readNamed(String json, NamedFiles named, String displayName) {
         Problems problems = new Problems(displayName, "");
@@ -117,9 +116,9 @@ public final class SceneReader {
     }
 
     /**
-     * The exception with lines and columns for problems that have none. They were found when the scene was put together.
+     * The exception with lines and columns for problems that were found after parsing and have none.
      *
-     * @param file where the scene was read from; if it cannot be read any more, or is another scene meanwhile, lines may be missing
+     * @param file the file of the scene; if it has become unreadable or has changed, lines may be missing
      */
     public static SceneException located(SceneException e, Path file) {
         return located(e, () -> decoded(Files.newInputStream(file)));
@@ -134,7 +133,7 @@ public final class SceneReader {
         return new SceneException(Places.find(e.problems(), source));
     }
 
-    /** The JSON Schema of scene files (JSON Schema 2020-12), for editors and other programs, with all methods that there are. */
+    /** The JSON Schema of scene files (JSON Schema 2020-12), for editors and other programs. It has all methods, those of extensions included. */
     public static String schema() {
         return SceneSchema.text();
     }
@@ -175,14 +174,14 @@ public final class SceneReader {
         }
     }
 
-    /** What was wrong with a scene; of what is a file of another program, only that. */
+    /** The exception of a scene; for a file of another program, one that says only so. */
     private static SceneException unlessForeign(SceneException e, String name, byte[] start, long size) {
         return ForeignFormat.of(name, start, size)
                 .map(f -> new SceneException(List.of(new SceneException.Problem(name, 0, 0, "", f.refusal()))))
                 .orElse(e);
     }
 
-    /** What problems of a frame say behind their messages. */
+    /** The text behind the messages of a frame's problems. */
     static String remark(OptionalInt frame) {
         return frame.isPresent() ? " (in frame " + frame.getAsInt() + ")" : "";
     }
@@ -196,7 +195,7 @@ public final class SceneReader {
         return isBlurred ? scene.withInstants(instants(source, folder, problems, scene, frame, files)) : scene;
     }
 
-    /** The scene at the moments that the picture of a frame is made of. */
+    /** The scene at the shutter instants of a frame. */
     private static List<Scene> instants(
             JsonTree.Source source, Path folder, Problems problems, Scene scene, OptionalInt frame, MeshCache files) {
         List<Scene> instants = new ArrayList<>();
@@ -208,7 +207,7 @@ public final class SceneReader {
         return instants;
     }
 
-    /** A reader that refuses what is not UTF-8, and skips the mark that some editors begin files with. */
+    /** A reader of strict UTF-8 that skips a byte order mark. */
     private static Reader decoded(InputStream bytes) throws IOException {
         BufferedReader reader = new BufferedReader(
                 new InputStreamReader(
@@ -231,8 +230,8 @@ public final class SceneReader {
     }
 
     /**
-     * The files of scenes that are in memory instead of on a disk, by the names that the scenes call them. Meshes that have been read from them are
-     * kept for as long as this is: the frames of a film share them. For one thread at a time.
+     * Files of scenes in memory, by their names in the scenes. The meshes read from them are cached here, so that the frames of a film share them.
+     * For one thread at a time.
      */
     public static final class NamedFiles {
         final Map<String, byte[]> contents;
@@ -245,9 +244,8 @@ public final class SceneReader {
     }
 
     /**
-     * The frames of an animated scene, one by one: of a file, or of a scene that was made in code. All frames share the scene's meshes, with their
-     * hierarchies, which are read when they are first met: a mesh file that changes meanwhile is not noticed. Safe for several threads, of which one
-     * reads at a time.
+     * The frames of an animated scene, from a file or from a scene made in code. All frames share the scene's meshes with their hierarchies, which
+     * are read on first use: later changes of a mesh file are not noticed. Thread-safe; one thread reads at a time.
      */
     public static final class Frames {
         private final Function<OptionalInt, Scene> scenes;
@@ -256,7 +254,7 @@ public final class SceneReader {
             this.scenes = scenes;
         }
 
-        /** The frames of a scene file; it is not looked at yet. */
+        /** The frames of a scene file, which is not opened yet. */
         public static Frames of(Path file) {
             Objects.requireNonNull(file, "file");
             MeshCache meshes = new MeshCache();
@@ -266,8 +264,8 @@ public final class SceneReader {
         /**
          * The frames of a scene that was made in code.
          *
-         * @param name what problems call the scene
-         * @throws SceneException if the scene holds something that the format cannot say, or a track leads to no number of it
+         * @param name name of the scene in problems
+         * @throws SceneException if the format cannot represent the scene, or the target of a track is not a number of it
          */
         public static Frames of(Scene scene, String name) {
             MeshCache meshes = new MeshCache();
@@ -276,7 +274,7 @@ public final class SceneReader {
         }
 
         /**
-         * The scene as its own numbers say, at no frame.
+         * The scene without its tracks applied.
          *
          * @throws SceneException as {@link SceneReader#read(Path)}
          */
@@ -293,7 +291,7 @@ public final class SceneReader {
             return scenes.apply(OptionalInt.of(frame));
         }
 
-        /** The text of a scene, which calls its meshes by names. */
+        /** The text of a scene, with names of meshes in {@code meshes}. */
         private static String json(Scene scene, MeshCache meshes) {
             Map<TriangleMesh, String> names = new IdentityHashMap<>();
             for (SceneObject object : scene.objects()) {
@@ -321,7 +319,7 @@ public final class SceneReader {
             try {
                 return SceneReader.read(() -> new StringReader(json), Path.of(""), problems, frame, meshes);
             } catch (SceneException e) {
-                // Lines of a text that is in no file would lead nowhere.
+                // The user cannot see the lines of this text, as it is in no file.
                 throw new SceneException(e.problems().stream()
                         .map(p -> new SceneException.Problem(p.file(), 0, 0, p.pointer(), p.message()))
                         .toList());

@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 
 /** The JSON Schema of the scene format, for editors and other programs. */
 final class SceneSchema {
-    /** Where the resource has the methods' words and settings. */
+    /** Placeholder of the resource for the words of the methods. */
     private static final String WORDS = "\"@methods\"";
 
     private static final String USUAL = "\"@method\"";
@@ -19,12 +19,12 @@ final class SceneSchema {
 
     private SceneSchema() {}
 
-    /** The schema's text (JSON Schema 2020-12), with all methods that there are. */
+    /** The schema's text (JSON Schema 2020-12), with all methods, those of extensions included. */
     static String text() {
         return text(Method.all());
     }
 
-    /** The schema's text with these methods. */
+    /** The schema's text with the given methods. */
     static String text(List<Method> methods) {
         String words =
                 Method.selectable(methods).stream().map(m -> quoted(m.word())).collect(Collectors.joining(", "));
@@ -61,7 +61,7 @@ final class SceneSchema {
                 + ",\n          " + values + "\n        }";
     }
 
-    /** As JSON. What stands here are words and descriptions of methods; quotes and backslashes are all that needs care. */
+    /** A JSON string; words and descriptions of methods need no escapes but those of quotes and backslashes. */
     private static String quoted(String text) {
         return "\"" + text.replace("\\", "\\\\").replace("\"", "\\\"") + "\"";
     }

@@ -12,12 +12,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 
-/** Turns a scene into JSON. */
+/** Converts a scene into JSON. */
 final class SceneToJson {
     private final Scene scene;
     private final Names names;
 
-    /** @param fileNames how files are called in the text */
+    /** @param fileNames names of files in the text */
     SceneToJson(Scene scene, FileNaming fileNames) {
         this.scene = scene;
         this.names = new Names(scene, fileNames);
@@ -72,7 +72,7 @@ final class SceneToJson {
         }
     }
 
-    /** Calls files by their paths relative to a folder. */
+    /** Names files by their paths relative to a folder. */
     static FileNaming relativeTo(Path baseFolder) {
         Path folder = baseFolder.toAbsolutePath().normalize();
         return file -> {

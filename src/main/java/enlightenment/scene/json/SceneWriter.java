@@ -15,24 +15,24 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 
 /**
- * Writes scene files that {@link SceneReader} reads back as an equal scene.
+ * Writer of scene files that {@link SceneReader} reads back as an equal scene.
  *
- * <p>Equal means all that a {@link Scene} holds: numbers are written as the shortest decimals that are exactly what they
- * were. It does not hold what a file may have beside that: comments, and which of several equal materials an object
- * named. A texture that is used but has no name gets one, which then is in the scene that is read.
+ * <p>All components of a {@link Scene} are equal: numbers are written as the shortest decimals with exactly their value. Comments of a file, and
+ * which of several equal materials an object named, are not part of a scene. A texture without a name gets one, which the scene that is read has,
+ * too.
  *
- * <p>A scene with {@link Scene#instants} is refused, which a frame of an animation with an open shutter is: the format can say how things
- * move over frames, but not what stands where at each moment of one.
+ * <p>A scene with {@link Scene#instants}, such as a frame of an animation with an open shutter, is refused: the format describes motion over frames,
+ * but not the scene at each instant of one.
  *
- * <p>All methods may be called by several threads at once.
+ * <p>All methods are thread-safe.
  */
 public final class SceneWriter {
     private SceneWriter() {}
 
     /**
-     * Writes a scene to a file, whole or not at all, replacing what is there; paths of textures become relative to the file's folder.
+     * Writes a scene to a file atomically, replacing an existing one; paths of textures become relative to the file's folder.
      *
-     * @throws SceneException if the scene holds something that the format cannot say, such as a coordinate of 1e-500 or motion blur
+     * @throws SceneException if the format cannot represent the scene, such as a coordinate of 1e-500 or motion blur
      * @throws UncheckedIOException if the file cannot be written
      */
     public static void write(Scene scene, Path file) {
@@ -47,24 +47,23 @@ public final class SceneWriter {
     /**
      * The text of a scene.
      *
-     * @param baseFolder what paths of textures are made relative to
-     * @throws SceneException if the scene holds something that the format cannot say
+     * @param baseFolder the folder that paths of textures are made relative to
+     * @throws SceneException if the format cannot represent the scene
      */
     public static String toJson(Scene scene, Path baseFolder) {
         return toJson(scene, relativeTo(baseFolder));
     }
 
-    /** Calls files by their paths relative to a folder. */
+    /** Names files by their paths relative to a folder. */
     public static FileNames relativeTo(Path baseFolder) {
         return SceneToJson.relativeTo(baseFolder)::of;
     }
 
     /**
-     * The text of a scene whose files are called by other names than their paths; see {@link
-     * SceneReader#readNamed}.
+     * The text of a scene with given names of files in place of their paths; see {@link SceneReader#readNamed}.
      *
-     * @param fileNames gives the names of files
-     * @throws SceneException if the scene holds something that the format cannot say
+     * @param fileNames the names of files
+     * @throws SceneException if the format cannot represent the scene
      */
     public static String toJson(Scene scene, FileNames fileNames) {
         if (!scene.instants().isEmpty()) {
@@ -81,17 +80,17 @@ public final class SceneWriter {
     }
 
     /**
-     * The text of a camera as a scene file has it: one JSON object, without a line end behind it.
+     * The JSON object of a camera in a scene file, without a line end behind it.
      *
-     * @throws SceneException if the format cannot say a number of it, such as a coordinate of 1e-500
+     * @throws SceneException if the format cannot represent one of its numbers, such as a coordinate of 1e-500
      */
     public static String toJson(Camera camera) {
         return SceneEdit.json(camera);
     }
 
     /**
-     * The text of a scene file with another camera: what differs between two cameras is replaced, value by value. All other characters stay as they
-     * are: comments, order, layout, spelling of numbers.
+     * The text of a scene file with another camera. The values that differ between two cameras are replaced; comments, order, layout and spelling of
+     * all other numbers are unchanged.
      *
      * @param text a scene file that {@link SceneReader} reads; a byte order mark may stand first
      * @param before the camera of that file
@@ -104,11 +103,10 @@ public final class SceneWriter {
     }
 
     /**
-     * The text of a scene file with another exposure, in the part {@code display}, which is added if there is none. All other characters stay as they
-     * are.
+     * The text of a scene file with another exposure. The part {@code display} is added if there is none; all other text is unchanged.
      *
      * @param text a scene file that {@link SceneReader} reads
-     * @param exposure in stops, −1000..1000
+     * @param exposure the exposure in stops, −1000..1000
      * @return the new text
      * @throws IllegalArgumentException if the text is no JSON object
      */
@@ -116,7 +114,7 @@ public final class SceneWriter {
         return SceneEdit.withExposure(text, exposure);
     }
 
-    /** Tracks of scenes made in code may lead anywhere: those that lead to no number of the text are refused. */
+    /** Refuses tracks whose targets are not numbers of the text, as tracks made in code are unchecked. */
     private static void checkAnimation(String json) {
         Problems problems = new Problems("", "");
         JsonValue root = JsonTree.parse(() -> new StringReader(json), problems);
@@ -126,6 +124,6 @@ public final class SceneWriter {
         problems.throwIfAny();
     }
 
-    /** How the text of a scene calls the files that belong to it. Called by the thread that writes the scene. */
+    /** Names of a scene's files in its text. Called by the thread that writes the scene. */
     public interface FileNames extends FileNaming {}
 }

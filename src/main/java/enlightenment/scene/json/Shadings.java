@@ -12,11 +12,11 @@ import java.util.OptionalInt;
 
 /** Reads and writes the shading part; its key {@code "model"} says which other keys it has. */
 final class Shadings {
-    /** Keys of physical shading that somebody may expect in classic shading. */
+    /** Keys of physical shading that classic shading refuses, with the message for each. */
     private static final Map<String, String> ONLY_PHYSICAL =
             Map.of("medium", "belongs to physical shading: classic shading has nothing that scatters light on its way");
 
-    /** Keys of classic shading that somebody may expect in physical shading, and why they are not there. */
+    /** Keys of classic shading that physical shading refuses, with the message for each. */
     private static final Map<String, String> ONLY_CLASSIC = Map.of(
             "ambient",
             "belongs to classic shading: in physical shading all light comes from the lights and the background",
@@ -33,7 +33,7 @@ final class Shadings {
         return List.of(Shading.Model.CLASSIC.word(), Shading.Model.PHYSICAL.word());
     }
 
-    /** Null after a problem. */
+    /** The shading; null after a problem. */
     static Shading read(JsonValue v, JsonPointer place, Values values) {
         return v instanceof JsonValue.Obj o
                         && o.get("model") instanceof JsonValue.Str s

@@ -16,11 +16,11 @@ import enlightenment.math.Vec3;
 import java.util.List;
 import java.util.Map;
 
-/** The shapes of objects. */
+/** Reads and writes the shapes of objects. */
 final class Shapes {
     static final String CORNERS = "four corners [x, y, z]: lower left, upper left, upper right, lower right";
 
-    /** The keys {@code material} and {@code name} are the object's. */
+    /** The kinds of shapes. Their keys {@code material} and {@code name} belong to the object. */
     static final Family<Shape> FAMILY = new Family<Shape>(
                     "object", "an object of the scene", null, Map.of(), Shapes::read, Shapes::write)
             .with("sphere", Sphere.class, "center radius material | rotation name")
@@ -31,7 +31,7 @@ final class Shapes {
             .with(
                     "cube",
                     Cube.class,
-                    // Its material may be missing where it has faces.
+                    // The material of a cube may be missing where it has faces.
                     "center radius | rotation faces material name")
             .with("box", Box.class, "min max material | name")
             .with("torus", Torus.class, "center axis majorRadius minorRadius material | name")

@@ -19,7 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The named textures, and the colours that use them. */
+/** Reads and writes named textures, and colours that refer to them. */
 final class Textures {
     static final Family<Texture> FAMILY = new Family<Texture>(
                     "texture", "a texture", "file", Map.of(), Textures::read, Textures::write)
@@ -30,7 +30,7 @@ final class Textures {
     private static final String COLOR =
             Values.COLOR + ", [r, g, b] with components in 0..1, " + Values.LINEAR + ", or {\"texture\": NAME}";
 
-    /** Keys of which a colour in braces has one. */
+    /** Keys that distinguish the forms of colours given as objects. */
     private static final List<String> KINDS = List.of("linear", "texture");
 
     private Textures() {}
@@ -70,7 +70,7 @@ final class Textures {
     /**
      * The colour of a material.
      *
-     * @return black where it is missing; null after a problem, here or where the texture has its name
+     * @return black if it is missing; null after a problem of the colour or of its texture
      */
     static Texture color(Fields f, String key) {
         return f.has(key) ? color(f.get(key), f.at(key), f.values()) : Texture.of(DisplayRgb.BLACK);
@@ -89,7 +89,7 @@ final class Textures {
         return ofSurface(Fields.of(v, place, PartKeys.TEXTURE_REFERENCE, values));
     }
 
-    /** The texture that a part of a material refers to; null after a problem, here or where the texture has its name. */
+    /** The texture that a part of a material refers to; null after a problem of reference or texture. */
     static Texture ofSurface(Fields f) {
         Texture texture = named(f);
         if (texture instanceof Texture.File file
@@ -103,7 +103,7 @@ final class Textures {
         return texture;
     }
 
-    /** The texture that the key {@code "texture"} names; null after a problem, here or where the texture has its name. */
+    /** The texture named by the key {@code "texture"}; null after a problem of the reference or of the texture. */
     static Texture named(Fields f) {
         String name = f.text("texture", "the name of a texture");
         Map<String, Texture> named = f.values().library().textures;
@@ -141,7 +141,7 @@ final class Textures {
         return f.make(() -> new Texture.File(file, filter, encoding));
     }
 
-    /** The file that is meant, after a look at whether it is one. */
+    /** The path of an image file, which exists and has the signature of an image; null after a problem. */
     private static Path imageFile(Fields f, String written) {
         Map<String, byte[]> contents = f.values().library().contents;
         if (contents != null) {
@@ -166,7 +166,7 @@ final class Textures {
         return file;
     }
 
-    /** What keeps a file from being used, as far as its first bytes tell; null if nothing does. */
+    /** The reason to refuse a file, by its first bytes; null if there is none. */
     private static String problem(Path file, String meant, Library library) {
         if (!Files.exists(file)) {
             return "there is no file " + meant;

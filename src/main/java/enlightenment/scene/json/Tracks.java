@@ -16,7 +16,7 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * Reads the animation, and puts the numbers of one of its frames into the document.
+ * Reads the animation, and applies its tracks to the document at a time.
  *
  * <p>A number between two keys is a fraction. Where it is a decimal, it is kept exactly. Where it is none (a third), it is
  * cut after {@link #DECIMALS} decimals, always downwards. That is as good as keeping the fraction until it is rounded to a
@@ -28,7 +28,7 @@ import java.util.TreeMap;
  * keys and coordinates of up to 700 decimals.)
  */
 final class Tracks {
-    /** Where a number between keys that is no decimal is cut. */
+    /** Decimals that are kept of a number between keys that is not a finite decimal. */
     static final int DECIMALS = 1600;
 
     private static final BigInteger THREE = BigInteger.valueOf(3);
@@ -111,7 +111,7 @@ final class Tracks {
         }
     }
 
-    /** Puts the numbers of a moment in place of those that are written. */
+    /** Replaces the targets of the tracks by their values at a time. */
     static void apply(Animation animation, Moment time, JsonValue root) {
         for (Animation.Track track : animation.tracks()) {
             List<String> tokens = JsonPointer.parse(track.target());
@@ -128,12 +128,12 @@ final class Tracks {
         }
     }
 
-    /** The value at a frame. */
+    /** The value of a track at a frame. */
     static BigDecimal valueAt(Animation.Track track, int frame) {
         return valueAt(track, Moment.of(frame));
     }
 
-    /** The value at a time: between keys as the track's easing says, constant before the first and after the last. */
+    /** The value of a track at a time: eased between keys, constant before the first and after the last. */
     static BigDecimal valueAt(Animation.Track track, Moment time) {
         Map.Entry<Integer, BigDecimal> before = track.keys().floorEntry(time.frame());
         Map.Entry<Integer, BigDecimal> after = track.keys().higherEntry(time.frame());
@@ -160,7 +160,7 @@ final class Tracks {
         return isDecimal(sum, length) ? sum.divide(divisor) : sum.divide(divisor, DECIMALS, RoundingMode.FLOOR);
     }
 
-    /** Whether the quotient has an end: whether nothing but twos and fives is left of the divisor when it is reduced. */
+    /** Whether the quotient is a finite decimal: the reduced divisor has no prime factors but 2 and 5. */
     private static boolean isDecimal(BigDecimal sum, BigInteger length) {
         BigInteger divisor = length.divide(sum.unscaledValue().gcd(length));
         divisor = divisor.shiftRight(divisor.getLowestSetBit());

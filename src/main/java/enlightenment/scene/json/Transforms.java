@@ -14,7 +14,7 @@ import enlightenment.scene.json.tree.JsonValue;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Where meshes and groups are placed: lists of steps, each an object of one key, applied first to last. */
+/** Reads and writes transforms: lists of steps, each an object of one key, applied first to last. */
 final class Transforms {
     static final Keys SCALE = Keys.of("scaleStep", "a step of a transform", "scale", "");
     static final Keys ROTATE = Keys.of("rotateStep", "a step of a transform", "rotate", "");
@@ -81,7 +81,7 @@ final class Transforms {
         return matrix(f);
     }
 
-    /** One factor, or three. */
+    /** The factors along the axes; a single number is used for all three. */
     private static Vec3 factors(Fields f) {
         if (f.get("scale") instanceof JsonValue.Num) {
             double s = f.number("scale");
@@ -112,7 +112,7 @@ final class Transforms {
         return f.make(() -> new Matrix(rows[0], rows[1], rows[2], offset));
     }
 
-    /** Puts the steps, unless there are none. */
+    /** Puts the steps; the identity has none and no key. */
     static void write(Transform transform, JsonObjectBuilder p) {
         List<JsonValue> steps = new ArrayList<>();
         for (Step step : transform.steps()) {

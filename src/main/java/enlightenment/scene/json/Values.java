@@ -22,14 +22,14 @@ import java.util.Optional;
 import java.util.function.Supplier;
 
 /**
- * Takes values of wanted kinds out of JSON. What is not of the kind becomes a problem that says what was found and what
- * was expected; what is returned then only lets the search for further problems go on.
+ * Conversions of JSON values. A value of the wrong kind is reported with what was found and what was expected; a substitute is then returned, so that
+ * further problems can be found.
  */
 final class Values {
-    /** How a colour may be written in a word. */
+    /** The accepted colour words, for messages. */
     static final String COLOR = "a colour: \"#rrggbb\", \"#rgb\", a CSS colour name such as \"teal\"";
 
-    /** How a colour may be written as light. */
+    /** The accepted form of linear colours, for messages. */
     static final String LINEAR = "{\"linear\": [r, g, b]} with components of at least 0";
 
     private final Problems problems;
@@ -42,7 +42,7 @@ final class Values {
         this.library = library;
     }
 
-    /** What parts that are read later may refer to. */
+    /** The named parts of the scene. */
     Library library() {
         return library;
     }
@@ -51,12 +51,12 @@ final class Values {
         return problems;
     }
 
-    /** Whether these are the keys, the same array, that the last part of this kind had, and nothing was wrong with them. */
+    /** Whether the last valid part had the same array of keys and was of the same kind. */
     boolean areRight(String[] written, Keys keys) {
         return written == rightKeys && keys == rightFor;
     }
 
-    /** Remembers that nothing is wrong with these keys: the next part mostly has the same ones. */
+    /** Caches the keys of a valid part, since the next part mostly has the same ones. */
     void setRight(String[] written, Keys keys) {
         rightKeys = written;
         rightFor = keys;
@@ -67,12 +67,12 @@ final class Values {
         return isNumber(v, place, "a number") ? Double.parseDouble(((JsonValue.Num) v).text) : Double.NaN;
     }
 
-    /** An exact number that a double can hold; zero after a problem. */
+    /** The exact value of a number within the range of doubles; zero after a problem. */
     BigDecimal exact(JsonValue v, JsonPointer place) {
         return isNumber(v, place, "a number") ? Numbers.exact(((JsonValue.Num) v).text) : BigDecimal.ZERO;
     }
 
-    /** The text of a coordinate that a double can hold; "0" after a problem. */
+    /** The text of a coordinate within the range of doubles; "0" after a problem. */
     private String decimal(JsonValue v, JsonPointer place, int axis) {
         return isNumber(v, place.child(axis), "a number") ? Numbers.decimal(((JsonValue.Num) v).text) : "0";
     }
@@ -126,9 +126,9 @@ final class Values {
     }
 
     /**
-     * One of some words; null after a problem.
+     * One of the given words; null after a problem.
      *
-     * @param planned words that will be there, and what is missing for each, or ""
+     * @param planned words that the format will have, with the reason why each is missing, or ""
      */
     String word(JsonValue v, JsonPointer place, Collection<String> words, Map<String, String> planned) {
         if (!(v instanceof JsonValue.Str s)) {
@@ -152,7 +152,7 @@ final class Values {
         return null;
     }
 
-    /** An array of a certain length; null after a problem. */
+    /** An array of the given length, any length if that is negative; null after a problem. */
     JsonValue.Arr array(JsonValue v, JsonPointer place, int length, String expected) {
         if (v instanceof JsonValue.Arr a && (length < 0 || a.size() == length)) {
             return a;
@@ -161,7 +161,7 @@ final class Values {
         return null;
     }
 
-    /** An object that is some part of a scene; null after a problem. */
+    /** A JSON object that is a part of a scene; null after a problem. */
     JsonValue.Obj object(JsonValue v, JsonPointer place, String noun) {
         if (v instanceof JsonValue.Obj o) {
             return o;
@@ -190,7 +190,7 @@ final class Values {
     }
 
     /**
-     * A colour without texture: a word ({@link #named}), {@code [r, g, b]} or {@code {"linear": [r, g, b]}}; black after a problem.
+     * A colour without texture; black after a problem. It is a word ({@link #named}), {@code [r, g, b]} or {@code {"linear": [r, g, b]}}.
      */
     Color color(JsonValue v, JsonPointer place) {
         return color(v, place, COLOR + ", [r, g, b] with components in 0..1, or " + LINEAR);
@@ -223,9 +223,9 @@ final class Values {
     }
 
     /**
-     * An object that is nothing of what could stand there, for messages: by its first key, which somebody may have misspelt.
+     * A description of an object of no accepted kind, for messages: by its first key, which may be misspelt.
      *
-     * @param kinds keys of which each that could stand there has one
+     * @param kinds keys that distinguish the accepted kinds
      */
     static String describe(JsonValue.Obj o, List<String> kinds) {
         if (o.size() == 0) {
@@ -240,7 +240,7 @@ final class Values {
         return f.has("linear") ? three(f.get("linear"), f.at("linear"), "three numbers [r, g, b]") : Rgb.BLACK;
     }
 
-    /** A number for each band, or one for all, at least 0; black after a problem. */
+    /** A number of at least 0 for each colour band, or one for all; black after a problem. */
     Rgb bands(JsonValue v, JsonPointer place) {
         return v instanceof JsonValue.Num
                 ? Rgb.gray(notNegative(v, place))
@@ -259,7 +259,7 @@ final class Values {
         return make(v, place, () -> new Material.WavelengthBand(low, high));
     }
 
-    /** Makes a record of a value; what the record refuses becomes a problem with that. Null after it. */
+    /** Makes a record from a value. An exception of the record is reported at the value, and the result is null. */
     <T> T make(JsonValue v, JsonPointer place, Supplier<T> maker) {
         try {
             return maker.get();

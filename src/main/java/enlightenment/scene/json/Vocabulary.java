@@ -5,19 +5,19 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The words of the scene format, but for the kinds of shapes, materials, textures, lights and cameras, which stand where
- * these are read and written. The schema says the same; a test holds the two together.
+ * Keys of all parts of the scene format. Kinds of shapes, materials, textures, lights and cameras are defined beside their readers. A test compares
+ * these keys with the schema.
  */
 final class Vocabulary {
     private Vocabulary() {}
 
-    /** All parts of a scene that come in several kinds. */
+    /** The parts of a scene with several kinds. */
     static List<Family<?>> families() {
         return List.of(
                 Cameras.FAMILY, Shapes.FAMILY, Materials.FAMILY, Lights.FAMILY, Textures.FAMILY, Backgrounds.FAMILY);
     }
 
-    /** Every part of the format, without what methods from outside add to it. */
+    /** All parts of the format, without the settings of method extensions. */
     static List<Keys> all() {
         Keys render = RenderPart.keys(BuiltInMethod.ALL);
         List<Keys> all = new ArrayList<>(List.of(

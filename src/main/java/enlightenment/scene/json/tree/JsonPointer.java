@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Where in a document something is: a JSON pointer (RFC 6901) that is only spelled out when somebody asks.
+ * The place of a value in a document: a JSON pointer (RFC 6901) whose text is built on demand.
  */
 public final class JsonPointer {
     public static final JsonPointer ROOT = new JsonPointer(null, null, -1);
@@ -68,7 +68,7 @@ public final class JsonPointer {
         return token.replace("~1", "/").replace("~0", "~");
     }
 
-    /** The value that a pointer's parts lead to, or null. */
+    /** The value at the pointer's parts, or null. */
     public static JsonValue resolve(JsonValue root, List<String> tokens) {
         JsonValue v = root;
         for (String token : tokens) {

@@ -3,8 +3,7 @@ package enlightenment.scene.json.tree;
 import java.util.Locale;
 
 /**
- * Lays JSON out to be read: what fits stands on one line, but each part of a scene, and each thing in its lists, starts
- * a line of its own.
+ * Printer of readable JSON. Values that fit are on one line, but each part of a scene, and each item of its lists, starts a line of its own.
  */
 public final class JsonPrinter {
     private static final int LINE_WIDTH = 120;
@@ -67,7 +66,7 @@ public final class JsonPrinter {
         return v instanceof JsonValue.Arr a && a.size() > 0 && a.get(0) instanceof JsonValue.Obj;
     }
 
-    /** The width on one line, or something greater than the limit: long lists are not looked at to their end. */
+    /** The width on one line, in characters; any number above the limit if that is exceeded. */
     private static int width(JsonValue v, int limit) {
         int w = 4;
         if (v instanceof JsonValue.Obj o) {

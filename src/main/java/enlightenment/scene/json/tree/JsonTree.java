@@ -22,10 +22,10 @@ import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.json.JsonReadFeature;
 
 /**
- * Reads JSON text into {@link JsonValue}s.
+ * Parser of JSON text into {@link JsonValue}s.
  *
- * <p>Jackson's own tree would do, but for the places of the values, which it does not keep. Texts that repeat (types,
- * names of materials) and lists of keys are shared, so that a scene of a million objects fits.
+ * <p>Jackson's own tree does not keep the places of values. Repeated texts (types, names of materials) and lists of keys are shared, so that a
+ * scene of a million objects fits into memory.
  */
 public final class JsonTree {
     public static final int DEEPEST_NESTING = 100;
@@ -34,10 +34,10 @@ public final class JsonTree {
     public static final int LONGEST_TEXT = 1_000_000;
     public static final int LONGEST_KEY = 10_000;
 
-    /** The problem of a text that UTF-8 cannot encode. */
+    /** The message for a text that UTF-8 cannot encode. */
     public static final String NO_TEXT = "is not a text: it holds half a character";
 
-    /** The problem of a part of a text that is too long. */
+    /** The message for a token that is too long. */
     public static final String TOO_LONG = "is too long: a number may have " + LONGEST_NUMBER + " characters, a text "
             + LONGEST_TEXT + ", a key " + LONGEST_KEY;
 
@@ -47,7 +47,7 @@ public final class JsonTree {
 
     public static final JsonFactory FACTORY = JsonFactory.builder()
             .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS)
-            // Let through as tokens, to be refused with their place like any other value that is no finite number.
+            // Accepted as tokens, so that they are refused with their place, as other numbers that are not finite.
             .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
             .streamReadConstraints(StreamReadConstraints.builder()
                     .maxNestingDepth(DEEPEST_NESTING)
@@ -57,24 +57,24 @@ public final class JsonTree {
                     .build())
             .build();
 
-    /** A text that can be read more than once: the second time to show what was found where it broke. */
+    /** A text that can be opened repeatedly: error messages quote it from a second read. */
     public interface Source {
         Reader open() throws IOException;
     }
 
-    /** Takes the objects of a scene one by one while the text is read, so that they are never all in memory as JSON. */
+    /** Consumer of the objects of a scene during parsing, so that they are never all in memory as JSON. */
     public interface ObjectSink {
         /**
-         * An array of objects begins; if there was one before, it no longer counts.
+         * Begins an array of objects, which replaces an earlier one.
          *
-         * @param before the part of the scene that stands before it
+         * @param before the scene as read so far, without the array
          */
         void begin(JsonValue.Obj before);
 
         /**
-         * The next object, or what stands in its place.
+         * Takes the next item of the array, an object unless the scene is wrong.
          *
-         * @return what is to stay in the array: the value, or null, so that it is forgotten
+         * @return the value that stays in the array; null to discard it
          */
         JsonValue take(int index, JsonValue v);
     }
@@ -85,20 +85,20 @@ public final class JsonTree {
     private final Map<String, String> sharedTexts = new HashMap<>();
     private final String[][] lastKeys = new String[DEEPEST_NESTING + 2][];
 
-    /** The values of all arrays and objects that are not complete, outer ones first, and their keys. */
+    /** Stack of the values of incomplete arrays and objects, outer ones first; {@link #keys} has their keys. */
     private JsonValue[] values = new JsonValue[64];
 
     private String[] keys = new String[64];
     private int size;
 
-    /** The number of these arrays and objects; by depth, from 1: where each begins in the stack and in the text. */
+    /** Number of incomplete arrays and objects. Arrays by depth, from 1, have their start in the stack and in the text. */
     private int depth;
 
     private final int[] starts = new int[DEEPEST_NESTING + 2];
     private final int[] lines = new int[DEEPEST_NESTING + 2];
     private final int[] columns = new int[DEEPEST_NESTING + 2];
 
-    /** By depth: the keys of an object that has more than a few; null for others. */
+    /** Keys of the incomplete objects with {@link #FEW_KEYS} of them or more, by depth; null for others. */
     private final List<Set<String>> seenKeys = new ArrayList<>(Collections.nCopies(DEEPEST_NESTING + 2, null));
 
     private JsonTree(JsonParser parser, Problems problems, ObjectSink objects) {
@@ -108,18 +108,18 @@ public final class JsonTree {
     }
 
     /**
-     * The value that a text holds. Duplicate keys become problems.
+     * Parses a text. Duplicate keys are reported as problems.
      *
-     * @return null, after adding a problem, where the text is not JSON or cannot be read
+     * @return the root value; null after a problem if the text is not JSON or cannot be read
      */
     public static JsonValue parse(Source source, Problems problems) {
         return parse(source, problems, null);
     }
 
     /**
-     * The value of a scene whose objects are taken one by one. In it, null stands for objects that were not kept.
+     * Parses a scene whose objects are consumed one by one. In the result, null stands for discarded objects.
      *
-     * @param objects takes the items of the root's array {@code objects}; null to keep them all
+     * @param objects consumer of the items of the root's array {@code objects}; null to keep them all
      */
     public static JsonValue parse(Source source, Problems problems, ObjectSink objects) {
         try (Reader reader = source.open();
@@ -156,8 +156,8 @@ public final class JsonTree {
     }
 
     /**
-     * The value that begins at the current token. A loop with a stack: as recursive methods, each a copy of the others when it is
-     * compiled, this took seconds of the just-in-time compiler's time.
+     * Parses the value that begins at the current token. A loop with an explicit stack: recursive methods were inlined into each other and cost
+     * seconds of just-in-time compilation.
      */
     private JsonValue value() {
         int outside = depth;
@@ -217,7 +217,7 @@ public final class JsonTree {
         starts[depth] = ++size;
     }
 
-    /** Room for one more value, and for its key. */
+    /** Ensures capacity for one more value and its key. */
     private void makeRoom() {
         if (size == values.length) {
             values = Arrays.copyOf(values, 2 * size);
@@ -235,7 +235,7 @@ public final class JsonTree {
         return v;
     }
 
-    /** The innermost object as far as it has been read. */
+    /** The innermost incomplete object, with the members read so far. */
     private JsonValue.Obj object() {
         return new JsonValue.Obj(
                 lines[depth], columns[depth], sharedKeys(), Arrays.copyOfRange(values, starts[depth], size));
@@ -298,7 +298,7 @@ public final class JsonTree {
         return known == null ? text : known;
     }
 
-    /** Neighbouring objects mostly have the same keys in the same order: one array serves them all. */
+    /** The keys of the innermost object, in the array of the previous object at this depth if they are equal. */
     private String[] sharedKeys() {
         int start = starts[depth];
         String[] last = lastKeys[depth];

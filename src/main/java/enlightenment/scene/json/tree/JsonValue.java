@@ -4,15 +4,15 @@ import enlightenment.text.Plain;
 import java.util.List;
 
 /**
- * A parsed JSON value that knows where it stood, kept as small as millions of values ask for.
+ * A parsed JSON value with its line and column. Compact, as a scene may have millions of values.
  *
- * <p>Numbers keep their text: the reader of the number parses it, exactly or as a double.
+ * <p>Numbers keep their text, which is parsed later, exactly or as a double.
  */
 public abstract sealed class JsonValue {
     /** Line of the value's first character, counted from 1; 0 where the value comes from no file. */
     public final int line;
 
-    /** Its column, counted from 1. */
+    /** Column of the value's first character, counted from 1. */
     public final int column;
 
     private JsonValue(int line, int column) {
@@ -66,7 +66,7 @@ public abstract sealed class JsonValue {
             return -1;
         }
 
-        /** Puts another value in place of an existing one; only animation does so, before anything else looks. */
+        /** Replaces the value of an existing key; used only to apply animation, before the scene is bound. */
         public void replace(String key, JsonValue value) {
             values[indexOf(key)] = value;
         }
@@ -108,7 +108,7 @@ public abstract sealed class JsonValue {
         }
     }
 
-    /** A number as it was written; also NaN and the infinities, so that they can be refused at their place. */
+    /** A number as it was written, also NaN and the infinities, which are refused later with their place. */
     public static final class Num extends JsonValue {
         public final String text;
 

@@ -9,16 +9,16 @@ import tools.jackson.core.JsonToken;
 import tools.jackson.core.ObjectReadContext;
 
 /**
- * Where the members of one object of a JSON text stand.
+ * The positions of the members of one object in a JSON text.
  *
  * @param open index of the character behind the object's opening brace
- * @param values by key, in the order of the text
+ * @param values spans by key, in the order of the text
  */
 public record MemberSpans(int open, Map<String, Span> values) {
     private static final char BYTE_ORDER_MARK = '\ufeff';
 
     /**
-     * The characters of a member.
+     * The position of a member.
      *
      * @param key index of the first character of the key, its quotation mark
      * @param start index of the first character of the value
@@ -76,7 +76,7 @@ public record MemberSpans(int open, Map<String, Span> values) {
         parser.nextToken();
         int start = mark + (int) parser.currentTokenLocation().getCharOffset();
         parser.skipChildren();
-        // A text is read to its end only when it is asked for.
+        // The parser reads a string to its end only on demand.
         parser.finishToken();
         return new Span(key, start, mark + (int) parser.currentLocation().getCharOffset());
     }
@@ -85,7 +85,7 @@ public record MemberSpans(int open, Map<String, Span> values) {
         return values.containsKey(key);
     }
 
-    /** The text with another value of a key; a key that the object does not have becomes its last. */
+    /** The text with another value of a key; a new key becomes the last of the object. */
     public String with(String text, String key, String value) {
         Span old = values.get(key);
         if (old != null) {
@@ -102,7 +102,7 @@ public record MemberSpans(int open, Map<String, Span> values) {
         return text.substring(0, last.end) + "," + gap(text, last.key) + member + text.substring(last.end);
     }
 
-    /** What separates a member from the one before: the line end and indentation in front of it, or a space. */
+    /** The separator in front of a member: line end and indentation, or a space. */
     private String gap(String text, int key) {
         int start = key;
         while (start > open && Character.isWhitespace(text.charAt(start - 1))) {

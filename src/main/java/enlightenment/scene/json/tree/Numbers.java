@@ -5,15 +5,15 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 
-/** Between the text of JSON numbers and their values. */
+/** Conversions between the text of JSON numbers and their values. */
 public final class Numbers {
-    /** Twice the range of doubles and a little: what lies beyond can only be a mistake, or an attack. */
+    /** The largest decimal exponent accepted, beyond the range of doubles: larger ones are mistakes or attacks. */
     public static final int LARGEST_EXPONENT = 400;
 
     /** More digits than the longest exact double has (767), and than the number of any frame ({@link Tracks}). */
     public static final int MOST_DIGITS = 2000;
 
-    /** With so few digits and no exponent, no number is beyond the range of doubles. */
+    /** The most characters of a number without exponent that is certainly within the range of doubles. */
     private static final int SAFE = 300;
 
     private static final int LEAST_PLAIN_EXPONENT = -7;
@@ -22,8 +22,7 @@ public final class Numbers {
     private Numbers() {}
 
     /**
-     * What keeps a number's text from being used, or null. Looks only at the characters: a short text that stands for
-     * a number of a billion digits costs nothing.
+     * The reason to refuse a number's text, or null. The number is not expanded: a short text for a number of a billion digits costs nothing.
      */
     public static String objection(String text) {
         if (isPlain(text)) {
@@ -62,7 +61,7 @@ public final class Numbers {
         return null;
     }
 
-    /** Whether a text is short and has no exponent, as most have: one look at each character, then nothing is wrong with it. */
+    /** Whether a text is short and has no exponent, so that there is no objection to it. */
     private static boolean isPlain(String text) {
         int length = text.length();
         for (int i = 0; i < length; i++) {
@@ -97,12 +96,12 @@ public final class Numbers {
         return true;
     }
 
-    /** The exact value of a text without {@linkplain #objection objections}; zero is zero, however it is spelled. */
+    /** The exact value of a text without {@linkplain #objection objections}; any spelling of zero gives 0. */
     public static BigDecimal exact(String text) {
         return new BigDecimal(decimal(text));
     }
 
-    /** A text without objections in a form that BigDecimal reads: only a zero's exponent may be beyond what it holds. */
+    /** A text without objections in a form that BigDecimal parses: a zero with too large an exponent becomes "0". */
     public static String decimal(String text) {
         return isPlain(text) || exponentIsModest(text, exponentIndex(text)) ? text : "0";
     }
@@ -117,8 +116,8 @@ public final class Numbers {
     }
 
     /**
-     * The shortest text whose nearest double is v; of several, the one nearest to v. Unlike {@code Double.toString} it
-     * is the same on every version of Java.
+     * The shortest text whose nearest double is v; of several, the one nearest to v. Unlike {@code Double.toString}, the result does not depend on
+     * the version of Java.
      */
     public static String text(double v) {
         if (v == Math.rint(v) && Math.abs(v) < 1e15) {
@@ -133,7 +132,7 @@ public final class Numbers {
         }
     }
 
-    /** The text of exactly this number: plain where that is short, else with an exponent. */
+    /** The exact text of a number: without exponent where that is short, else with one. */
     public static String text(BigDecimal v) {
         if (v.signum() == 0) {
             return "0";

@@ -5,7 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Finds the lines of problems that were seen only when a scene was put together, by reading its text once more. */
+/** Finds the lines of problems that were detected after parsing, by parsing the text once more. */
 public final class Places {
     private final Set<Integer> objects = new HashSet<>();
 
@@ -13,22 +13,22 @@ public final class Places {
         for (Problem p : problems) {
             List<String> tokens = JsonPointer.parse(p.pointer());
             if (tokens != null && tokens.size() > 1 && tokens.get(0).equals("objects")) {
-                // What is no number of an object leads to none.
+                // −1 matches no object: the pointer has no valid index.
                 objects.add(tokens.get(1).matches("[0-9]{1,9}") ? Integer.parseInt(tokens.get(1)) : -1);
             }
         }
     }
 
     /**
-     * The problems, each with line and column of its value. A problem that has a line or no pointer stays; a missing value gets its
-     * parent's place.
+     * The problems with line and column of their values. A problem that has a line or no pointer is unchanged; a missing value has the place of its
+     * parent.
      */
     public static List<Problem> find(List<Problem> problems, JsonTree.Source source) {
         if (problems.stream().allMatch(p -> p.line() > 0 || p.pointer().isEmpty())) {
             return problems;
         }
         JsonValue root = JsonTree.parse(source, new Problems("", ""), new Places(problems).sink());
-        // A file that has changed meanwhile has other places, or none.
+        // If the file has changed meanwhile, places may be wrong or missing.
         return root == null
                 ? problems
                 : problems.stream().map(p -> located(p, root)).toList();
@@ -43,12 +43,12 @@ public final class Places {
         return new Problem(p.file(), at.line, at.column, p.pointer(), p.message());
     }
 
-    /** Keeps the objects with problems only: a scene may have millions. */
+    /** A sink that keeps only objects with problems, as a scene may have millions. */
     private JsonTree.ObjectSink sink() {
         return new JsonTree.ObjectSink() {
             @Override
             public void begin(JsonValue.Obj before) {
-                // All that is kept is in the tree.
+                // Nothing to do: kept objects stay in the tree.
             }
 
             @Override

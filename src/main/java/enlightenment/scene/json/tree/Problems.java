@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** Collects what is wrong with a file, so that one exception reports all of it. */
+/** Collector of the problems of a file, which one exception reports together. */
 public final class Problems {
-    /** More than anybody reads; keeps a wrong file of a million objects from filling the memory with messages. */
+    /** The most problems kept, so that a wrong file of a million objects does not fill the memory with messages. */
     public static final int MOST_KEPT = 1000;
 
     private final String file;
@@ -17,20 +17,20 @@ public final class Problems {
     private int count;
 
     /**
-     * @param file name for messages
-     * @param remark appended to each message: what else is to be known, such as the frame, or ""
+     * @param file name of the file in messages
+     * @param remark text appended to each message, such as the frame; may be ""
      */
     public Problems(String file, String remark) {
         this.file = file;
         this.remark = remark;
     }
 
-    /** An empty collection for a part of the same file, to be {@linkplain #add(Problems) added} in its turn. */
+    /** An empty collector for a part of the same file, to be {@linkplain #add(Problems) added} later. */
     public Problems ofPart() {
         return new Problems(file, remark);
     }
 
-    /** Adds what was found in a part. */
+    /** Adds the problems of a part. */
     public void add(Problems part) {
         for (Problem p : part.kept) {
             if (kept.size() < MOST_KEPT) {
@@ -40,7 +40,7 @@ public final class Problems {
         count += part.count;
     }
 
-    /** The number of problems so far. If it stays equal, the calls in between found none. */
+    /** The number of problems so far, those not kept included. */
     public int count() {
         return count;
     }
@@ -55,7 +55,7 @@ public final class Problems {
         }
     }
 
-    /** Fails if anything was wrong. */
+    /** Throws a {@link enlightenment.scene.SceneException} with all problems, in the order of the text, if there are any. */
     public void throwIfAny() {
         if (count == 0) {
             return;

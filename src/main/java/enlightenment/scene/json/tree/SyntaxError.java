@@ -10,7 +10,7 @@ import tools.jackson.core.JsonParser;
 import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.core.exc.StreamConstraintsException;
 
-/** Says what is wrong with a text that is not JSON: what stands there, and what could. */
+/** Messages for text that is not JSON: the characters found, and those expected. */
 final class SyntaxError {
     private static final int CONTEXT = 80;
     private static final String DELIMITERS = ",:[]{}\"'";
@@ -21,7 +21,7 @@ final class SyntaxError {
 
     private SyntaxError() {}
 
-    /** What stands at the place of an error, between blanks and punctuation; text "" where there is nothing. */
+    /** The word at an error, between blanks and punctuation; text "" if there is none. */
     private record Word(String text, int column) {}
 
     static void report(JsonParser parser, JacksonException e, JsonTree.Source source, Problems problems)
@@ -58,7 +58,7 @@ final class SyntaxError {
                 : JsonTree.TOO_LONG;
     }
 
-    /** What is wrong with a word, or null if the word is not what is wrong. */
+    /** The message for a word that is not JSON; null if the word is not the error. */
     private static String wrongWord(String word) {
         if (word.isEmpty() || JSON_WORD.matcher(word).matches()) {
             return null;
@@ -70,7 +70,7 @@ final class SyntaxError {
         return word.matches("[\\p{L}_$].*") ? found + " needs double quotes, if it is meant as a text or a key" : null;
     }
 
-    /** The parser's reason in the words of people who write scenes. */
+    /** The parser's message, reworded for authors of scenes. */
     private static String reason(String theirs) {
         String betweenValues = WrongCharacter.betweenValues(theirs);
         if (betweenValues != null) {
@@ -114,7 +114,7 @@ final class SyntaxError {
                 while (to < text.length() && isWord(text.charAt(to))) {
                     to++;
                 }
-                // Beside a quote it is part of a text that began or ended at the wrong place.
+                // A word beside a quote is part of a text that began or ended at the wrong place.
                 boolean quoted =
                         from > 0 && text.charAt(from - 1) == '"' || to < text.length() && text.charAt(to) == '"';
                 return new Word(quoted ? "" : text.substring(from, to), column - at + from);
@@ -127,7 +127,7 @@ final class SyntaxError {
         return !Character.isWhitespace(c) && DELIMITERS.indexOf(c) < 0;
     }
 
-    /** Up to CONTEXT characters on each side of a place in one line; the place is at index min(column - 1, CONTEXT). */
+    /** Up to CONTEXT characters on each side of a place in one line. The place is at index min(column - 1, CONTEXT). */
     private static String around(JsonTree.Source source, int line, int column) throws IOException {
         StringBuilder kept = new StringBuilder();
         try (Reader reader = source.open()) {

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Says what is wrong with a single character of a text that is not JSON, where the parser tells it by its own rules only. */
+/** Messages for single wrong characters in place of the parser's, which state its own rules only. */
 final class WrongCharacter {
     private static final String BACKSLASH =
             " means nothing in a text: a backslash is written \\\\, and / does as well in the path of a file";
@@ -15,10 +15,10 @@ final class WrongCharacter {
     private WrongCharacter() {}
 
     /**
-     * What must not stand within a text or key.
+     * The message for a character that is not allowed within a text or key.
      *
      * @param theirs the parser's message
-     * @return null if it is about something else
+     * @return null if the parser's message is about another problem
      */
     static String withinText(String theirs) {
         Matcher escape = ESCAPE.matcher(theirs);
@@ -35,7 +35,7 @@ final class WrongCharacter {
             return null;
         }
         return switch (control(theirs)) {
-            // Without a number it is a parser of another version: this is what it mostly is.
+            // No number in the message (−1) means another version of the parser: a line end is the most frequent case.
             case '\n', '\r', -1 -> "a text does not end in its line; a double quote is missing";
             case '\t' -> "a tab in a text must be written as \\t";
             default -> "a control character in a text must be written as " + escaped(control(theirs));

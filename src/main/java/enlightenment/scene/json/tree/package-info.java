@@ -1,2 +1,2 @@
-/** JSON as a tree whose values know their line and column: parsed strictly, pointed into, edited in place and printed. */
+/** JSON trees with the line and column of each value: strict parser, pointers, edits of the text, and printer. */
 package enlightenment.scene.json.tree;

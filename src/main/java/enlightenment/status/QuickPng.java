@@ -10,8 +10,8 @@ import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
 
 /**
- * PNG files (third edition, 2023) of the same pixels as those that are written, 8 bits per component, in a fraction of the time: what is
- * looked at for a second need be neither small nor the same bytes everywhere.
+ * Fast encoder of PNG files (third edition, 2023) with 8 bits per component. Pixels are those of written files, but files are larger, and their bytes
+ * may depend on the platform: they are shown once and not kept.
  */
 public final class QuickPng {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
@@ -22,7 +22,7 @@ public final class QuickPng {
 
     private QuickPng() {}
 
-    /** The bytes of a PNG file that shows the picture as a screen takes it. */
+    /** The bytes of a PNG file with the displayed colours of a picture. */
     public static byte[] of(Image image) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(bytes);
@@ -31,7 +31,7 @@ public final class QuickPng {
         DataOutputStream fields = new DataOutputStream(header);
         fields.writeInt(image.width());
         fields.writeInt(image.height());
-        // 8 bits, the only ways to compress and to filter, not interlaced.
+        // Bit depth 8, compression method 0, filter method 0, not interlaced.
         fields.write(new byte[] {8, TRUECOLOR, 0, 0, 0});
         chunk(out, "IHDR", header.toByteArray());
         chunk(out, "IDAT", deflated(image));

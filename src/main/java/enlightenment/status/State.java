@@ -4,20 +4,20 @@ import java.util.Locale;
 
 /** The state of a render. */
 public enum State {
-    /** No pixel of the picture is there yet. */
+    /** Before the first pixel of the picture. */
     PREPARING,
     RENDERING,
-    /** The picture is whole. */
+    /** The picture is complete. */
     FINISHED,
-    /** The render ended before the picture was whole. */
+    /** The render ended before the picture was complete. */
     STOPPED;
 
-    /** As scripts and pages read it. */
+    /** The name of the state in lower case, for scripts and pages. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** Whether nothing more will come. */
+    /** Whether the render has ended. */
     public boolean isOver() {
         return this == FINISHED || this == STOPPED;
     }

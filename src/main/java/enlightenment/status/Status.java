@@ -7,16 +7,15 @@ import java.util.OptionalDouble;
 /**
  * The immutable state of a render at one moment, for people and scripts.
  *
- * @param title the title of what is rendered; may be empty, and may come from a scene
+ * @param title the title of the render; may be empty, and may come from a scene
  * @param state the state of the render
  * @param done number of units done, of {@code total}
- * @param total number of units in all; 0 as long as that is not known
+ * @param total number of units in all; 0 until it is known
  * @param unit name of these units, such as pixels
- * @param elapsedSeconds since it began
+ * @param elapsedSeconds seconds since the render began
  * @param remainingSeconds expected time to the end; empty if there is no estimate
- * @param picture the number of the picture so far: another picture has another number; 0 as long as there is none
- * @param statistics further figures, by name: texts, numbers, truth values, lists and maps of such; numbers that are not finite are not
- *     known
+ * @param picture number of the current picture, which differs for each picture; 0 if there is none yet
+ * @param statistics further figures by name: texts, numbers, booleans, lists and maps of such; numbers that are not finite are unknown
  * @param notes the last events, the oldest first
  */
 public record Status(
@@ -31,10 +30,10 @@ public record Status(
         Map<String, ?> statistics,
         List<Note> notes) {
 
-    /** An event in words, this many seconds after the start. */
+    /** An event in words, with its time in seconds after the start. */
     public record Note(double seconds, String text) {}
 
-    /** The share that is done in per cent, rounded down; 0 as long as the total is not known. */
+    /** The finished share in per cent, rounded down; 0 until the total is known. */
     public int percent() {
         return total == 0 ? 0 : (int) (100.0 * done / total);
     }

@@ -8,7 +8,7 @@ import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.json.JsonFactory;
 
-/** A status as JSON; docs/guide/watching.md lists the keys that all have, docs/guide/distributed.md those of servers. */
+/** A status as JSON; docs/guide/watching.md lists the keys of all renders, docs/guide/distributed.md those of servers. */
 final class StatusJson {
     private static final JsonFactory FACTORY = new JsonFactory();
 

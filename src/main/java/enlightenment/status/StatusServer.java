@@ -10,11 +10,11 @@ import java.util.Optional;
 import java.util.concurrent.ThreadFactory;
 import java.util.function.LongSupplier;
 
-/** Shows how far a render is, on loopback, read-only: a page, the picture so far, JSON, and health for scripts. */
+/** The read-only HTTP server of a render's status, on loopback. It has a page, the picture so far, JSON, and health for scripts. */
 public final class StatusServer {
     static final long PICTURE_PERIOD_NANOS = 1_000_000_000L;
 
-    /** The largest share of a processor that encoding pictures may take: large ones are made less often. */
+    /** The largest share of a processor for encoding pictures: large ones are encoded less often. */
     static final double SHARE = 0.02;
 
     private static final long TICK_MILLIS = 200;
@@ -50,11 +50,11 @@ public final class StatusServer {
     }
 
     /**
-     * Begins to answer; the caller must call {@link #check} now and then.
+     * Starts a server; the caller must call {@link #check} regularly.
      *
-     * @param port 0 for any that is free
-     * @param clock nanoseconds of any origin, that of {@link #check} too
-     * @throws IOException if it cannot listen there
+     * @param port the port on loopback; 0 for any free one
+     * @param clock nanoseconds of any origin, also of {@link #check}
+     * @throws IOException if the port cannot be opened
      */
     public static StatusServer start(
             StatusSource source, int port, ThreadFactory threads, ServerLog log, LongSupplier clock)
@@ -63,10 +63,10 @@ public final class StatusServer {
     }
 
     /**
-     * Begins to answer, with threads of its own, which keep no process from ending.
+     * Starts a server on daemon threads of its own.
      *
-     * @param port 0 for any that is free
-     * @throws IOException if it cannot listen there
+     * @param port the port on loopback; 0 for any free one
+     * @throws IOException if the port cannot be opened
      */
     public static StatusServer start(StatusSource source, int port, ServerLog log) throws IOException {
         StatusServer server = start(source, port, Thread::new, log, System::nanoTime);
@@ -91,16 +91,16 @@ public final class StatusServer {
         return http.port();
     }
 
-    /** Time has passed. */
+    /** Closes connections that have timed out; to be called regularly with the time of the clock. */
     public void check(long now) {
         http.check(now);
     }
 
     /**
-     * Waits, once the render is over, until all open pages have received its end and its last picture.
+     * Waits until all open pages have received the end of the render and its last picture.
      *
-     * @param millis no longer than this
-     * @return whether all of them have
+     * @param millis the longest wait
+     * @return false if the wait was too short
      */
     public boolean awaitWatchers(long millis) {
         return watchers.await(clock.getAsLong(), millis);
@@ -135,7 +135,7 @@ public final class StatusServer {
         Status status = source.status();
         byte[] json = StatusJson.of(status).getBytes(StandardCharsets.UTF_8);
         return new SmallHttp.Answer(200, "application/json", json, () -> {
-            // No picture will be asked for where there is none.
+            // A page does not request a picture if there is none.
             if (status.state().isOver() && status.picture() == 0) {
                 watcher.ifPresent(watchers::served);
             }
@@ -149,7 +149,7 @@ public final class StatusServer {
         if (png == null) {
             return SmallHttp.Answer.text(404, "there is no picture yet\n");
         }
-        // What was asked for while it was rendered may come in after its end: such a page has not heard of the end.
+        // A request made before the end may arrive after it: its page has not received the end yet.
         boolean knowsEnd = isLast && request.value("state").equals(Optional.of(state.word()));
         return new SmallHttp.Answer(200, "image/png", png, () -> {
             if (knowsEnd) {
@@ -158,7 +158,7 @@ public final class StatusServer {
         });
     }
 
-    /** @return null if there is none */
+    /** The picture as PNG, encoded anew if that is due; null if there is none. */
     private synchronized byte[] picture(boolean isLast) throws IOException {
         long now = clock.getAsLong();
         boolean isDue =
@@ -172,7 +172,7 @@ public final class StatusServer {
             picture = QuickPng.of(image.get());
             isLastPicture = isLast;
             pictureMade = now;
-            // The least of all: what the others took longer they waited for a processor.
+            // The shortest time of all: longer ones include waiting for a processor.
             pictureTook = Math.min(System.nanoTime() - start, pictureTook);
         }
         return picture;

@@ -3,17 +3,16 @@ package enlightenment.status;
 import java.util.OptionalDouble;
 
 /**
- * An estimate of the time that a render will still take, as soon as one makes sense: the time for compiling and planning says
- * nothing about the tiles, the first tiles are slow until the just-in-time compiler is done, and a few tiles say little about the
- * others.
+ * Estimate of the remaining time of a render. It does not extrapolate from compiling and planning, which differ from tiles, nor from the first tiles,
+ * which are few and are slow until the just-in-time compiler is done. Thread-safe.
  */
 public final class TimeLeft {
     private static final double NANO = 1e-9;
 
-    /** There is no estimate until this many seconds after the first tile. */
+    /** Seconds after the first tile before which there is no estimate. */
     private static final double MIN_SECONDS = 2;
 
-    /** Nor before this share of the tiles is done, except in a render that has gone on for a long time. */
+    /** Share of the tiles before which there is no estimate, except after {@link #LONG_SECONDS}. */
     private static final double MIN_SHARE = 0.02;
 
     private static final double LONG_SECONDS = 20;
@@ -27,7 +26,7 @@ public final class TimeLeft {
     /** Records the progress at a time in nanoseconds. */
     public synchronized void at(long nanos, long done, long total) {
         if (done < doneBefore) {
-            // The picture is rendered once more.
+            // The picture is rendered again from the beginning.
             started = false;
             seconds = Double.NaN;
         }
@@ -44,7 +43,7 @@ public final class TimeLeft {
         seconds = known && done > doneAtStart ? elapsed * (total - done) / (done - doneAtStart) : Double.NaN;
     }
 
-    /** Seconds from the last {@link #at}, or nothing if there is no estimate yet. */
+    /** Remaining seconds from the last {@link #at}; empty if there is no estimate yet. */
     public synchronized OptionalDouble seconds() {
         return Double.isNaN(seconds) ? OptionalDouble.empty() : OptionalDouble.of(seconds);
     }

@@ -19,20 +19,20 @@ import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 
 /**
- * A render of this process that can be watched. Without watchers it costs next to nothing: the picture so far is copied only if a request
- * came since the last copy, some times a second at most, and for large pictures as seldom as makes it a small share of the time. All else
- * is done by the threads that answer requests.
+ * The status of a render of this process. Without watchers its cost is negligible: the picture is copied only after a request since the last copy, a
+ * few times a second at most, and less often if it is large, so that copies take a small share of the time. All other work is done by the threads
+ * that answer requests.
  */
 public final class WatchedRender implements StatusSource {
     static final long PERIOD_NANOS = 250_000_000L;
 
-    /** The largest share of the time of one thread that copying may take. */
+    /** The largest share of one thread's time for copies. */
     static final double SHARE = 0.02;
 
-    /** The age from which a picture is not returned if there will be a newer one soon. */
+    /** Age from which a request waits for a newer picture. */
     static final long STALE_NANOS = 1_000_000_000L;
 
-    /** How long a request waits for a newer picture. */
+    /** The longest wait of a request for a newer picture. */
     private static final long SOON_MILLIS = 500;
 
     private static final int MOST_NOTES = 100;
@@ -47,13 +47,13 @@ public final class WatchedRender implements StatusSource {
     private final Map<String, Object> statistics = new LinkedHashMap<>();
     private final Deque<Status.Note> notes = new ArrayDeque<>();
 
-    /** The last picture as it is shown, for all who look. */
+    /** The last picture as it is displayed, shared by all requests. */
     private final AtomicReference<Shown> shown = new AtomicReference<>(new Shown(0, null));
 
     private volatile State state = State.PREPARING;
     private volatile boolean isWanted = true;
 
-    /** Whether there is no memory for a copy of the picture. */
+    /** Whether a copy of the picture did not fit into memory; no further copies are made then. */
     private volatile boolean isTooLarge;
 
     private String title;
@@ -68,15 +68,15 @@ public final class WatchedRender implements StatusSource {
     private record Shown(long number, Image image) {}
 
     /**
-     * @param title what is rendered
-     * @param view makes of a picture what is to be shown of it
-     * @param clock nanoseconds
+     * @param title the title of the render
+     * @param view converts a picture into the displayed one
+     * @param clock nanoseconds of any origin
      */
     public WatchedRender(String title, UnaryOperator<Image> view, LongSupplier clock) {
         this(title, view, clock, SOON_MILLIS);
     }
 
-    /** @param soonMillis how long a request waits for a picture that is not old */
+    /** @param soonMillis the longest wait of a request for a newer picture */
     WatchedRender(String title, UnaryOperator<Image> view, LongSupplier clock, long soonMillis) {
         this.soonMillis = soonMillis;
         this.title = title;
@@ -85,22 +85,22 @@ public final class WatchedRender implements StatusSource {
         started = clock.getAsLong();
     }
 
-    /** The title of what is rendered from now on, one frame of a film for instance. */
+    /** Sets the title, for instance for the next frame of a film. */
     public synchronized void title(String value) {
         title = value;
     }
 
-    /** Sets a statistic of the render: a text, a number, or a truth value. */
+    /** Sets a statistic of the render: a text, a number, or a boolean. */
     public synchronized void statistic(String name, Object value) {
         statistics.put(name, value);
     }
 
-    /** Listens to a render, and passes everything on to the display. */
+    /** A listener that records the progress of a render and forwards all of it to the display. */
     public RenderProgress listening(RenderProgress display) {
         return new Listener(display);
     }
 
-    /** A picture is whole, or as whole as it will be. */
+    /** Records the final picture of a render, which may be incomplete, and its statistics. */
     public void rendered(Image image, RenderResult result) {
         RenderReport report = result.report();
         synchronized (this) {
@@ -112,12 +112,12 @@ public final class WatchedRender implements StatusSource {
         take(image.isInMemory() ? image : ReducedPicture.of(image, ReducedPicture.MOST_PIXELS), Long.MAX_VALUE);
     }
 
-    /** Whether all of it is done, whatever becomes of it. */
+    /** Whether all units are done. */
     public synchronized boolean isWhole() {
         return total > 0 && done == total;
     }
 
-    /** The render ends here. */
+    /** Records the end of the render, and whether it is complete. */
     public synchronized void ended(boolean isComplete) {
         ended = clock.getAsLong();
         state = isComplete ? State.FINISHED : State.STOPPED;
@@ -129,7 +129,7 @@ public final class WatchedRender implements StatusSource {
             Image image = soFar.get();
             take(image, clock.getAsLong() - now);
         } catch (OutOfMemoryError e) {
-            // What is left is for the render: it goes on without being seen.
+            // The remaining memory is for the render, which goes on without a picture.
             isTooLarge = true;
         }
     }
@@ -138,13 +138,13 @@ public final class WatchedRender implements StatusSource {
         picture = image;
         number++;
         taken = clock.getAsLong();
-        // The least of all: what the others took longer they waited for a processor.
+        // The shortest time of all: longer ones include waiting for a processor.
         took = Math.min(nanos, took);
         isWanted = false;
         notifyAll();
     }
 
-    /** The listener, which the rendering threads call one at a time. */
+    /** The listener of the render; rendering threads call it one at a time. */
     private final class Listener implements RenderProgress {
         private final RenderProgress display;
 
@@ -204,7 +204,7 @@ public final class WatchedRender implements StatusSource {
         }
     }
 
-    /** Whether somebody waits for a picture, and there was none for long enough; called under the lock. */
+    /** Whether a picture was requested and the last copy is old enough; called under the lock. */
     private boolean isDue(long now) {
         long pause = Math.max(PERIOD_NANOS, (long) (took / SHARE));
         return !isTooLarge && isWanted && (picture == null || now - taken >= pause);
@@ -262,7 +262,7 @@ public final class WatchedRender implements StatusSource {
             return;
         }
         try {
-            // Once: a wait that ends early gives an older picture, which is no harm.
+            // No loop: a spurious wakeup merely returns an older picture.
             wait(soonMillis);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

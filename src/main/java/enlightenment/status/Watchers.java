@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
-/** The open pages of a render, by the numbers that they give themselves. The process waits until they have received its end. */
+/** The open pages of a render, by identifiers they choose. The process waits until they have received the end. */
 final class Watchers {
     /** Largest number of pages remembered. */
     static final int MOST = 32;
@@ -12,10 +12,10 @@ final class Watchers {
     /** A page without a request for this long is closed: open pages send one every second. */
     static final long SILENCE_NANOS = 3_000_000_000L;
 
-    /** By page, the time of its last request, the oldest first. */
+    /** Time of the last request in nanoseconds, by page; the oldest first. */
     private final Map<String, Long> seen = new LinkedHashMap<>();
 
-    /** A page receives an answer that does not say that the render is over. */
+    /** Registers a page that has not received the end of the render. */
     synchronized void told(String page, long now) {
         seen.remove(page);
         if (seen.size() == MOST) {
@@ -24,17 +24,18 @@ final class Watchers {
         seen.put(page, now);
     }
 
-    /** A page has received all that it will be shown. */
+    /** Removes a page that has received the end of the render. */
     synchronized void served(String page) {
         seen.remove(page);
         notifyAll();
     }
 
     /**
-     * Waits until all pages that still looked at this time have all that they will be shown.
+     * Waits until all pages that are open at a time have received the end of the render.
      *
-     * @param millis no longer than this
-     * @return whether all of them have
+     * @param now the time in nanoseconds, of the clock of {@link #told}
+     * @param millis the longest wait
+     * @return false if the wait was too short
      */
     synchronized boolean await(long now, long millis) {
         seen.values().removeIf(last -> now - last > SILENCE_NANOS);

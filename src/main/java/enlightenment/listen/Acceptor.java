@@ -8,17 +8,17 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.function.Consumer;
 
-/** Accepts connections at a port. Where this process may open no more files it makes room, pauses, and goes on. */
+/** Accepts connections at a port. Out of file descriptors, it makes room, pauses, and continues. */
 public final class Acceptor implements Closeable {
     static final long FIRST_PAUSE_MILLIS = 20;
     static final long LONGEST_PAUSE_MILLIS = 1_000;
 
-    /** Where connections come from. */
+    /** Source of connections. */
     interface Door extends Closeable {
         Socket accept() throws IOException;
     }
 
-    /** What waits for a while. */
+    /** A pause of the calling thread. */
     @FunctionalInterface
     interface Pause {
         void millis(long millis) throws InterruptedException;
@@ -37,7 +37,7 @@ public final class Acceptor implements Closeable {
         this.pause = pause;
     }
 
-    /** Listens at an address; port 0 for any that is free. */
+    /** Listens at an address; port 0 stands for any free one. */
     public static Acceptor at(InetAddress address, int port, ServerLog log) throws IOException {
         ServerSocket socket = new ServerSocket();
         try {
@@ -69,10 +69,10 @@ public final class Acceptor implements Closeable {
     }
 
     /**
-     * Takes connections until it is closed.
+     * Accepts connections until this is closed.
      *
-     * @param welcome takes care of a connection, whatever happens
-     * @param makeRoom ends a connection that matters least, so that there is a file again
+     * @param welcome takes ownership of a connection
+     * @param makeRoom closes the least important connection, which frees a file descriptor
      */
     public void accept(Consumer<Socket> welcome, Runnable makeRoom) {
         long millis = 0;

@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
- * The log of a server: lines of plain text of bounded length. Lines that any host on the network can cause are limited to a few a minute
- * per address and in all; the number of lines left out is logged, too.
+ * The log of a server: lines of plain text of bounded length. Lines that any host on the network can cause are limited to a few a minute, per address
+ * and in all; the number of omitted lines is logged, too.
  */
 public final class ServerLog {
     public static final int LONGEST_LINE = 500;
@@ -38,7 +38,7 @@ public final class ServerLog {
     public void seldom(String about, String text) {
         tick();
         synchronized (this) {
-            // The map has at most as many addresses as there are lines.
+            // The map is bounded: it has at most one address for each line.
             int before = told.getOrDefault(about, 0);
             if (before == LINES_ABOUT_ONE || toldOfAll == LINES_ABOUT_ALL) {
                 leftOut++;
@@ -50,7 +50,7 @@ public final class ServerLog {
         say(text);
     }
 
-    /** Time has passed. */
+    /** Begins a new minute, if the last one is over; to be called regularly. */
     public void tick() {
         long missing;
         synchronized (this) {

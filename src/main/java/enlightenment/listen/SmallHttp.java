@@ -16,24 +16,24 @@ import java.util.concurrent.ThreadFactory;
 import java.util.function.LongSupplier;
 
 /**
- * As much of HTTP/1.1 (RFC 9112) as a page for one machine takes: requests without a body, one for each connection. Every connection has a
- * deadline, and where there are too many the oldest is closed: a client that sends half a request, or many, does not keep others from an
- * answer. (The JDK's own server waits for half a request without end, with one of few threads.)
+ * HTTP/1.1 server (RFC 9112) for pages on one machine: requests without a body, one for each connection. Every connection has a deadline, and the
+ * oldest is closed if there are too many, so that incomplete or numerous requests of one client do not block others. (The JDK's own server waits
+ * for an incomplete request without limit, in one of few threads.)
  */
 public final class SmallHttp implements Closeable {
-    /** The most connections at a time. */
+    /** The most simultaneous connections. */
     public static final int PLACES = 32;
 
     static final int MAX_HEAD_BYTES = 8 << 10;
-    /** How long a request may take to arrive. */
+    /** The longest time for a request to arrive. */
     public static final long REQUEST_TIMEOUT_NANOS = 5_000_000_000L;
-    /** How long an answer may take from the request to its last byte; a long one takes more. */
+    /** The longest time from a request to the last byte of its answer, long answers aside. */
     public static final long ANSWER_TIMEOUT_NANOS = 20_000_000_000L;
 
-    /** How much longer it may take for each byte: 64 KiB in a second is a slow connection. */
+    /** Additional time for each byte of an answer: 64 KiB in a second is a slow connection. */
     private static final long ANSWER_NANOS_PER_BYTE = 1_000_000_000L >> 16;
 
-    /** Head and body are sent together up to this length. */
+    /** Longest body that is sent together with its head. */
     private static final int SMALL_ANSWER_BYTES = 1 << 20;
 
     private static final int MAX_DRAINED_BYTES = 64 << 10;
@@ -46,7 +46,7 @@ public final class SmallHttp implements Closeable {
     private final LongSupplier clock;
     private final Strangers<Socket> places = new Strangers<>(PLACES, PLACES);
 
-    /** When a connection must have ended. */
+    /** Deadline of each connection, in nanoseconds of the clock. */
     private final Map<Socket, Long> deadlines = new ConcurrentHashMap<>();
 
     private SmallHttp(Acceptor acceptor, Pages pages, ThreadFactory threads, ServerLog log, LongSupplier clock) {
@@ -57,17 +57,16 @@ public final class SmallHttp implements Closeable {
         this.clock = clock;
     }
 
-    /** A request; {@code host} is null unless it is named exactly once. */
+    /** A request; {@code host} is null unless the head has exactly one such field. */
     public record Request(String method, String path, String query, String host) {
         /**
-         * Whether it was sent to one of loopback's own names. A page elsewhere that has a name of its own point here (DNS rebinding) does
-         * not get an answer.
+         * Whether the request was sent to a name of loopback. This refuses pages elsewhere whose own name resolves to loopback (DNS rebinding).
          */
         public boolean isForLoopback() {
             return host != null && host.matches("(localhost|127(\\.\\d{1,3}){3}|\\[::1])(:\\d+)?");
         }
 
-        /** What the query says a name is, if anything; of bounded length, and nothing but text. */
+        /** The first value of a name in the query, not decoded; empty if there is none. Its length is bounded. */
         public Optional<String> value(String name) {
             for (String part : query.split("&")) {
                 if (part.startsWith(name + "=")) {
@@ -79,9 +78,12 @@ public final class SmallHttp implements Closeable {
     }
 
     /**
-     * An answer.
+     * An answer to a request.
      *
-     * @param sent is called when it has been sent
+     * @param code the HTTP status
+     * @param type the media type of the body
+     * @param body the content; not copied
+     * @param sent called after the answer has been sent
      */
     public record Answer(int code, String type, byte[] body, Runnable sent) {
         public Answer(int code, String type, byte[] body) {
@@ -92,24 +94,24 @@ public final class SmallHttp implements Closeable {
             return new Answer(code, "text/plain; charset=utf-8", text.getBytes(StandardCharsets.UTF_8));
         }
 
-        /** What was asked for, as JSON. */
+        /** A successful answer with JSON. */
         public static Answer json(String text) {
             return new Answer(200, "application/json", text.getBytes(StandardCharsets.UTF_8));
         }
     }
 
-    /** Answers requests; on several threads at once. */
+    /** Handler of requests; called by several threads at once. */
     @FunctionalInterface
     public interface Pages {
         Answer answer(Request request) throws IOException;
     }
 
     /**
-     * Begins to answer on loopback.
+     * Starts a server on loopback.
      *
-     * @param port 0 for any that is free
-     * @param clock nanoseconds of any origin, that of {@link #check} too
-     * @throws IOException if it cannot listen there
+     * @param port the port; 0 for any free one
+     * @param clock nanoseconds of any origin, also of {@link #check}
+     * @throws IOException if the port cannot be opened
      */
     public static SmallHttp start(int port, Pages pages, ThreadFactory threads, ServerLog log, LongSupplier clock)
             throws IOException {
@@ -119,7 +121,7 @@ public final class SmallHttp implements Closeable {
         return http;
     }
 
-    /** The port that it listens at. */
+    /** The port of the server. */
     public int port() {
         return acceptor.port();
     }
@@ -167,7 +169,7 @@ public final class SmallHttp implements Closeable {
             answer.sent.run();
             drain(socket);
         } catch (IOException | RuntimeException | OutOfMemoryError e) {
-            // The client waits no longer, or the answer cannot be made now: the page asks again.
+            // The client has left, or the answer cannot be made now: pages repeat their requests.
             end(socket);
         } finally {
             end(socket);
@@ -178,7 +180,7 @@ public final class SmallHttp implements Closeable {
         return Answer.text(400, "this is no request for a page\n");
     }
 
-    /** The request; null if it is none. */
+    /** Reads a request; null if it is malformed or too long. */
     private static Request read(InputStream in) throws IOException {
         StringBuilder head = new StringBuilder();
         while (head.indexOf("\r\n\r\n", Math.max(head.length() - 4, 0)) < 0) {
@@ -227,7 +229,7 @@ public final class SmallHttp implements Closeable {
         out.flush();
     }
 
-    /** Reads the rest of a request: closing earlier may discard the answer that the client has not read. */
+    /** Reads the rest of a request: unread bytes at the close may discard the answer on its way. */
     private static void drain(Socket socket) throws IOException {
         socket.setSoTimeout(DRAIN_TIMEOUT_MILLIS);
         byte[] buffer = new byte[4 << 10];
@@ -240,7 +242,7 @@ public final class SmallHttp implements Closeable {
         return acceptor.isClosed();
     }
 
-    /** Ends connections whose time is over; to be called now and then. */
+    /** Closes connections that have timed out; to be called regularly with the time of the clock. */
     public void check(long now) {
         deadlines.forEach((socket, deadline) -> {
             if (now - deadline > 0) {
@@ -257,12 +259,12 @@ public final class SmallHttp implements Closeable {
         try {
             socket.close();
         } catch (IOException e) {
-            // It is closed for us in any case.
+            // A failed close needs no reaction: the socket is not used again.
             return;
         }
     }
 
-    /** Ends all connections, and takes no more. */
+    /** Closes the port and all connections. */
     @Override
     public void close() throws IOException {
         acceptor.close();

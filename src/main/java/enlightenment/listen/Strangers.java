@@ -10,18 +10,16 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The bounded places of connections that have not authenticated yet. A new one always gets a place: where none is free, the
- * oldest connection of the address that has the most loses its own, so that neither idle connections nor a single address
- * can shut out anybody else. Not
- * for use by several threads at once.
+ * The bounded set of unauthenticated connections. A new one is always admitted: if there is no place, the oldest connection of the address with the
+ * most connections is evicted, so that neither idle connections nor a single address can block others. Not thread-safe.
  *
- * @param <T> what has a place
+ * @param <T> type of the connections
  */
 public final class Strangers<T> {
     private final int limit;
     private final int limitOfAddress;
 
-    /** Who has a place, the oldest first, and by which address. */
+    /** Address of each connection, the oldest connection first. */
     private final Map<T, String> places = new LinkedHashMap<>();
 
     private final Map<String, Integer> counts = new HashMap<>();
@@ -32,22 +30,23 @@ public final class Strangers<T> {
     }
 
     /**
-     * The number of places: at most a quarter of the files that this process may open, as the rest serves what matters more.
+     * The number of places: at most a quarter of the file descriptors of the process. The others serve authenticated connections and files.
      *
-     * @param descriptors how many files it may open; 0 if that is not known
+     * @param wanted the number of places with enough descriptors
+     * @param descriptors the limit of file descriptors of the process; 0 if unknown
      */
     public static int places(int wanted, long descriptors) {
         return descriptors <= 0 ? wanted : (int) Math.max(Math.min(wanted, descriptors / 4), 1);
     }
 
-    /** What counts as one address: of IPv6 the half that a network gives to each of its customers. */
+    /** The identity of an address: of IPv6 the /64 prefix, the usual size of a customer's network. */
     public static String addressOf(InetAddress address) {
         return address instanceof Inet6Address
                 ? HexFormat.of().formatHex(address.getAddress(), 0, 8)
                 : address.getHostAddress();
     }
 
-    /** Gives a place; returns those who lost theirs for it. */
+    /** Adds a connection and returns those evicted for it. */
     public List<T> add(T who, String address) {
         List<T> gone = new ArrayList<>();
         if (counts.getOrDefault(address, 0) >= limitOfAddress) {
@@ -61,7 +60,7 @@ public final class Strangers<T> {
         return gone;
     }
 
-    /** The one whose place is the next to be lost; null if there is none. */
+    /** The next connection to be evicted; null if there is none. */
     public T oldest() {
         String crowded = null;
         int count = 0;
@@ -83,7 +82,7 @@ public final class Strangers<T> {
         throw new IllegalStateException("an address with places has an oldest one");
     }
 
-    /** The place is free; nothing if it was. */
+    /** Removes a connection, if it is present. */
     public void remove(T who) {
         String address = places.remove(who);
         if (address != null) {

@@ -1,2 +1,2 @@
-/** Taking connections from anybody: a port, a bounded number of places, and a log that strangers cannot fill. */
+/** Servers for untrusted clients: a listening port, a bounded number of connections, and a rate-limited log. */
 package enlightenment.listen;

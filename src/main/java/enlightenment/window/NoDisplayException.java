@@ -2,7 +2,7 @@ package enlightenment.window;
 
 import java.io.IOException;
 
-/** There is nothing that a window could be shown on. */
+/** Thrown if there is no display for a window. */
 public final class NoDisplayException extends IOException {
     private static final long serialVersionUID = 1L;
 

@@ -11,23 +11,23 @@ import java.awt.image.DataBufferInt;
 import javax.swing.JComponent;
 
 /**
- * Shows a picture as large as fits: a small one a whole number of times as large, so that its pixels are squares, a large one
- * smaller. Only for the thread of Swing's events.
+ * Component that shows a picture as large as fits. Small pictures are magnified by a whole factor, so that their pixels stay square; large ones are
+ * reduced. For the event dispatch thread of Swing only.
  */
 final class PictureCanvas extends JComponent {
     private static final long serialVersionUID = 1L;
     private static final int MOST_TIMES = 32;
     private static final Color AROUND = new Color(0x20, 0x20, 0x20);
 
-    /** The share of the screen that a window takes by itself. */
+    /** The share of the screen that a window initially takes. */
     private static final double SHARE = 0.6;
 
     private transient BufferedImage image;
 
     /**
-     * @param width of the pictures to come
-     * @param height of the pictures to come
-     * @param screen what there is for windows
+     * @param width width of the expected pictures, in pixels
+     * @param height height of the expected pictures, in pixels
+     * @param screen bounds of the screen that windows may use
      */
     PictureCanvas(int width, int height, Rectangle screen) {
         image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
@@ -35,21 +35,21 @@ final class PictureCanvas extends JComponent {
         setZoom(Math.min(fitting < 1 ? Math.min(1, fitting / SHARE * 0.9) : Math.floor(fitting), MOST_TIMES));
     }
 
-    /** Sets the preferred size to the picture's, times a factor. */
+    /** Sets the preferred size to that of the picture, scaled by a factor. */
     private void setZoom(double times) {
         setPreferredSize(new Dimension(
                 Math.max((int) Math.round(times * image.getWidth()), 1),
                 Math.max((int) Math.round(times * image.getHeight()), 1)));
     }
 
-    /** Asks for the room for the picture a step larger or smaller than it is shown. */
+    /** Sets the preferred size one zoom step larger or smaller than the shown picture. */
     void zoom(boolean larger) {
         double times = times();
         double next = larger ? Math.floor(times) + 1 : times > 1 ? Math.ceil(times) - 1 : times / 2;
         setZoom(Math.min(larger && times < 1 ? Math.min(2 * times, 1) : next, MOST_TIMES));
     }
 
-    /** @param argb what {@code Image.toArgb} makes of it */
+    /** @param argb pixels of the picture, as of {@code Image.toArgb} */
     void show(int width, int height, int[] argb) {
         if (width != image.getWidth() || height != image.getHeight()) {
             image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);

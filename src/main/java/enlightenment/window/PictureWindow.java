@@ -27,13 +27,13 @@ import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
 
 /**
- * A window with a picture that grows, and how far it is in its title. A thread of its own looks at the render some times a second, and
- * makes of its picture what the screen takes; for large pictures less often.
+ * A window with the picture of a running render, and its progress in the title. A thread polls the render a few times a second and converts its
+ * picture for the screen, large pictures less often.
  */
 public final class PictureWindow implements Closeable {
     private static final long PERIOD_MILLIS = 250;
 
-    /** The largest share of a processor that making pictures for the screen may take. */
+    /** The largest share of a processor for converting pictures. */
     private static final double SHARE = 0.02;
 
     private static final long PATIENCE_MILLIS = 200;
@@ -45,7 +45,7 @@ public final class PictureWindow implements Closeable {
     private JFrame frame;
     private PictureCanvas canvas;
 
-    /** The number of the picture that is shown. */
+    /** Number of the shown picture, as {@link Status#picture()}. */
     private long shown;
 
     private boolean isLast;
@@ -58,12 +58,12 @@ public final class PictureWindow implements Closeable {
     }
 
     /**
-     * Opens it.
+     * Opens a window.
      *
-     * @param width of the pictures, in pixels
-     * @param height of the pictures, in pixels
-     * @param whenClosed called when the user has closed the window
-     * @throws NoDisplayException if there is no display, or this Java can show nothing on it
+     * @param width width of the pictures, in pixels
+     * @param height height of the pictures, in pixels
+     * @param whenClosed called after the user has closed the window
+     * @throws NoDisplayException if there is no display, or this Java has no support for it
      */
     public static PictureWindow open(StatusSource source, int width, int height, Runnable whenClosed)
             throws NoDisplayException {
@@ -119,7 +119,7 @@ public final class PictureWindow implements Closeable {
         frame.setVisible(true);
     }
 
-    /** The ball of the page's icon. */
+    /** The icon of the window, a ball as on the status page. */
     private static BufferedImage icon() {
         int side = 32;
         BufferedImage icon = new BufferedImage(side, side, BufferedImage.TYPE_INT_ARGB);
@@ -133,7 +133,7 @@ public final class PictureWindow implements Closeable {
         return icon;
     }
 
-    /** How far it is, in words for a title. */
+    /** The title of the window: progress, title of the render, and remaining time. */
     static String title(Status status) {
         State state = status.state();
         String how = state == State.RENDERING ? status.percent() + " %" : state.word();
@@ -149,7 +149,7 @@ public final class PictureWindow implements Closeable {
                 try {
                     lookOnce();
                 } catch (OutOfMemoryError e) {
-                    // The render needs what there is; perhaps there is more the next time, which is not soon.
+                    // The remaining memory is for the render: the next attempt is after a pause.
                     nextNanos = System.nanoTime() + SHORTAGE_NANOS;
                 }
             }
@@ -166,7 +166,7 @@ public final class PictureWindow implements Closeable {
         long start = System.nanoTime();
         int[] argb = image.map(Image::toArgb).orElse(null);
         if (isDue) {
-            // The least of all: what the others took longer they waited for a processor.
+            // The shortest time of all: longer ones include waiting for a processor.
             tookNanos = Math.min(tookNanos, System.nanoTime() - start);
             nextNanos = start + (long) (tookNanos / SHARE);
         }
@@ -183,18 +183,18 @@ public final class PictureWindow implements Closeable {
         });
     }
 
-    /** Waits until the user has closed it, or there is another reason to end. */
+    /** Waits until the window is closed, or another reason to end is true, which is polled. */
     public void awaitClosed(BooleanSupplier reason) {
         try {
             while (!reason.getAsBoolean() && !closed.await(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
-                // Then it is asked again.
+                // The condition polls the reason again.
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    /** Closes it; harmless if it is closed. */
+    /** Closes the window; has no effect if it is closed already. */
     @Override
     public void close() {
         closed.countDown();

@@ -1,2 +1,2 @@
-/** A window that shows a render; the only place with Swing. It needs a display, and a Java that is not made for machines without one. */
+/** A window that shows a render, the only package with Swing. It needs a display, and a Java with desktop support. */
 package enlightenment.window;

@@ -16,14 +16,14 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /**
- * How fast one scene renders, measured by repeated renders after a warm-up.
+ * The render time of one scene, measured by repeated renders after a warm-up.
  *
- * @param name what the measurement is called in the output
+ * @param name name of the measurement in the output
  * @param settings the settings of the renders
  * @param wall seconds by the clock for one render, from the scene in memory to the finished image
  * @param cpu seconds of all processors for one render; 0 where the system does not report it
  * @param rays rays of all kinds that one render traced
- * @param lightSamples light samples that one render evaluated, with or without a ray: what the paper's program counted as rays
+ * @param lightSamples light samples that one render evaluated, with or without a ray; the paper's program counted them as rays
  */
 public record Bench(String name, RenderSettings settings, Spread wall, Spread cpu, long rays, long lightSamples) {
     /** The settings of the paper's benchmark, {@code runners.Benchmark}. */
@@ -39,10 +39,10 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
     /** The warm-up lasts at least this many seconds. */
     private static final double WARM_UP = 2;
 
-    /** No measured render begins after this many seconds, but the first. */
+    /** Seconds after which no measured render begins, except the first. */
     private static final double MAX_SECONDS = 20;
 
-    /** The settings of the paper's benchmark, for its scene fire and ice; all else is the scene's own. */
+    /** The settings of the paper's benchmark, for its scene fire and ice; other settings are the scene's own. */
     public static RenderSettings paperSettings(Scene fireAndIce) {
         return RenderSettings.of(fireAndIce)
                 .using(new BuiltInMethod.RayTraceSettings(PAPER_SHADOW_SAMPLES))
@@ -55,9 +55,9 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
      * Renders repeatedly and measures the time. Warm-up and measurement take 2 to 22 seconds, or as long as two renders.
      *
      * @param name the name of the measurement
-     * @param repeats how many renders are measured, at least 1; fewer where they take long
-     * @param cancelled asked often, from several threads; once it answers true, no further render counts
-     * @return the measurement; empty where it was cancelled before a render had ended
+     * @param repeats number of measured renders, at least 1; fewer are made if they take long
+     * @param cancelled polled often, by several threads; once it returns true, no further render counts
+     * @return the measurement; empty if it was cancelled before the first render ended
      * @throws enlightenment.scene.SceneException if the scene cannot be rendered
      * @throws enlightenment.math.InvalidValueException if {@code repeats} is less than 1
      */
@@ -94,7 +94,7 @@ public record Bench(String name, RenderSettings settings, Spread wall, Spread cp
                         name, settings, Spread.of(wall), Spread.of(cpu), report.rays(), report.lightSamples()));
     }
 
-    /** Processor, system, Java, and how busy this machine is now, by label: what any time depends on. */
+    /** Facts that times depend on, by label: processor, system, Java, and current load of this machine. */
     public static Map<String, String> machine() {
         return MachineDescription.facts();
     }

@@ -11,33 +11,32 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Renders with budgets of 1, 2, 4, ... samples per pixel (and 2.5), several times each. The methods take turns, render by render, so
- * that a busy machine disturbs all of them alike. A method does not take part in budgets in which another one takes its place. A method
- * that takes a fixed number of light samples runs with other numbers as well, as far as there is time and as long as they may turn out
- * best.
+ * The series of renders with budgets of 1, 2, 4, ... samples per pixel (and 2.5), several times each. Methods alternate render by render, so that
+ * other load of the machine affects all of them alike. A method is left out of budgets at which another one replaces it. A method with a fixed
+ * number of light samples also runs with other numbers, as far as time allows and while they may still be the best.
  */
 final class BudgetSeries {
     private static final double SHARE = 0.72;
     private static final double SHARE_WITH_SWEEPS = 0.52;
 
-    /** These many budgets are rendered once whatever they take: fewer give no curve. */
+    /** Number of budgets that are rendered at least once, whatever their time: fewer give no curve. */
     private static final int MIN_BUDGETS = 4;
 
-    /** And these many by each method that does not take part in the first. */
+    /** Number of budgets that each method left out of the first ones renders at least. */
     private static final int MIN_OWN_BUDGETS = 2;
 
-    /** Powers of two, which low-discrepancy samples fill best, and 2.5, where the cluster method begins to survey. */
+    /** The budgets: powers of two, at which low-discrepancy samples are best, and 2.5, where the cluster method begins its survey. */
     private static final double[] SAMPLES = {1, 2, 2.5, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096};
 
-    /** Below this, and at fractions, other numbers of light samples are not tried: the best one shows only with more samples. */
+    /** The least budget, in samples per pixel, with other numbers of light samples; fractional budgets have none either. */
     private static final int VARIANTS_FROM = 2;
 
     /**
-     * A budget above this share of the reference's by the same method is not rendered: the reference would not be clearly more accurate.
+     * The largest budget as a share of the reference's by the same method. Above it, the reference would not be clearly more accurate.
      */
     private static final double MAX_OF_REFERENCE = 0.25;
 
-    /** Seeds of neighbouring budgets are this far apart, so that no two renders share their random numbers. */
+    /** Distance of the seeds of neighbouring budgets, so that no two renders share random numbers. */
     private static final long SEED_STEP = TradeSettings.MAX_SEEDS;
 
     private final Session session;
@@ -64,7 +63,7 @@ final class BudgetSeries {
         }
     }
 
-    /** Those that render this budget: the methods as the scene has them, then what else fits in, the cheapest first. */
+    /** Configurations that render a budget: the scene's own of each method, then variants that fit, the cheapest first. */
     private List<Configuration> configurations(int index, int turn) {
         double samples = SAMPLES[index];
         List<Configuration> own = session.settings.methods().stream()
@@ -104,7 +103,7 @@ final class BudgetSeries {
         return index < MIN_BUDGETS || index < first(own.method()) + MIN_OWN_BUDGETS;
     }
 
-    /** The index of the first budget that a method takes part in. */
+    /** Index of the first budget that a method renders. */
     private int first(String method) {
         int index = 0;
         while (SAMPLES[index] < session.fewest(method)) {
@@ -113,7 +112,7 @@ final class BudgetSeries {
         return index;
     }
 
-    /** Whether with fewer samples its error could no longer be distinguished from the reference's: more add nothing. */
+    /** Whether a smaller budget had an error indistinguishable from the reference's, so that larger ones add nothing. */
     private boolean isDone(Configuration configuration, int index) {
         return index >= MIN_BUDGETS
                 && !isNeeded(configuration, index)
@@ -141,7 +140,7 @@ final class BudgetSeries {
         return session.fits(seconds, share);
     }
 
-    /** Whether the reference would be clearly more accurate; of other methods than its own that is not known before. */
+    /** Whether the reference would be clearly more accurate than a budget; true for methods that the reference does not use. */
     private boolean isBelowTheReference(String method, double samples) {
         return session.reference().parts().stream()
                 .filter(part -> part.method().equals(method))
@@ -151,7 +150,7 @@ final class BudgetSeries {
     private void step(List<Configuration> configurations, double samples, long seed, int turn) throws IOException {
         List<TimedRenderer.Timed> renders = new ArrayList<>();
         for (int i = 0; i < configurations.size(); i++) {
-            // The first one changes with the turn: it may find the machine in another state.
+            // The order rotates with each turn, as the first render may find the machine in another state.
             Configuration configuration = configurations.get((i + turn) % configurations.size());
             boolean done = session.has(r -> r.kind().equals(TradeRun.BUDGET_SERIES)
                     && Configuration.of(r).equals(configuration)

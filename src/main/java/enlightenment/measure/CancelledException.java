@@ -1,6 +1,6 @@
 package enlightenment.measure;
 
-/** The user cancelled the measurement. */
+/** Thrown when the user has cancelled the measurement. */
 final class CancelledException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

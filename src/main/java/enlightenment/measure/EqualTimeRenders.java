@@ -18,14 +18,14 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Renders one picture by each method in equal time and writes it into the folder, with its differences from the reference. Each
- * method takes its best configuration for a visible error.
+ * Renders one picture by each method in equal time. Picture and difference from the reference are files of the folder. Each method
+ * uses its best configuration for a visible error.
  */
 final class EqualTimeRenders {
-    /** An error that can be seen. */
+    /** A visible root mean square error, in display units. */
     private static final double VISIBLE = 0.02;
 
-    /** The time is at least this many times that of every method's cheapest render: fixed costs are not compared. */
+    /** Least ratio of the equal time to the cheapest render of each method, so that fixed costs are not compared. */
     private static final double FIXED_COST = 1.5;
 
     /** The share of the budget up to which another round may begin, without sweeps and with. */

@@ -6,16 +6,16 @@ import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 
 /**
- * Searches for budgets that take equally long, by rendering: how long a budget takes is only known afterwards, and the machine's
- * speed drifts. The slowest keeps its budget, the others are brought to its time.
+ * Search for budgets of equal render time. It renders, as the time of a budget cannot be predicted and the machine's speed drifts. The
+ * slowest configuration keeps its budget; the others approach its time.
  */
 final class EqualTimeSearch {
     private static final int MAX_ROUNDS = 6;
 
-    /** No budget changes by more than this factor at once. */
+    /** Largest factor by which a budget changes in one round. */
     private static final double MAX_CHANGE = 4;
 
-    /** No budget changes by a higher power of the ratio of times. */
+    /** Largest power of the ratio of times by which a budget changes. */
     private static final double MAX_POWER = 3;
 
     /** Renders once with a budget and returns the seconds. */
@@ -25,13 +25,13 @@ final class EqualTimeSearch {
     }
 
     /**
-     * The budgets that came closest.
+     * The budgets with the smallest ratio of times.
      *
-     * @param samples by configuration
-     * @param seconds the time that each was measured to take, in the same round: the mean of two renders
+     * @param samples samples per pixel, by configuration
+     * @param seconds measured times of the same round, by configuration: means of two renders
      */
     record Found(double[] samples, double[] seconds) {
-        /** The longest time divided by the shortest. */
+        /** The ratio of the longest to the shortest time. */
         double apart() {
             return Arrays.stream(seconds).max().orElse(1)
                     / Arrays.stream(seconds).min().orElse(1);
@@ -45,13 +45,13 @@ final class EqualTimeSearch {
     private final Stopwatch stopwatch;
     private final BooleanSupplier more;
 
-    /** @param more whether there is time for another round; the first is made in any case */
+    /** @param more returns whether there is time for another round; the first is always made */
     EqualTimeSearch(Stopwatch stopwatch, BooleanSupplier more) {
         this.stopwatch = stopwatch;
         this.more = more;
     }
 
-    /** Searches from these budgets, each at least 1. */
+    /** Searches from the given budgets, each at least 1. */
     Found search(double[] start) {
         Found now = measure(start);
         Found best = now;
@@ -76,7 +76,7 @@ final class EqualTimeSearch {
         return best;
     }
 
-    /** Each in turn and in reverse order: a speed that changes steadily favours none. */
+    /** Measures all configurations in turn and in reverse order, so that a linear drift of speed favours none. */
     private Found measure(double[] samples) {
         double[] seconds = new double[samples.length];
         for (int i = 0; i < samples.length; i++) {
@@ -88,7 +88,7 @@ final class EqualTimeSearch {
         return new Found(samples, seconds);
     }
 
-    /** The power of the time that the budget grows with, from the last two rounds: above 1 where fixed costs are large. */
+    /** Exponent of the budget as a power of the time, from two rounds; above 1 with large fixed costs. */
     private static double power(Found before, Found now, int i) {
         double samples = Math.log(now.samples[i] / before.samples[i]);
         double seconds = Math.log(now.seconds[i] / before.seconds[i]);

@@ -10,14 +10,14 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** The machine that is measured on. */
+/** Description of the machine of a measurement. */
 final class MachineDescription {
     private static final Path CPU_INFO = Path.of("/proc/cpuinfo");
     private static final double MEBI = 1 << 20;
 
     private MachineDescription() {}
 
-    /** Processor, system, Java, and how busy the machine is now, by label. */
+    /** Processor, system, Java, and current load of the machine, by label. */
     static Map<String, String> facts() {
         Map<String, String> facts = new LinkedHashMap<>();
         Runtime runtime = Runtime.getRuntime();
@@ -34,7 +34,7 @@ final class MachineDescription {
         return facts;
     }
 
-    /** The processor's model where Linux reports it, its architecture elsewhere. */
+    /** The processor's model if Linux reports it, else its architecture. */
     private static String processor() {
         try {
             for (String line :
@@ -44,7 +44,7 @@ final class MachineDescription {
                 }
             }
         } catch (IOException e) {
-            // Not Linux, or not readable: the architecture has to do.
+            // Not Linux, or not readable: the architecture is returned instead.
         }
         return System.getProperty("os.arch");
     }

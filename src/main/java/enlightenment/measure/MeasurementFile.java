@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The file of the figures that are not in the runs: the reference and the conditions, one {@code key=value} per line. */
+/** The file of the reference's figures and the conditions, one {@code key=value} per line. */
 final class MeasurementFile {
     private static final String VARIANCE = "reference.variance";
     private static final String PART = "reference.part";
@@ -24,7 +24,7 @@ final class MeasurementFile {
 
     private MeasurementFile() {}
 
-    /** What the file holds. */
+    /** The content of the file. */
     record Content(Reference reference, TradeResult.Conditions conditions) {}
 
     static List<String> lines(Reference reference, TradeResult.Conditions c) {
@@ -81,7 +81,7 @@ final class MeasurementFile {
         return p.method() + "," + p.lightSamples() + "," + p.samples() + "," + p.seed();
     }
 
-    /** The part that a file tells of in its one line. */
+    /** The part of the reference that a file of one line describes. */
     static Reference.Part part(Path file) throws IOException {
         try {
             return part(Files.readString(file).strip());

@@ -14,8 +14,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Makes the reference: the mean of two long renders by what a trial finds best, with seeds that no run uses. Each part is kept in a file,
- * so that a resumed measurement has it at once.
+ * Makes the reference: the mean of two long renders by the best configurations of a trial. No run uses their seeds. Each part is kept in a
+ * file, so that a resumed measurement need not render it again.
  */
 final class ReferenceMaker {
     /** The share of the budget for all parts together, without sweeps and with. */
@@ -23,10 +23,10 @@ final class ReferenceMaker {
 
     private static final double SHARE_WITH_SWEEPS = 0.3;
 
-    /** How many renders the reference is the mean of: the error of a single one is unknown. */
+    /** Number of renders averaged by the reference: the error of a single one would be unknown. */
     static final int PARTS = 2;
 
-    /** The share of the trials of methods in what the parts may take. */
+    /** Share of the trials in the time for the parts. */
     private static final double TRIALS = 0.25;
 
     private static final double MIN_SAMPLES = 16;
@@ -83,7 +83,7 @@ final class ReferenceMaker {
         return Files.exists(note(part)) && Files.exists(picture(part));
     }
 
-    /** A part from its file. */
+    /** Reads a part from its file. */
     private Reference.Part kept(int index, List<Image> images) throws IOException {
         Reference.Part part = MeasurementFile.part(note(index));
         images.add(session.read(picture(index)));
@@ -98,13 +98,13 @@ final class ReferenceMaker {
         ImageFiles.writePfm(image, picture(index));
         Reference.Part part =
                 new Reference.Part(configuration.method(), configuration.lightSamples(), samples, seed(index));
-        // Last: it marks the part as whole.
+        // Written last, as it marks the part as complete.
         WholeFile.write(note(index), MeasurementFile.text(part) + "\n");
         images.add(image);
         return part;
     }
 
-    /** The largest power of two that fits into this many seconds: powers of two are the best distributed. */
+    /** The largest power of two samples per pixel that fits into a time in seconds: such samples are best distributed. */
     private double samples(Configuration configuration, double seconds) {
         double samples = MIN_SAMPLES;
         while (2 * samples <= MAX_SAMPLES && session.expected(configuration, 2 * samples) <= seconds) {
@@ -129,10 +129,9 @@ final class ReferenceMaker {
     /**
      * The mean of independent renders. The mean squared difference of two of them estimates the sum of their variances, so the
      * differences of all pairs estimate the variance of the mean without any assumption about the methods: for n renders, their
-     * sum over all pairs divided by n²(n − 1). The mean is one of light where the renders are, the differences are those of what a screen
-     * shows.
+     * sum over all pairs divided by n²(n − 1). The mean is in linear light if the renders are; differences are in display units.
      *
-     * @param images at least two, of one size
+     * @param images the renders, at least two, of one size
      */
     static Reference meanOf(List<Image> images, List<Reference.Part> parts) {
         int n = images.size();
@@ -163,9 +162,9 @@ final class ReferenceMaker {
     }
 
     /**
-     * An image that the user gave. The differences of two independent renders from it have only its own error in common, bias
-     * included: their mean product estimates its mean squared error, up to chance. It is not told to be smaller than the standard error of
-     * that mean, pixels taken as independent.
+     * A reference given by the user. The differences of two independent renders from it have only its own error in common, bias included: their
+     * mean product is an estimate of its mean squared error. The result is at least the standard error of that mean, with pixels assumed
+     * independent.
      */
     static Reference given(Image reference, Image a, Image b) {
         double sum = 0;

@@ -8,22 +8,22 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Tries what the reference may be rendered by, and chooses what has the least error for its time: where light is hard to find, a method
- * that hardly finds it would give no reference at all. All that is tried sees the whole scene and is unbiased.
+ * Trial of configurations for the reference, which selects those of least error for their time. A method that hardly samples difficult light gives
+ * no reference. Only unbiased methods that sample all light of the scene are tried.
  */
 final class ReferenceTrial {
     /** Least number of samples per pixel; more for methods that are replaced by another below their own least. */
     private static final double SAMPLES = 16;
 
-    /** Small budgets include fixed costs, and Java may still be compiling: more trials than one, where there is time. */
+    /** Number of trials of each method as time allows: small budgets include fixed costs, and Java may still be compiling. */
     private static final int RENDERS = 3;
 
-    /** Up to this ratio of squared error times time the second best makes one of the parts: two methods are a check of each other. */
+    /** Largest ratio of costs at which the second best renders one of the parts: two methods check each other. */
     private static final double CLOSE = 2;
 
     /**
-     * Light samples per hit of a part by a method that takes a fixed number of them, unless the scene asks for fewer: many camera rays with
-     * few light samples each converge sooner. Fitted: 2 took 0.6 to 0.8 of the time to equal error of 10 and 25.
+     * Light samples per hit of a part by a method with a fixed number, unless the scene has fewer. Many camera rays with few light samples each
+     * converge sooner. Fitted: 2 took 0.6 to 0.8 of the time to equal error of 10 and 25.
      */
     private static final int LIGHT_SAMPLES = 2;
 
@@ -33,13 +33,13 @@ final class ReferenceTrial {
         this.session = session;
     }
 
-    /** How good something is: its squared error times its time. */
+    /** A configuration with its cost, the squared error times the time. */
     private record Tried(Configuration configuration, double cost) {}
 
     /**
      * The configurations of the parts: the best one twice, or the best two if they are close.
      *
-     * @param seconds what the trials may take together, but that each configuration is tried once
+     * @param seconds time limit of all trials together; each configuration is tried at least once
      */
     List<Configuration> run(double seconds) {
         List<Configuration> candidates = candidates(session).stream()
@@ -54,7 +54,7 @@ final class ReferenceTrial {
     }
 
     private static List<Configuration> chosen(List<Tried> tried) {
-        // Stable: among equals the first one wins.
+        // A stable sort: the first of equal ones wins.
         List<Tried> sorted =
                 tried.stream().sorted(Comparator.comparingDouble(Tried::cost)).toList();
         Tried best = sorted.get(0);
@@ -63,8 +63,8 @@ final class ReferenceTrial {
     }
 
     /**
-     * The words of the methods that may be tried: those compared that are the program's own and see all of the scene; of methods from
-     * outside it is not known what they show, so that they are tried only among themselves. Where nothing is left, path tracing.
+     * Words of the methods to try: the compared built-in ones that sample all light of the scene. Extensions, whose limitations are unknown, are
+     * tried only if there are no built-in ones; path tracing if there is none at all.
      */
     static List<String> candidates(Session session) {
         List<String> own = new ArrayList<>();

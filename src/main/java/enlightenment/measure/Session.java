@@ -20,13 +20,13 @@ import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 
-/** What the steps of a measurement share: clock, journal, reference, and how long renders are expected to take. */
+/** State shared by the steps of a measurement: clock, journal, reference, and expected render times. */
 final class Session {
     private static final double NANO = 1e-9;
 
     final TradeSettings settings;
 
-    /** The words of methods that cannot see all of the scene: their errors include what is missing. */
+    /** Words of methods that do not sample all light of the scene; their errors include the missing light. */
     final Set<String> blind = new HashSet<>();
 
     final TradeFolder folder;
@@ -70,17 +70,17 @@ final class Session {
         return (System.nanoTime() - start) * NANO;
     }
 
-    /** Whether work of this many seconds would end within this share of the budget. */
+    /** Whether work of a duration in seconds would end within a share of the budget. */
     boolean fits(double seconds, double share) {
         return elapsed() + seconds <= share * settings.budgetSeconds();
     }
 
-    /** The fewest samples per pixel that a method can do with itself: with fewer, another one takes its place. */
+    /** The least samples per pixel of a method: with fewer, another one replaces it. */
     double fewest(String method) {
         return fewest.getOrDefault(method, 1.0);
     }
 
-    /** Tells the listener what comes next. */
+    /** Reports the next step to the listener. */
     void say(String what) {
         doing = what;
         tick();
@@ -99,18 +99,17 @@ final class Session {
         return reference;
     }
 
-    /** Renders, and remembers how long it took. */
+    /** Renders, and records the time for {@link #expected}. */
     TimedRenderer.Timed timed(Configuration configuration, double samples, long seed) {
         TimedRenderer.Timed t = renderer.render(configuration.settings(settings.base(), samples, seed));
         secondsPerSample.put(configuration, t.wall() / samples);
         return t;
     }
 
-    /** The seconds that a budget is expected to take: in proportion to the last one, which overestimates larger budgets. */
+    /** Expected seconds of a budget, in proportion to the last one, which overestimates larger budgets. */
     double expected(Configuration configuration, double samples) {
         Configuration own = Configuration.ofScene(settings, configuration.method());
-        // A number of light samples that has not run yet takes as long as the scene's own; a larger one longer in
-        // proportion.
+        // A number of light samples without a run takes as long as the scene's own; a larger one longer in proportion.
         double unseen = secondsPerSample.getOrDefault(own, 0.0)
                 * Math.max((double) configuration.lightSamples() / Math.max(own.lightSamples(), 1), 1);
         return secondsPerSample.getOrDefault(configuration, unseen) * samples;
@@ -137,7 +136,7 @@ final class Session {
         return folder.journal().runs().stream().anyMatch(which);
     }
 
-    /** The costs of a configuration as known by now. */
+    /** The costs of a configuration from all runs so far. */
     MeasuredCosts costs(Configuration configuration) {
         return MeasuredCosts.of(
                 configuration, folder.journal().runs(), settings.base().threads(), reference.variance());

@@ -10,7 +10,7 @@ import enlightenment.scene.Shading;
 import java.io.IOException;
 import java.nio.file.Path;
 
-/** Pictures of a scene in files: of physical shading a float map holds light, and the scene says how it is shown. */
+/** Reader of a scene's pictures. With physical shading, a float map has linear light and gets the scene's display curve. */
 final class StoredPicture {
     private StoredPicture() {}
 

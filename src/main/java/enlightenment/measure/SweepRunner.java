@@ -5,17 +5,17 @@ import enlightenment.scene.RenderSettings;
 import java.io.IOException;
 import java.util.List;
 
-/** Renders the values of the sweeps one after the other, as long as the budget lasts. */
+/** Renders the values of the sweeps one after the other, within the budget. */
 final class SweepRunner {
     /** The share of the budget after which sweeps begin; they divide the rest evenly. */
     private static final double BEGIN = 0.7;
 
-    /** These many values of each sweep are rendered whatever they take: fewer compare nothing. */
+    /** Number of values of each sweep that are rendered whatever their time: fewer allow no comparison. */
     private static final int MIN_VALUES = 2;
 
     private final Session session;
 
-    /** Seconds of the last render, which the next one is expected to take at least. */
+    /** Seconds of the last render, the least expected time of the next one. */
     private double last;
 
     SweepRunner(Session session) {
@@ -41,7 +41,7 @@ final class SweepRunner {
         }
     }
 
-    /** Renders one value with each seed, the first few of them whatever they take; returns whether there was time for all. */
+    /** Renders one value with each seed, the first few whatever their time; returns whether there was time for all. */
     private boolean run(Sweep sweep, int value, double share, int minSeeds) throws IOException {
         RenderSettings base = session.settings.base();
         for (int k = 0; k < session.settings.seeds(); k++) {

@@ -17,7 +17,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 
-/** Renders, measures the time, and compares with the reference. */
+/** Renderer that measures times and compares pictures with the reference. */
 final class TimedRenderer {
     private static final double NANO = 1e-9;
 
@@ -32,7 +32,7 @@ final class TimedRenderer {
         this.tick = (done, total, soFar) -> tick.run();
     }
 
-    /** A render and the seconds it took. */
+    /** A render with its times in seconds. */
     record Timed(Image image, RenderSettings settings, double wall, double cpu, RenderReport.Sampling sampling) {}
 
     /** Reads a picture of the scene that was kept in a file. */
@@ -57,7 +57,7 @@ final class TimedRenderer {
         return new Timed(result.image(), settings, wall, cpu, result.report().sampling());
     }
 
-    /** Compares renders with the reference, as a screen shows them, several at once: nothing is being timed meanwhile. */
+    /** Compares renders with the reference, in display units and in parallel, as nothing is timed meanwhile. */
     static List<TradeRun> judge(String kind, List<Timed> renders, Image reference) {
         Image shown = reference.toDisplay();
         return renders.parallelStream().map(r -> judge(kind, r, shown)).toList();

@@ -20,22 +20,22 @@ import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /**
- * Measures the trade-off of speed against accuracy for a scene, and advises what to render with.
+ * Measures the trade-off of speed against accuracy for a scene, and advises on settings for an error.
  *
- * <p>All methods may be called by several threads at once. One that measures times needs the machine for itself.
+ * <p>All methods are thread-safe. Measurements need an otherwise idle machine.
  */
 public final class Trade {
     private Trade() {}
 
     /**
-     * Measures. Every run is in the folder's {@code trade.csv} as soon as it has ended, so that an interrupted measurement can be
+     * Runs a measurement. Every run is written to the folder's {@code trade.csv} as soon as it has ended, so that an interrupted measurement can be
      * resumed; the reference and the pictures at equal time are written there as well ({@link #files}).
      *
-     * @param folder where to keep the measurement; made if it does not exist
+     * @param folder the folder of the measurement; made if it does not exist
      * @param resume whether to resume a measurement that the folder holds; without one, a new one begins
-     * @param listener hears the progress
-     * @param cancelled asked often, from several threads; once it answers true, the measurement ends with what it has
-     * @return the result; empty where it was cancelled before there was a reference
+     * @param listener receives the progress
+     * @param cancelled polled often, by several threads; once it returns true, the measurement ends with the runs so far
+     * @return the result; empty if it was cancelled before there was a reference
      * @throws enlightenment.math.InvalidValueException if the folder cannot be used: key "output", or "resume" where it holds a
      *     measurement with other settings or of another scene
      * @throws enlightenment.scene.SceneException if the scene cannot be rendered
@@ -49,7 +49,7 @@ public final class Trade {
             TradeListener listener,
             BooleanSupplier cancelled)
             throws IOException {
-        // Before there is a folder of it.
+        // Checked before a folder is made.
         settings.methods().forEach(word -> Method.requireSupport(Method.named(word), scene));
         TradeFolder files = TradeFolder.open(folder, settings, resume);
         List<Renderer.Sight> methods = methods(scene, settings);
@@ -83,8 +83,8 @@ public final class Trade {
      * Reads the result that a folder holds, without measuring. The runs and the figures of the reference are enough; its picture is
      * part of the result if it was kept.
      *
-     * @param scene what was rendered: says how pictures of light are shown
-     * @param settings as the folder was measured with; budget, number of seeds and sweeps may differ
+     * @param scene the scene that was rendered, which has the display curve of pictures of light
+     * @param settings the settings of the measurement; budget, number of seeds and sweeps may differ
      * @throws enlightenment.math.InvalidValueException key "evaluate", if the folder holds no finished measurement, or one with other
      *     settings or of another scene
      * @throws IOException if a file cannot be read or is damaged
@@ -100,7 +100,7 @@ public final class Trade {
                 blindSpots(methods(scene, settings)));
     }
 
-    /** What is to be known of the methods of a measurement, in their order. */
+    /** Limitations and least samples of the methods of a measurement, in their order. */
     private static List<Renderer.Sight> methods(Scene scene, TradeSettings settings) {
         List<Renderer.Sight> all = Renderer.inspect(scene, settings.base()).methods();
         List<Renderer.Sight> named = new ArrayList<>();
@@ -108,13 +108,13 @@ public final class Trade {
             named.add(all.stream()
                     .filter(s -> s.method().word().equals(word))
                     .findFirst()
-                    // From outside the program: all that is known of it is its name.
+                    // An extension, of which only the name is known.
                     .orElseGet(() -> new Renderer.Sight(Method.named(word), Optional.empty(), 1)));
         }
         return named;
     }
 
-    /** What the methods cannot see of the scene, by their words. */
+    /** Light that methods do not sample, in words, by the words of the methods. */
     private static Map<String, String> blindSpots(List<Renderer.Sight> methods) {
         Map<String, String> spots = new LinkedHashMap<>();
         for (Renderer.Sight sight : methods) {
@@ -124,8 +124,7 @@ public final class Trade {
     }
 
     /**
-     * Reads a picture that a scene is to be compared with. A float map is taken for what the scene's shading makes: light, or colours of a
-     * screen.
+     * Reads a picture to compare a scene with. A float map is interpreted by the scene's shading: as linear light, or as display colours.
      *
      * @throws IOException if the file cannot be read
      */

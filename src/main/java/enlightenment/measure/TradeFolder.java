@@ -22,8 +22,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The folder of a measurement: its settings, the runs so far, the parts of the reference. Whatever happens to the process, the next
- * one can resume from here.
+ * The folder of a measurement: its settings, the runs so far, the parts of the reference. A later process can resume from it after any
+ * interruption.
  */
 final class TradeFolder {
     private static final String IDENTITY = "settings.txt";
@@ -119,7 +119,7 @@ final class TradeFolder {
         WholeFile.write(file(KEPT), String.join("\n", MeasurementFile.lines(reference, conditions)) + "\n");
     }
 
-    /** Reads them, with the reference's picture if that is still there. */
+    /** Reads the figures of the reference and the conditions, with the reference's picture if that exists. */
     MeasurementFile.Content kept(Scene scene) throws IOException {
         Optional<Image> picture = Optional.empty();
         for (String name : List.of("reference.png", "reference.pfm")) {
@@ -145,7 +145,7 @@ final class TradeFolder {
         return names;
     }
 
-    /** Everything that must be the same for a measurement to be resumed, one {@code key=value} per line. */
+    /** The settings that must be equal to resume a measurement, one {@code key=value} per line. */
     private static List<String> identity(TradeSettings settings) {
         RenderSettings base = settings.base();
         RenderSettings.Crop c = base.region();

@@ -10,7 +10,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The runs of a measurement in a file of comma-separated values: one line each, written as soon as the run has ended. */
+/** The file of a measurement's runs as comma-separated values, one line each, written when the run has ended. */
 final class TradeJournal {
     private static final String HEADER =
             "kind,method,antialias,shadowSamples,threads,samples,seed,wallSeconds,cpuSeconds,"
@@ -30,7 +30,7 @@ final class TradeJournal {
         return new TradeJournal(file);
     }
 
-    /** Opens a file to append to. A last line that an interruption cut short is dropped, from the file as well. */
+    /** Opens a file to append to. An incomplete last line, left by an interruption, is removed from the file. */
     static TradeJournal open(Path file) throws IOException {
         TradeJournal journal = new TradeJournal(file);
         String text = Files.readString(file);

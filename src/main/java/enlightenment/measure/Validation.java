@@ -16,8 +16,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Validates the advice before it is given: the budget that an error is estimated to need is rendered with the scene's own seed. A
- * render is a function of its settings, so following the advice gives this very image and this very error.
+ * Validation of the advice: renders the budget estimated for an error with the scene's own seed. A render is a function of its settings, so
+ * that following the advice gives exactly this image and this error.
  */
 final class Validation {
     private static final double SHARE = 0.88;
@@ -25,10 +25,10 @@ final class Validation {
     private static final int MAX_TRIES = 3;
     private static final int REPEATS = 3;
 
-    /** A try whose error is at least this share of the target is the last one: a smaller budget would hardly do. */
+    /** Share of the target from which an error is close enough: a smaller budget would hardly reach the target. */
     private static final double CLOSE_ENOUGH = 0.9;
 
-    /** Slopes of error over samples that the next budget is computed with. */
+    /** Limits of the slope of error over samples that the next budget is computed with. */
     private static final double STEEPEST = -1.2;
 
     private static final double FLATTEST = -0.4;
@@ -39,10 +39,10 @@ final class Validation {
         this.session = session;
     }
 
-    /** Validates all methods for an error: with the scene's number of light samples, and with the one that is best so far. */
+    /** Validates all methods for an error, with the scene's number of light samples and with the best so far. */
     void run(double target) throws IOException {
         if (target < session.reference().error()) {
-            // It could not be distinguished from the reference's error.
+            // The target could not be distinguished from the reference's error.
             return;
         }
         session.say("trying the budgets for an error of " + target);
@@ -63,7 +63,7 @@ final class Validation {
         Set<Configuration> candidates = new LinkedHashSet<>();
         for (String method : session.settings.methods()) {
             if (session.blind.contains(method)) {
-                // No advice names it.
+                // The advice never names this method.
                 continue;
             }
             candidates.add(Configuration.ofScene(session.settings, method));

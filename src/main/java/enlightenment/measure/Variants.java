@@ -7,11 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Chooses the numbers of light samples that a method goes on with: a comparison at a bad setting says nothing about the method, but
- * running all of them over all budgets would take the time of the comparison.
+ * Selection of the numbers of light samples that a method continues with. A comparison at a bad number says nothing about the method, but
+ * running all numbers over all budgets would take the time of the comparison.
  */
 final class Variants {
-    /** A time longer by this factor is not chance. */
+    /** Least ratio of times that counts as a clear difference. */
     private static final double CLEARLY = 1.15;
 
     private static final int IN_A_ROW = 2;
@@ -19,8 +19,8 @@ final class Variants {
     private Variants() {}
 
     /**
-     * The variants that are worth another budget. One that gives the same image as the scene's own number is dropped at once, and
-     * one that was dominated twice in a row: another number gave a smaller error in clearly less time.
+     * The variants for the next budget. Variants with the image of the scene's own number are dropped at once; others after being dominated twice
+     * in a row, that is, another number gave a smaller error in clearly less time.
      */
     static List<Configuration> worthwhile(Configuration own, List<TradeRun> series) {
         List<Configuration> left = new ArrayList<>();

@@ -7,7 +7,7 @@ final class WarmUp {
     /** Least number of samples per pixel; more for methods that are replaced by another below their own least. */
     private static final double SAMPLES = 4;
 
-    /** Ends after this share of the budget, at most after this many seconds. Measured: fire and ice needs three to four. */
+    /** Largest share of the budget, limited to {@link #MAX_SECONDS}. Measured: fire and ice needs three to four seconds. */
     private static final double SHARE = 0.08;
 
     private static final double MAX_SECONDS = 6;
@@ -15,7 +15,7 @@ final class WarmUp {
 
     private WarmUp() {}
 
-    /** Returns by how many seconds the first render took longer than the last, by the first method; at least 0. */
+    /** Warms up; returns the seconds by which the first render of the first method exceeded the last, at least 0. */
     static double run(Session session) {
         session.say("warming up");
         double limit = Math.min(SHARE * session.settings.budgetSeconds(), MAX_SECONDS);

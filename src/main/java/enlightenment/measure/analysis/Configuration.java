@@ -10,10 +10,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Everything but the budget that makes renders differ in a comparison.
+ * The settings, budget aside, that distinguish renders in a comparison.
  *
  * @param method the method
- * @param lightSamples light samples per hit and light; 0 with physical shading, where that is nothing to choose
+ * @param lightSamples light samples per hit and light; 0 with physical shading, which has no such setting
  * @param grid whether budgets are given as {@code --antialias} instead of {@code --samples}: the positions in the pixel differ
  */
 public record Configuration(String method, int lightSamples, boolean grid) {
@@ -34,8 +34,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
     }
 
     /**
-     * The other numbers of light samples that a method is compared with: the powers of four up to half of the scene's own, and
-     * four times that.
+     * Variants with other numbers of light samples: powers of four up to half of the scene's own, and four times that.
      */
     public static List<Configuration> variants(Configuration own) {
         List<Configuration> variants = new ArrayList<>();
@@ -79,7 +78,7 @@ public record Configuration(String method, int lightSamples, boolean grid) {
         return (int) Math.round(Math.sqrt(samples));
     }
 
-    /** Its name in sentences: the method, and how many light samples it takes. */
+    /** The name in sentences: the method, and its number of light samples. */
     public String name() {
         String name = grid ? method + " --antialias" : method;
         return takesLightSamples()

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What an error costs with one configuration, and how that is known.
+ * The cost of an error with one configuration, and the evidence for it.
  *
  * @param configuration method and number of light samples
  * @param target the root mean square error to reach, in display units 0..1
@@ -14,8 +14,8 @@ import java.util.Optional;
  * @param wall seconds by the clock
  * @param cpu seconds of all processors, where they were measured
  * @param flip the mean FLIP difference that this budget gives, where it was measured
- * @param source how the cost is known
- * @param from the measured errors that it comes from: its own, the two it lies between, or the smallest there is
+ * @param source kind of evidence
+ * @param from the measured errors of the evidence: of this budget, of its two neighbours, or the smallest one
  */
 public record CostEstimate(
         Configuration configuration,
@@ -27,16 +27,16 @@ public record CostEstimate(
         Optional<Double> flip,
         Source source,
         List<Double> from) {
-    /** An error below this share of the target costs clearly more than the target: its time is an upper bound only. */
+    /** Share of the target below which an error clearly costs more than the target, as an upper bound only. */
     public static final double CLOSE = 0.85;
 
     public CostEstimate {
         from = List.copyOf(from);
     }
 
-    /** How a cost is known. */
+    /** Kind of evidence for a cost. */
     public enum Source {
-        /** This very budget was rendered with the scene's own seed: following the advice gives that image. */
+        /** Exactly this budget was rendered with the scene's own seed: following the advice gives that image. */
         TRIED,
         /** This budget was rendered with other random numbers, and gave the error or a smaller one. */
         MEASURED,
@@ -45,13 +45,13 @@ public record CostEstimate(
          * the reference's.
          */
         BELOW,
-        /** It was interpolated between two rendered budgets, of which one gave a larger error and the other a smaller one. */
+        /** The cost was interpolated between a rendered budget of larger and one of smaller error. */
         BETWEEN,
-        /** It was extrapolated beyond what was rendered. */
+        /** The cost was extrapolated beyond the rendered budgets. */
         BEYOND
     }
 
-    /** Whether it lies within what was measured. */
+    /** Whether the cost lies within the rendered budgets. */
     public boolean isMeasured() {
         return source != Source.BEYOND;
     }
@@ -71,7 +71,7 @@ public record CostEstimate(
         return configuration.method();
     }
 
-    /** How it is known, in words that can stand in brackets. */
+    /** The evidence, in words for brackets. */
     public String evidence() {
         return switch (source) {
             case TRIED -> undercutsTarget() ? "tried, gives " + Digits.of(error, 2) : "tried";

@@ -13,12 +13,12 @@ import java.util.TreeMap;
  * Error and time of one configuration over its budgets of 1, 2, 4, ... samples per pixel.
  *
  * @param configuration method and number of light samples
- * @param points one for each budget, by ascending samples
+ * @param points points, one for each budget, by ascending samples
  * @param overSamples the fitted power law of error over samples per pixel, if at least two budgets could be judged
  * @param overTime the fitted power law of error over seconds by the clock, of the budgets that take at least twice as long as the
  *     shortest render: below that, fixed costs dominate
- * @param insideOwnInterval in how many of the judged runs the measured error lay in the render's own 95 % interval
- * @param judged how many runs have an error that can be distinguished from the reference's
+ * @param insideOwnInterval number of judged runs with the measured error in the render's own 95 % interval
+ * @param judged number of runs with an error that can be distinguished from the reference's
  */
 public record Curve(
         Configuration configuration,
@@ -27,7 +27,7 @@ public record Curve(
         Optional<PowerLaw> overTime,
         int insideOwnInterval,
         int judged) {
-    /** A render that takes this many times as long as the shortest is not dominated by fixed costs. */
+    /** Ratio to the shortest time from which fixed costs do not dominate a render. */
     private static final double FIXED_COST = 2;
 
     public Curve {
@@ -84,7 +84,7 @@ public record Curve(
                 error.length);
     }
 
-    /** A fit needs two different x; small budgets of a method with a survey may all come to the same number of samples. */
+    /** A fit, if there are two different x. Small budgets of a method with a survey may have equal numbers of samples. */
     private static Optional<PowerLaw> fit(double[] x, double[] y) {
         return Arrays.stream(x).distinct().count() < 2 ? Optional.empty() : Optional.of(PowerLaw.fit(x, y));
     }
@@ -106,7 +106,7 @@ public record Curve(
                 runs.stream().mapToDouble(r -> r.error(variance)).toArray());
     }
 
-    /** The runs of each budget together, by ascending budget. */
+    /** Points of the budgets, each from all of its runs, by ascending budget. */
     static List<Point> points(List<TradeRun> runs, double referenceVariance) {
         Map<Double, List<TradeRun>> bySamples = new TreeMap<>();
         for (TradeRun run : runs) {

@@ -5,7 +5,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 
-/** Numbers rounded to few significant digits, to be read and typed. */
+/** Rounding of numbers to few significant digits, for texts and options. */
 public final class Digits {
     private Digits() {}
 
@@ -34,7 +34,7 @@ public final class Digits {
         return Math.min(Math.max(rounded, 1), RenderSettings.Budget.MAX_SAMPLES);
     }
 
-    /** A number with this many significant digits, without an exponent. */
+    /** A number with the given significant digits, without an exponent. */
     public static String of(double value, int digits) {
         if (value == 0) {
             return "0";
@@ -44,7 +44,7 @@ public final class Digits {
                 .toPlainString();
     }
 
-    /** A budget as it is typed after {@code --samples}. */
+    /** A budget as the value of {@code --samples}. */
     public static String samples(double samples) {
         return BigDecimal.valueOf(samples).stripTrailingZeros().toPlainString();
     }

@@ -10,10 +10,10 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * The times of methods at an error that at least two of them were measured at. Only there are the ratios of times known.
+ * The times of methods at an error that at least two of them reached in measured renders.
  *
  * @param error the error
- * @param smallest whether it is the smallest that these methods were all measured to reach
+ * @param smallest whether the error is the smallest that all of these methods were measured to reach
  * @param best false where each takes the scene's own number of light samples, true where each takes the best number measured
  * @param costs the cost by each method that was measured there, at least two, in the order of the settings
  */
@@ -37,8 +37,7 @@ public record EqualErrorComparison(double error, boolean smallest, boolean best,
     }
 
     /**
-     * All comparisons that the runs of methods which see the whole scene allow: with the scene's own number of light samples first, in
-     * descending order of the error.
+     * All comparisons of methods that sample all light of the scene. Those with the scene's own number of light samples are first; errors descend.
      */
     public static List<EqualErrorComparison> all(TradeAnalysis analysis) {
         List<EqualErrorComparison> all = new ArrayList<>();
@@ -58,8 +57,7 @@ public record EqualErrorComparison(double error, boolean smallest, boolean best,
     }
 
     /**
-     * Where to compare, in descending order: at the target errors, at those that a method gives where it clearly undercuts a target,
-     * and at the smallest.
+     * Errors to compare at, in descending order: the targets, errors of methods that clearly undercut a target, and the smallest.
      */
     private static Set<Double> errors(List<List<MeasuredCosts>> methods, Set<Double> smallest) {
         Set<Double> errors = new TreeSet<>(Comparator.reverseOrder());
@@ -70,7 +68,7 @@ public record EqualErrorComparison(double error, boolean smallest, boolean best,
                 there.stream().filter(CostEstimate::undercutsTarget).forEach(n -> errors.add(n.error()));
             }
         }
-        // Below the smallest that two of them reached there is nothing to compare.
+        // Below the smallest error that two methods reached, there is no comparison.
         double end = smallest.stream().min(Double::compare).orElse(Double.POSITIVE_INFINITY);
         errors.removeIf(e -> e < end);
         errors.addAll(smallest);
@@ -93,7 +91,7 @@ public record EqualErrorComparison(double error, boolean smallest, boolean best,
 
     /**
      * The smallest errors that two, three, ... methods were all measured at: each the largest of the smallest ones of its methods. One of
-     * them may have gone below the reference's own error, where nothing is known of how far.
+     * them may have gone below the reference's own error, by an unknown amount.
      */
     private static Set<Double> smallest(List<List<MeasuredCosts>> methods) {
         double[] reached = methods.stream()

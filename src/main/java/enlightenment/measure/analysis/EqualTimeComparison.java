@@ -15,20 +15,20 @@ import java.util.Set;
 import java.util.function.ToDoubleFunction;
 
 /**
- * One picture by each method, rendered to take equally long as far as such budgets were found: see {@link #isEqual}.
+ * One picture by each method, rendered in equal time as far as such budgets were found; see {@link #isEqual}.
  *
- * @param pictures in the order of the methods; empty where there was no time for them
+ * @param pictures pictures in the order of the methods; empty if there was no time for them
  * @param referenceVariance the reference's own mean squared error
- * @param blind the words of methods that cannot see all of the scene, which are not compared
+ * @param blind words of methods that do not sample all light of the scene, which are not compared
  */
 public record EqualTimeComparison(List<EqualTimePicture> pictures, double referenceVariance, Set<String> blind) {
-    /** Times that differ by at most this factor are called equal. */
+    /** Largest ratio of times that count as equal. */
     public static final double TOLERANCE = 1.1;
 
-    /** A difference of two errors that is smaller than this share of them decides nothing. */
+    /** Least ratio of two errors that count as different. */
     private static final double ALIKE = 1.02;
 
-    /** The error that differences are amplified to, about, and by at most which factor. */
+    /** Approximate error that differences are amplified to, by at most {@link #MAX_GAIN}. */
     private static final double CLEAR = 0.2;
 
     private static final int MAX_GAIN = 256;
@@ -38,7 +38,7 @@ public record EqualTimeComparison(List<EqualTimePicture> pictures, double refere
         blind = Set.copyOf(blind);
     }
 
-    /** The last comparison of a result, with its pictures as far as they are in the folder. */
+    /** Reads the last comparison of a result, with its pictures as far as they are in the folder. */
     public static EqualTimeComparison read(Path folder, TradeResult result) throws IOException {
         double variance = result.reference().variance();
         List<TradeRun> runs = new ArrayList<>();
@@ -69,17 +69,17 @@ public record EqualTimeComparison(List<EqualTimePicture> pictures, double refere
         return "equal-time-" + method + ".png";
     }
 
-    /** The name of the file of its difference from the reference. */
+    /** The name of the file of a picture's difference from the reference. */
     public static String differenceName(String method) {
         return "equal-time-" + method + "-error.png";
     }
 
-    /** The name of the file of its FLIP map. */
+    /** The name of the file of a picture's FLIP map. */
     public static String flipName(String method) {
         return "equal-time-" + method + "-flip.png";
     }
 
-    /** The factor for the differences of these runs: a power of two that lifts the largest error to about a fifth of white. */
+    /** The gain of the differences of runs: a power of two that lifts the largest error to about {@link #CLEAR}. */
     public static int gain(List<TradeRun> runs, double referenceVariance) {
         double error =
                 runs.stream().mapToDouble(r -> r.error(referenceVariance)).max().orElse(1);
@@ -90,7 +90,7 @@ public record EqualTimeComparison(List<EqualTimePicture> pictures, double refere
         return gain;
     }
 
-    /** Whether the times differ by at most {@link #TOLERANCE}; also true where there are no pictures. */
+    /** Whether the times differ by at most {@link #TOLERANCE}; also true without pictures. */
     public boolean isEqual() {
         double longest =
                 pictures.stream().mapToDouble(p -> p.run().wallSeconds()).max().orElse(1);
@@ -99,7 +99,7 @@ public record EqualTimeComparison(List<EqualTimePicture> pictures, double refere
         return longest / shortest <= TOLERANCE;
     }
 
-    /** Which method is closest to the reference, with the times, in one sentence; empty for fewer than two pictures. */
+    /** The method closest to the reference, with the times, in one sentence; empty for fewer than two pictures. */
     public Optional<String> sentence() {
         if (pictures.size() < 2) {
             return Optional.empty();
@@ -133,7 +133,7 @@ public record EqualTimeComparison(List<EqualTimePicture> pictures, double refere
                 : "the two measures disagree: by RMSE " + rmse.get() + nearest + ", by FLIP " + flip.get();
     }
 
-    /** The one with the smallest value, if all others are clearly larger. */
+    /** The method of the picture with the smallest value, if all others are clearly larger. */
     private static Optional<String> better(List<EqualTimePicture> all, ToDoubleFunction<EqualTimePicture> value) {
         List<EqualTimePicture> sorted =
                 all.stream().sorted(Comparator.comparingDouble(value)).toList();

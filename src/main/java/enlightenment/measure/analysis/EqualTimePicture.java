@@ -5,11 +5,11 @@ import enlightenment.measure.trade.TradeRun;
 import java.util.Optional;
 
 /**
- * One picture of a comparison at equal time.
+ * A picture of a comparison at equal time.
  *
- * @param run how it was made, and its error
- * @param image the picture; empty where it was not kept
- * @param difference the absolute difference from the reference, times {@code gain}; empty where it was not kept
+ * @param run the run of the picture, with its error
+ * @param image the picture; empty if it was not kept
+ * @param difference the absolute difference from the reference, times {@code gain}; empty if it was not kept
  * @param gain the factor that makes differences visible; the same for all pictures of a comparison
  */
 public record EqualTimePicture(TradeRun run, Optional<Image> image, Optional<Image> difference, int gain) {}

@@ -13,23 +13,22 @@ import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
 
 /**
- * What errors cost with one configuration, from all its runs whatever they were made for: each answer names the measurements it
- * rests on.
+ * The costs of errors with one configuration, from runs of all kinds. Each result names the measurements it is based on.
  */
 public final class MeasuredCosts {
-    /** Extrapolation ends at the smallest measured error divided by this: at most about two doublings of the budget. */
+    /** Ratio of the smallest measured error to the smallest extrapolated one: at most about two doublings of the budget. */
     private static final double MAX_EXTRAPOLATION = 2;
 
     /**
-     * Neighbouring budgets whose errors differ by more than this factor are not interpolated: between them the method begins to
-     * work differently. Twice the samples change an error by a factor of at most about two.
+     * Largest ratio of the errors of neighbouring budgets that are interpolated. Twice the samples change an error by a factor of at most about two;
+     * a larger change means that the method behaves differently.
      */
     private static final double MAX_GAP = 4;
 
-    /** Extrapolation follows the power law through this many of the last points. */
+    /** Number of the last points whose power law is extrapolated. */
     private static final int LAST_POINTS = 3;
 
-    /** A tried error counts as the target's up to this factor above it. */
+    /** Largest ratio of a tried error to the target that it counts for. */
     private static final double TOLERANCE = 1.02;
 
     private final Configuration configuration;
@@ -37,7 +36,7 @@ public final class MeasuredCosts {
     private final List<TradeRun> checks;
     private final double referenceVariance;
 
-    /** An error that cannot be distinguished from the reference's is at most about this, the reference's own. */
+    /** The reference's own error, an approximate bound of errors that cannot be distinguished from it. */
     private final double floor;
 
     private MeasuredCosts(
@@ -70,12 +69,12 @@ public final class MeasuredCosts {
         return judged().stream().min(Comparator.comparingDouble(p -> p.error().median()));
     }
 
-    /** All budgets, by ascending samples. */
+    /** The points of all budgets, by ascending samples. */
     public List<Point> points() {
         return points;
     }
 
-    /** The smallest error measured; the reference's own where one went below that. */
+    /** The smallest measured error; the reference's own if an error is below that. */
     OptionalDouble smallest() {
         return points.stream().mapToDouble(this::error).min();
     }
@@ -88,7 +87,7 @@ public final class MeasuredCosts {
         return Math.max(p.error().median(), floor);
     }
 
-    /** The cost of an error: as tried, else as measured or interpolated, else extrapolated a little way. */
+    /** The cost of an error: tried, else measured or interpolated, else extrapolated within limits. */
     public Optional<CostEstimate> forError(double target) {
         Optional<CostEstimate> tried = tried(target, CostEstimate.CLOSE);
         if (tried.isPresent()) {
@@ -102,12 +101,12 @@ public final class MeasuredCosts {
         return measured.isPresent() ? measured : beyond(target);
     }
 
-    /** The cost of an error within what was measured; runs that were tried count as any others. */
+    /** The cost of an error within the measured range, in which tried runs count as others. */
     Optional<CostEstimate> measured(double target) {
         return crossing(points, target, this::error);
     }
 
-    /** The cost of a mean FLIP difference of at most this, within what was measured. */
+    /** The cost of a bound of the mean FLIP difference, within the measured range. */
     public Optional<CostEstimate> forFlip(double flip) {
         return crossing(judged(), flip, p -> p.flip().median()).map(CostEstimate::atItsOwnError);
     }
@@ -160,7 +159,7 @@ public final class MeasuredCosts {
         return s.median() > 0 ? Optional.of(s) : Optional.empty();
     }
 
-    /** Interpolates along a power law; linearly where a value is 0. */
+    /** Interpolates along a power law; linearly if a value is 0. */
     static double between(double a, double b, double t) {
         return a > 0 && b > 0 ? a * Math.pow(b / a, t) : a + t * (b - a);
     }
@@ -191,7 +190,7 @@ public final class MeasuredCosts {
                 List.of(mostAccurate().orElse(last).error().median())));
     }
 
-    /** The smallest budget rendered with the scene's seed whose error is at most the target, and at least this share of it. */
+    /** The smallest budget, rendered with the scene's seed, with an error between a share of the target and the target. */
     public Optional<CostEstimate> tried(double target, double minShare) {
         Map<Double, List<TradeRun>> bySamples = new TreeMap<>();
         for (TradeRun run : checks) {
@@ -225,7 +224,7 @@ public final class MeasuredCosts {
                 List.of(error));
     }
 
-    /** The budget that takes this long undisturbed: interpolated, or in proportion to the last one beyond. */
+    /** The budget for an undisturbed time in seconds: interpolated, or in proportion to the last one beyond. */
     public double samplesIn(double seconds) {
         Point before = points.get(0);
         for (Point p : points) {

@@ -7,12 +7,12 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Which method to use for a scene, in plain words: for which errors one takes less time than all others. Only what was measured counts; a
- * method that cannot see all of the scene is left out, and it is said what it cannot see.
+ * The choice of method for a scene, in words: the fastest methods by range of errors. Only measured errors count. Methods that do not sample all
+ * light of the scene are left out, with a sentence about the missing light.
  *
- * @param ranges the answer, from the largest error down; neighbouring ranges have other methods. Empty where there is nothing to choose
- * @param leftOut what the methods that are left out cannot see, one sentence each without a full stop
- * @param sentence all of it but what is left out, in a sentence or two; empty where fewer than two methods can be chosen from
+ * @param ranges ranges from the largest error down; neighbouring ranges have different methods. Empty without a choice
+ * @param leftOut light that is not sampled by the methods left out, one sentence each without a full stop
+ * @param sentence the ranges in a sentence or two; empty with fewer than two methods to choose from
  */
 public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<String> sentence) {
     /** The errors that methods are compared at. */
@@ -27,8 +27,8 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
      * Errors for which the same methods are fastest.
      *
      * @param largest the largest error compared
-     * @param smallest the smallest one
-     * @param methods the fastest; more than one where their times are alike
+     * @param smallest the smallest error compared
+     * @param methods the fastest methods; more than one if their times are alike
      * @param rivals the fastest of the other methods at the smallest error that one was measured at, and the method that is used by
      *     default, if it is another one; empty where no other was measured in this range and found slower
      * @param alone the largest of these errors that no other method was measured to reach
@@ -42,22 +42,22 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
     }
 
     /**
-     * A method that is slower.
+     * A slower method.
      *
-     * @param error where it was compared
-     * @param cost what the error costs with it
-     * @param ratio its time divided by that of the fastest
-     * @param bound what the ratio is: "at least ", "at most ", or empty
+     * @param error the error of the comparison
+     * @param cost the cost of the error by this method
+     * @param ratio the time of this method divided by that of the fastest
+     * @param bound whether the ratio is a bound: "at least ", "at most ", or empty
      */
     public record Rival(double error, CostEstimate cost, double ratio, String bound) {}
 
-    /** What was measured at one error: the costs of the methods, the fastest first. */
+    /** The measured costs of the methods at one error, the fastest first. */
     private record Place(double error, List<CostEstimate> costs) {
         CostEstimate fastest() {
             return costs.get(0);
         }
 
-        /** The fastest and those that take about as long. */
+        /** The fastest method and those with times alike. */
         List<String> good() {
             return costs.stream()
                     .filter(n -> n == fastest() || Verdict.compare(fastest(), n).alike())
@@ -66,7 +66,7 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
         }
     }
 
-    /** The choice that the runs of a trade allow. */
+    /** The choice that the runs of a measurement allow. */
     public static MethodChoice of(TradeAnalysis analysis) {
         List<String> leftOut = List.copyOf(analysis.result().blindSpots().values());
         if (analysis.methods().size() < 2) {
@@ -74,7 +74,7 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
         }
         List<Place> places = places(analysis, ERRORS);
         if (places.isEmpty()) {
-            // A hard scene, or little time: what there is to compare are larger errors, or those between.
+            // A hard scene, or little time: only larger errors, or those between, can be compared.
             places = places(analysis, reached(analysis));
         }
         List<Range> ranges = new ArrayList<>();
@@ -105,7 +105,7 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
                 .toList();
     }
 
-    /** Those of some errors, in descending order, where methods were measured and that take more than a single sample. */
+    /** Costs at the given errors in descending order, as far as measured and not reached with a single sample. */
     private static List<Place> places(TradeAnalysis analysis, List<Double> errors) {
         List<Place> places = new ArrayList<>();
         for (double error : errors) {
@@ -124,7 +124,7 @@ public record MethodChoice(List<Range> ranges, List<String> leftOut, Optional<St
         return places;
     }
 
-    /** Whether another method was measured there, or at least somewhere else. */
+    /** Whether another method was measured at this error, or at any other. */
     private static boolean isCompared(TradeAnalysis analysis, List<CostEstimate> costs) {
         return costs.size() > 1
                 || analysis.costs().stream()

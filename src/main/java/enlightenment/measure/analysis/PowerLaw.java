@@ -1,14 +1,14 @@
 package enlightenment.measure.analysis;
 
 /**
- * A power law y = factor · x^slope, fitted by least squares to the logarithms: a straight line on logarithmic axes.
+ * A power law y = factor · x^slope, fitted by least squares to the logarithms.
  *
  * @param slope the exponent; −½ for the error of independent samples
  * @param slopeLow lower end of the 95 % confidence interval of the slope (Student's t, for logarithms with independent normal
  *     residuals); −infinity with two points, which leave no residuals
  * @param slopeHigh upper end of that interval
  * @param factor the value at x = 1
- * @param points the number of points it was fitted to, at least 2
+ * @param points number of fitted points, at least 2
  */
 public record PowerLaw(double slope, double slopeLow, double slopeHigh, double factor, int points) {
     /** The 97.5 % quantile of the standard normal distribution. */

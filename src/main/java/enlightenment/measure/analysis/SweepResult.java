@@ -9,11 +9,11 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What each value of a swept setting costs in time and gains in accuracy.
+ * Time and accuracy of each value of a swept setting.
  *
  * @param sweep the setting and the values asked for
  * @param method the method of all renders
- * @param points the values that there was time for, ascending
+ * @param points the rendered values, ascending
  */
 public record SweepResult(Sweep sweep, String method, List<Point> points) {
     public SweepResult {

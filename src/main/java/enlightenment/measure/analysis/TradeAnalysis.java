@@ -12,17 +12,17 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The trade-off of speed against accuracy, as the runs of a result show it.
+ * The trade-off of speed against accuracy, from the runs of a result.
  *
- * @param result what was measured
+ * @param result the measurement
  * @param curves error against budget of each configuration: methods in the order asked for, the scene's own number of light
  *     samples first
- * @param costs what an error costs with each configuration of the methods that see all of the scene
- * @param sweeps what each value of a swept setting costs and gains
+ * @param costs costs of errors with each configuration of the methods that sample all light of the scene
+ * @param sweeps time and accuracy of each value of the swept settings
  */
 public record TradeAnalysis(
         TradeResult result, List<Curve> curves, List<MeasuredCosts> costs, List<SweepResult> sweeps) {
-    /** The number of longest renders that the share of the processors is taken from. */
+    /** Number of the longest renders that {@link #shareOfProcessors} is computed from. */
     private static final int LONGEST = 7;
 
     public TradeAnalysis {
@@ -71,17 +71,17 @@ public record TradeAnalysis(
         return all;
     }
 
-    /** What was asked for. */
+    /** The settings of the measurement. */
     public TradeSettings settings() {
         return result.settings();
     }
 
-    /** The methods that may be advised: those that see all of the scene, in the order asked for. */
+    /** Methods that may be advised: those that sample all light of the scene, in the order of the settings. */
     public List<String> methods() {
         return result.sightedMethods();
     }
 
-    /** Whether a method cannot see all of the scene. */
+    /** Whether a method does not sample all light of the scene. */
     public boolean isBlind(String method) {
         return result.blindSpots().containsKey(method);
     }
@@ -111,14 +111,13 @@ public record TradeAnalysis(
     }
 
     /**
-     * The cost of an error by a method with the number of light samples that is fastest there, of those that ran. What was
-     * measured is preferred to what is extrapolated.
+     * The cost of an error by a method with the fastest number of light samples that ran. Measured costs are preferred to extrapolated ones.
      */
     public Optional<CostEstimate> best(String method, double target) {
         return fastest(costs(method), target);
     }
 
-    /** The fastest of some configurations for an error; of those that were measured there, if any was. */
+    /** The least time of some configurations for an error; only measured costs count if there are any. */
     public static Optional<CostEstimate> fastest(List<MeasuredCosts> costs, double target) {
         return costs.stream()
                 .flatMap(r -> r.forError(target).stream())
@@ -126,12 +125,12 @@ public record TradeAnalysis(
                         .thenComparingDouble(n -> n.wall().median()));
     }
 
-    /** Whether anything can be said about an error: it is not below that of the reference. */
+    /** Whether an error can be judged: it is not below that of the reference. */
     public boolean isKnown(double target) {
         return target >= result.reference().error();
     }
 
-    /** How the reference was made and how exact it is, in two sentences. */
+    /** Origin and error of the reference, in two sentences. */
     public String referenceSentence() {
         Reference reference = result.reference();
         String error = Digits.of(reference.error(), 2);
@@ -147,8 +146,8 @@ public record TradeAnalysis(
     }
 
     /**
-     * The share of the processor time they asked for that the longest renders got, 0..1: well below 1 where the machine had other
-     * work to do. Also 1 where the system reports no processor times.
+     * The share of the requested processor time that the longest renders received, 0..1. It is well below 1 if the machine had other load, and 1 if
+     * the system reports no processor times.
      */
     public double shareOfProcessors() {
         int processors = result.conditions().processors();

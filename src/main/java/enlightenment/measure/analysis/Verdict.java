@@ -12,17 +12,17 @@ import java.util.Optional;
 
 /**
  * The advice for an error, in words. Each figure in the sentence is followed by the measurements that it comes from; what is only
- * extrapolated is called so, and no ratio is made of it.
+ * extrapolated is marked as such and takes part in no ratio.
  *
  * @param target the error to reach
- * @param best what reaches it in the least time; empty where it is unknown
- * @param known what the advice rests on
- * @param comparisons how other configurations compare, as far as they were measured there
+ * @param best the cost in the least time; empty if unknown
+ * @param known the basis of the advice
+ * @param comparisons comparisons with other configurations, as far as these were measured at the error
  * @param sentence the advice, one sentence
  */
 public record Verdict(
         double target, Optional<CostEstimate> best, Basis known, List<Comparison> comparisons, String sentence) {
-    /** Times that differ by less than this factor count as alike: another measurement may reverse them. */
+    /** Ratio below which times count as alike: another measurement may reverse them. */
     private static final double ALIKE = 1.1;
 
     /** Rounding to eight bits adds an error of 0.0011 (1/255/√12): below this error sixteen are advised. */
@@ -35,8 +35,8 @@ public record Verdict(
     /**
      * The time of another configuration, both measured.
      *
-     * @param cost what the error costs with it
-     * @param ratio its time divided by that of the advice
+     * @param cost the cost of the error with that configuration
+     * @param ratio the time of that configuration divided by that of the advice
      * @param alike whether the two times are too close to tell which is shorter
      */
     public record Comparison(CostEstimate cost, double ratio, boolean alike) {}
@@ -116,7 +116,7 @@ public record Verdict(
         return all.isEmpty() ? "none" : String.join(" and ", all);
     }
 
-    /** The advised method with the scene's number of light samples, and the others with that and with their best one. */
+    /** The advised method with the scene's number of light samples; other methods with that and with their best. */
     private static List<Configuration> others(TradeAnalysis analysis, CostEstimate best) {
         List<Configuration> others = new ArrayList<>();
         for (String method : analysis.methods()) {
@@ -149,7 +149,7 @@ public record Verdict(
                 + c.cost.evidence() + ")";
     }
 
-    /** A time in which the target was undercut is an upper bound of the time to the target. */
+    /** The kind of bound of a ratio of times. A time that undercuts the target is an upper bound of the time to it. */
     static String bound(CostEstimate best, CostEstimate other) {
         if (best.undercutsTarget() == other.undercutsTarget()) {
             return "";
@@ -183,7 +183,7 @@ public record Verdict(
                 .orElse("while nothing was measured of " + other.name());
     }
 
-    /** A note, where another method reaches the same FLIP in clearly less time. */
+    /** A note if another method reaches the same FLIP in clearly less time. */
     private static Optional<String> flip(TradeAnalysis analysis, CostEstimate best) {
         if (best.flip().isEmpty()) {
             return Optional.empty();

@@ -1,2 +1,2 @@
-/** What timed renders show: curves, power laws, the cost of an error, comparisons, and advice in words. Measures nothing itself. */
+/** Analysis of timed renders: curves, power laws, costs of errors, comparisons, and advice in words. Nothing is measured here. */
 package enlightenment.measure.analysis;

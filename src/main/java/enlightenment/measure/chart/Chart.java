@@ -30,17 +30,17 @@ public final class Chart {
         this.chart = chart;
     }
 
-    /** The name of its file, without an extension. */
+    /** The name of the chart's file, without an extension. */
     public String name() {
         return name;
     }
 
-    /** A text that stands for the chart where it cannot be seen. */
+    /** A text alternative of the chart. */
     public String description() {
         return description;
     }
 
-    /** As pixels: twice as many along each side as the chart has units, for screens of high resolution. */
+    /** The chart as pixels, two for each unit along each side, for screens of high resolution. */
     public Image image() {
         int width = PIXELS_PER_UNIT * ChartTheme.WIDTH;
         int height = PIXELS_PER_UNIT * ChartTheme.HEIGHT;
@@ -62,7 +62,7 @@ public final class Chart {
         return new Image(width, height, rgb);
     }
 
-    /** As SVG. XChart draws letters as shapes: it looks the same wherever it is seen, whatever fonts there are. */
+    /** The chart as SVG. XChart draws letters as shapes, so that the look does not depend on fonts. */
     public String svg() throws IOException {
         Document document;
         try {

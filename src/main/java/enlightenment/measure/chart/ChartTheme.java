@@ -12,12 +12,12 @@ import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-/** The look of all charts: large type, few lines, colours that the colour-blind can tell apart, a marker for each series. */
+/** The style of all charts: large type, few lines, colours distinguishable by the colour-blind, a marker for each series. */
 final class ChartTheme {
     static final int WIDTH = 900;
     static final int HEIGHT = 560;
 
-    /** From Okabe and Ito's palette: blue, vermilion, bluish green, reddish purple, orange, sky blue, black. */
+    /** Colours of Okabe and Ito's palette: blue, vermilion, bluish green, reddish purple, orange, sky blue, black. */
     private static final List<Color> COLORS = List.of(
             new Color(0x0072B2),
             new Color(0xD55E00),
@@ -47,7 +47,7 @@ final class ChartTheme {
     /** The margin of a logarithmic axis on either side, as a factor. */
     private static final double MARGIN = 1.25;
 
-    /** An axis of a larger ratio has room for one label per power of ten only. */
+    /** Largest ratio of an axis with room for more than one label per power of ten. */
     private static final double MANY_DECADES = 5000;
 
     private static final double MIN_RATIO = 4;
@@ -87,7 +87,7 @@ final class ChartTheme {
         s.setAnnotationTextFont(new Font(FAMILY, Font.PLAIN, SMALL)).setAnnotationTextFontColor(QUIET);
         s.setAxisTitleFont(new Font(FAMILY, Font.PLAIN, MEDIUM));
         s.setAxisTickLabelsFont(new Font(FAMILY, Font.PLAIN, SMALL));
-        // Not dashed: XChart draws dashes as shapes, thousands of them in an SVG file.
+        // Solid lines: XChart draws dashes as shapes, thousands of them in an SVG file.
         s.setPlotGridLinesStroke(new BasicStroke(1)).setPlotGridLinesColor(GRID).setAxisTickLabelsColor(INK);
         s.setXAxisTickMarkSpacingHint(TICK_SPACING).setPlotMargin(0);
         return chart;
@@ -113,7 +113,7 @@ final class ChartTheme {
         return Math.max(MARGIN, Math.sqrt(MIN_RATIO * lowest(values) / highest(values)));
     }
 
-    /** The label of a tick: every one on a short axis, those that begin with 1, 2 or 5 on a longer one, with 1 on a very long one. */
+    /** The label of a tick, or a blank. A short axis labels all ticks, longer ones those with leading digit 1, 2 or 5, or 1 only. */
     private static String decade(double value, double range) {
         double leading = value / Math.pow(10, Math.floor(Math.log10(value) + NEARLY));
         boolean shown = range < DECADE

@@ -14,7 +14,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 final class SweepChart {
     private static final float LINE = 2.2f;
 
-    /** How far above its point a value is written, as a share of the chart's height on the logarithmic axis. */
+    /** Height of a label above its point, as a share of the chart's height on the logarithmic axis. */
     private static final double LIFT = 0.045;
 
     private SweepChart() {}

@@ -34,7 +34,7 @@ public final class TradeCharts {
 
     private TradeCharts() {}
 
-    /** Why this machine cannot draw charts, if it cannot: some small containers have no fonts. */
+    /** The reason why this machine cannot draw charts; empty if it can. Some small containers have no fonts. */
     public static Optional<String> whyNot() {
         try {
             BufferedImage canvas = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
@@ -43,7 +43,7 @@ public final class TradeCharts {
             g.dispose();
             return Optional.empty();
         } catch (RuntimeException | LinkageError | InternalError e) {
-            // Which of them AWT throws where there are no fonts depends on its version.
+            // The kind that AWT throws without fonts depends on its version.
             return Optional.of("this Java finds no fonts (" + e + ")");
         }
     }
@@ -55,7 +55,7 @@ public final class TradeCharts {
         return names;
     }
 
-    /** What a chart of errors has to the right. */
+    /** The horizontal axis of a chart of errors. */
     private record Budgets(
             String name,
             String title,
@@ -116,7 +116,7 @@ public final class TradeCharts {
         double[] y = numbers(allY, Double::doubleValue);
         ChartTheme.logarithmic(chart, x, y);
         targets(chart);
-        // The lower left is empty: no error is small at once. So is the upper right, where all errors fall.
+        // The lower left is empty: no error is small at once. The upper right is empty as well if all errors fall.
         boolean allFall = curves.stream().noneMatch(c -> result.isBlind(c.method()));
         chart.getStyler().setLegendPosition(allFall ? Styler.LegendPosition.InsideNE : Styler.LegendPosition.InsideSW);
         return Optional.of(new Chart(budgets.name, budgets.title + ". The numbers are in the tables below.", chart));
@@ -135,7 +135,7 @@ public final class TradeCharts {
             return List.of();
         }
         String label = name(curve, curves) + (isBlind ? " (does not see all)" : "");
-        // What is missing from a picture does not fall with a power of the samples.
+        // Error by light that is not sampled does not fall with a power of the samples.
         Optional<PowerLaw> law = isBlind ? Optional.empty() : budgets.fit.apply(curve);
         line(
                 chart,
@@ -171,7 +171,7 @@ public final class TradeCharts {
                 .toList();
     }
 
-    /** The method's name is enough where it has one line only. */
+    /** The label of a curve: the method's name alone if it has a single curve. */
     private static String name(Curve curve, List<Curve> shown) {
         boolean only =
                 shown.stream().filter(c -> c.method().equals(curve.method())).count() == 1;
@@ -194,7 +194,7 @@ public final class TradeCharts {
         series.setLineColor(ChartTheme.color(i)).setLineWidth(LINE);
     }
 
-    /** Every single run: their scatter is chance and other work on the machine. */
+    /** Adds all single runs, whose scatter is due to chance and other load of the machine. */
     private static void dots(XYChart chart, String name, double[] x, double[] y, int i) {
         XYSeries series = chart.addSeries(name, x, y);
         series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
@@ -202,7 +202,7 @@ public final class TradeCharts {
         series.setShowInLegend(false);
     }
 
-    /** A horizontal line for each target error within the chart. */
+    /** Adds a horizontal line for each target error within the chart. */
     private static void targets(XYChart chart) {
         double left = chart.getStyler().getXAxisMin();
         double right = chart.getStyler().getXAxisMax();

@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
 
-/** Builds a page in HTML; all text is escaped here. */
+/** Builder of a page in HTML, which escapes all text. */
 final class Html {
     private final StringBuilder text = new StringBuilder();
 

@@ -5,7 +5,7 @@ import enlightenment.measure.analysis.Verdict;
 import enlightenment.measure.trade.TradeSettings;
 
 /**
- * What the page shows that is not in the measurements.
+ * Texts of the page that are not in the measurement.
  *
  * @param title the scene's name
  * @param renderCommand the command line of a render without the advised options: program, scene, output, options that were given

@@ -24,7 +24,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 
-/** The page of a measurement: one HTML file that refers to no other. */
+/** The page of a measurement: one self-contained HTML file. */
 public final class TradePage {
     private static final double PERCENT = 100;
     private static final double QUIET_SHARE = 0.75;
@@ -43,7 +43,7 @@ public final class TradePage {
     /**
      * The page, in HTML.
      *
-     * @param charts in the order to show them; those whose name begins with "sweep-" are shown with their sweep
+     * @param charts charts in their order on the page; one whose name begins with "sweep-" is shown with its sweep
      */
     public static String of(
             TradeAnalysis result, EqualTimeComparison equalTime, PageContext context, List<Chart> charts)
@@ -84,7 +84,7 @@ public final class TradePage {
         }
     }
 
-    /** A warning where other work took much of the machine: it makes times unreliable. */
+    /** Adds a warning if other load of the machine made times unreliable. */
     private void busy() {
         double share = result.shareOfProcessors();
         if (share < QUIET_SHARE) {
@@ -200,7 +200,7 @@ public final class TradePage {
         return count + (count == 1 ? " run" : " runs");
     }
 
-    /** The ratios of times, where several methods were measured. */
+    /** Adds the ratios of times at errors that several methods were measured at. */
     private void comparisons() {
         Set<List<String>> rows = new LinkedHashSet<>();
         for (EqualErrorComparison m : EqualErrorComparison.all(result)) {

@@ -4,18 +4,18 @@ import java.util.Arrays;
 import java.util.Collection;
 
 /**
- * Repeated measurements of one quantity, summed up without assuming a distribution.
+ * Summary of repeated measurements of one quantity, without an assumed distribution.
  *
- * @param low the smallest
+ * @param low the smallest value
  * @param median the middle value, or the mean of the middle two: one disturbed run in three does not move it
- * @param high the largest
- * @param count how many there were, at least 1
+ * @param high the largest value
+ * @param count number of measurements, at least 1
  */
 public record Spread(double low, double median, double high, int count) {
     /**
      * The spread of some values.
      *
-     * @throws IllegalArgumentException if there are none, or one is NaN
+     * @throws IllegalArgumentException if there are no values, or one is NaN
      */
     public static Spread of(Collection<Double> values) {
         double[] sorted =
@@ -33,7 +33,7 @@ public record Spread(double low, double median, double high, int count) {
         return new Spread(value, value, value, 1);
     }
 
-    /** All three values multiplied by a factor greater than 0. */
+    /** The spread with all three values multiplied by a factor greater than 0. */
     public Spread times(double factor) {
         return new Spread(low * factor, median * factor, high * factor, count);
     }

@@ -8,7 +8,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * One render setting, stepped through values while all others stay.
+ * A sweep of one render setting over values, with all others constant.
  *
  * @param name one of {@link #NAMES}
  * @param values the values, ascending, each at least 1

@@ -1,17 +1,17 @@
 package enlightenment.measure.trade;
 
-/** Hears how far a measurement has come. Called from several threads, one call at a time; must return quickly. */
+/** Listener to the progress of a measurement. Called by several threads, one call at a time; must return quickly. */
 @FunctionalInterface
 public interface TradeListener {
-    /** Ignores everything. */
+    /** A listener that ignores all calls. */
     TradeListener NONE = (step, doneSeconds, totalSeconds) -> {};
 
     /**
-     * Time has passed. What the listener throws ends the measurement.
+     * Reports the progress; called often. An exception of the listener ends the measurement.
      *
-     * @param step what is being done, in words
+     * @param step the current step, in words
      * @param doneSeconds seconds by the clock since the measurement began
-     * @param totalSeconds how long it is expected to take in all; at least {@code doneSeconds}
+     * @param totalSeconds expected seconds in all; at least {@code doneSeconds}
      */
     void progress(String step, double doneSeconds, double totalSeconds);
 }

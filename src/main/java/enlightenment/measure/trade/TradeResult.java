@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What a measurement of speed against accuracy found: every timed render, the reference they were compared with, and the
- * conditions. {@link enlightenment.measure.Trade#advice} evaluates it.
+ * The result of a measurement of speed against accuracy: all timed renders, their reference, and the conditions.
+ * {@link enlightenment.measure.Trade#advice} evaluates it.
  *
- * @param settings what was asked for
- * @param reference what the errors are measured against
+ * @param settings settings of the measurement
+ * @param reference the reference of all errors
  * @param runs all runs, in the order they ended
  * @param conditions machine and time
- * @param blindSpots by the word of a method that cannot see all of the scene: what it cannot see, as a sentence without a full stop. Its
- *     errors include what is missing from its pictures
+ * @param blindSpots light that methods do not sample, as sentences without a full stop, by the words of these methods. Their errors include the
+ *     missing light
  */
 public record TradeResult(
         TradeSettings settings,
@@ -21,7 +21,7 @@ public record TradeResult(
         List<TradeRun> runs,
         Conditions conditions,
         Map<String, String> blindSpots) {
-    /** The errors that advice is given for: root mean square errors of one, a half and a tenth of a percent of white. */
+    /** Root mean square errors that advice is given for: one, a half and a tenth of a percent of white. */
     public static final List<Double> TARGETS = List.of(0.01, 0.005, 0.001);
 
     public TradeResult {
@@ -29,7 +29,7 @@ public record TradeResult(
         blindSpots = new LinkedHashMap<>(blindSpots);
     }
 
-    /** The methods that see all of the scene, in the order of the settings. */
+    /** Methods that sample all light of the scene, in the order of the settings. */
     public List<String> sightedMethods() {
         return settings.methods().stream()
                 .filter(word -> !blindSpots.containsKey(word))
@@ -39,10 +39,10 @@ public record TradeResult(
     /**
      * The conditions of a measurement.
      *
-     * @param machine what it was measured on, by label, as {@link enlightenment.measure.Bench#machine()} returns it
-     * @param coldSeconds by how much the first render of the process took longer than the same render later; at least 0
-     * @param seconds how long the last session took by the clock
-     * @param complete false where it was cancelled before its end
+     * @param machine facts about the machine by label, as of {@link enlightenment.measure.Bench#machine()}
+     * @param coldSeconds seconds by which the first render of the process exceeded the same render later; at least 0
+     * @param seconds seconds of the last session by the clock
+     * @param complete false if the measurement was cancelled
      */
     public record Conditions(Map<String, String> machine, double coldSeconds, double seconds, boolean complete) {
         /** The label of the number of processors in {@link #machine}. */
@@ -52,7 +52,7 @@ public record TradeResult(
             machine = new LinkedHashMap<>(machine);
         }
 
-        /** How many processors there were; those of this machine where {@link #machine} has none. */
+        /** Number of processors of the measurement; of this machine if {@link #machine} has no such fact. */
         public int processors() {
             try {
                 return Math.max(Integer.parseInt(machine.getOrDefault(PROCESSORS, "")), 1);

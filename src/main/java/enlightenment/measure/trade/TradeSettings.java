@@ -12,17 +12,17 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What to measure. {@link #of} has the usual values, the {@code with} methods change one.
+ * Settings of a measurement. {@link #of} has the usual values; the {@code with} methods change one.
  *
- * @param shading what kind of shading the scene has
+ * @param shading the shading model of the scene
  * @param base the settings that all renders share; its method is that of the sweeps, its budget is not used
  * @param methods the words of the methods to compare, each once, at least one
- * @param budgetSeconds about how long the measurement may take by the clock; greater than 0. The fewest renders that give a result
- *     are made in any case
- * @param seeds how many times each budget is rendered, each time with other random numbers; 1..{@link #MAX_SEEDS}
- * @param sweeps settings to step through as well
- * @param reference the image to measure errors against, as large as the renders; made from long renders where empty
- * @param sceneKey distinguishes the scene from others; kept in the folder, so that no other scene's measurement is resumed in it
+ * @param budgetSeconds approximate seconds of the measurement by the clock, greater than 0. The least renders for a result are always
+ *     made
+ * @param seeds number of renders of each budget, each with other random numbers; 1..{@link #MAX_SEEDS}
+ * @param sweeps sweeps of settings
+ * @param reference the reference image, as large as the renders; empty to make it from long renders
+ * @param sceneKey identity of the scene, kept in the folder, so that no measurement of another scene is resumed in it
  */
 public record TradeSettings(
         Shading.Model shading,
@@ -33,7 +33,7 @@ public record TradeSettings(
         List<Sweep> sweeps,
         Optional<Image> reference,
         String sceneKey) {
-    /** The largest number of renders of one budget. */
+    /** The largest value of {@link #seeds}. */
     public static final int MAX_SEEDS = 1000;
 
     /** The usual share of {@link #budgetSeconds} for each method, and its smallest usual value. */
@@ -83,8 +83,7 @@ public record TradeSettings(
     }
 
     /**
-     * All methods of this program that can render a shading, the usual {@link #budgetSeconds}, {@link #SEEDS}, no sweeps, and a reference
-     * to be made.
+     * The usual settings: all built-in methods for a shading, {@link #budgetSeconds(int)}, {@link #SEEDS}, no sweeps, and no reference image.
      */
     public static TradeSettings of(RenderSettings base, Shading.Model shading, String sceneKey) {
         List<String> methods = Method.words(BuiltInMethod.rendering(shading));

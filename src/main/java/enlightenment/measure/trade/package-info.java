@@ -1,5 +1,5 @@
 /**
- * What a measurement of speed against accuracy is asked and what it answers: settings, timed renders, the reference and the
- * advice. {@link enlightenment.measure.Trade} makes it.
+ * Settings and results of a measurement of speed against accuracy: timed renders, the reference and the advice.
+ * {@link enlightenment.measure.Trade} runs it.
  */
 package enlightenment.measure.trade;

@@ -156,7 +156,7 @@ record LayerPicture(
         return new LayerPicture(
                 numbers,
                 shown.image(),
-                "difference from A, as displayed, each pixel's mean over its components",
+                "difference from A, as displayed, each pixel's root mean square over its components",
                 shown.marks(),
                 null,
                 Legend.NONE,

@@ -27,7 +27,7 @@ clean copper scenes/copper.json raytrace 12
 clean breakfast scenes/breakfast.json raytrace 32
 clean lanterns scenes/lanterns.json raytrace 96
 clean chess scenes/chess.json raytrace 48 --frame 3
-clean glass-and-prism scenes/glass-and-prism.json raytrace 20
+clean glass-and-prism scenes/glass-and-prism.json raytrace 96
 clean candle scenes/candle.json raytrace 24
 clean serpents scenes/serpents.json raytrace 24
 clean terrace scenes/terrace.json raytrace 32

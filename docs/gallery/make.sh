@@ -23,7 +23,7 @@ small() { exact "$1" "scenes/$1.json" "${@:2}"; }
 # Methods are chosen by `auto`, or by trial.
 clean watchmaker scenes/watchmaker.json raytrace 96
 clean dandelions scenes/dandelions.json cluster 20
-clean copper scenes/copper.json raytrace 12
+clean copper scenes/copper.json raytrace 64
 clean breakfast scenes/breakfast.json raytrace 32
 clean lanterns scenes/lanterns.json raytrace 96
 clean chess scenes/chess.json raytrace 48 --frame 3

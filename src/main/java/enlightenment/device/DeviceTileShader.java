@@ -33,6 +33,7 @@ public final class DeviceTileShader implements TileShader {
     /** Images of lamps that samples may show; null in classic shading. */
     private final EyeImages images;
 
+    private final ShadedSamples shaded;
     private final Consumer<DeviceFailure> failures;
 
     /** Null after a failure. */
@@ -57,24 +58,25 @@ public final class DeviceTileShader implements TileShader {
     private int pixel;
     private int begin;
     private int end;
-    private long leftToHost;
-    private long done;
 
     /**
      * @param counters are added to
      * @param kernel has the scene; closed by the caller
-     * @param failures hears once of it if the device fails
+     * @param shaded counts the samples
+     * @param failures receives the failure of the device, once
      */
     public DeviceTileShader(
             CompiledScene scene,
             RenderSettings settings,
             RayCounters counters,
             DeviceKernel kernel,
+            ShadedSamples shaded,
             Consumer<DeviceFailure> failures) {
         this.scene = scene;
         this.settings = settings;
         this.counters = counters;
         this.kernel = kernel;
+        this.shaded = shaded;
         this.failures = failures;
         if (scene.physical == null) {
             images = null;
@@ -85,16 +87,6 @@ public final class DeviceTileShader implements TileShader {
             images = paths.images();
             host = paths;
         }
-    }
-
-    /** How many samples the device has shaded. */
-    public long done() {
-        return done;
-    }
-
-    /** How many samples were shaded here. */
-    public long leftToHost() {
-        return leftToHost;
     }
 
     @Override
@@ -190,12 +182,12 @@ public final class DeviceTileShader implements TileShader {
     }
 
     private void count(int size) {
-        int shaded = 0;
+        int done = 0;
         for (int k = 0; k < size; k++) {
-            shaded += states[k] == 0 ? 1 : 0;
+            done += states[k] == 0 ? 1 : 0;
         }
-        done += shaded;
-        counters.cameraRays += shaded;
+        shaded.addDevice(done);
+        counters.cameraRays += done;
         counters.shadowRays += counts[0];
         counters.mirrorRays += counts[1];
         counters.refractedRays += counts[2];
@@ -204,7 +196,7 @@ public final class DeviceTileShader implements TileShader {
     }
 
     private void shadeHere(double[] rgb) {
-        leftToHost++;
+        shaded.addHost();
         setSampler(pixel, index);
         scene.camera.ray(
                 (sampler.column() + sampler.filmX()) / settings.width(),

@@ -26,10 +26,11 @@ class DeviceTileShaderTest {
             RenderSettings.of(scene).toBuilder().antialias(7).build();
     private final CompiledScene compiled = SceneCompiler.compile(scene, settings);
     private final List<String> failures = new ArrayList<>();
+    private final ShadedSamples shaded = new ShadedSamples();
 
     private DeviceTileShader with(DeviceKernel kernel) {
         return new DeviceTileShader(
-                compiled, settings, TilePair.counters(compiled), kernel, e -> failures.add(e.getMessage()));
+                compiled, settings, TilePair.counters(compiled), kernel, shaded, e -> failures.add(e.getMessage()));
     }
 
     /** Shades as the processor does, but for every n-th sample, which it spoils and leaves to the host; fails after some batches. */
@@ -89,8 +90,8 @@ class DeviceTileShaderTest {
                 TilePair.differences(
                         TilePair.onProcessor(compiled, settings), TilePair.by(shader, compiled, settings)));
         int samples = 60 * 40 * 49;
-        assertEquals((samples + 2) / 3, shader.leftToHost());
-        assertEquals(samples, shader.leftToHost() + shader.done());
+        assertEquals((samples + 2) / 3, shaded.host());
+        assertEquals(samples, shaded.host() + shaded.device());
         assertEquals(List.of(), failures);
     }
 
@@ -101,7 +102,7 @@ class DeviceTileShaderTest {
         FilmTile first = TilePair.by(shader, compiled, settings);
         assertEquals(0, TilePair.differences(TilePair.onProcessor(compiled, settings), first));
         assertEquals(List.of("the cable is out"), failures);
-        assertTrue(shader.done() > 0 && shader.leftToHost() > 0);
+        assertTrue(shaded.device() > 0 && shaded.host() > 0);
         FilmTile second = TilePair.by(shader, compiled, settings);
         assertEquals(0, TilePair.differences(first, second));
         assertEquals(1, failures.size(), "it is not asked again");

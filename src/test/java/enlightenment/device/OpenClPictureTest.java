@@ -42,13 +42,14 @@ class OpenClPictureTest {
             DeviceScene flat = DeviceScene.of(compiled, settings);
             try (DeviceProgram program = device.compile(flat.program());
                     DeviceKernel kernel = program.prepare(flat)) {
+                ShadedSamples shaded = new ShadedSamples();
                 DeviceTileShader shader =
-                        new DeviceTileShader(compiled, settings, TilePair.counters(compiled), kernel, e -> {
+                        new DeviceTileShader(compiled, settings, TilePair.counters(compiled), kernel, shaded, e -> {
                             throw e;
                         });
                 FilmTile found = TilePair.by(shader, compiled, settings);
                 assertEquals(0, TilePair.differences(expected, found), name + " on " + device.name());
-                done += shader.done() / (double) (shader.done() + shader.leftToHost());
+                done += shaded.device() / (double) (shaded.device() + shaded.host());
             }
         }
         return done / devices.size();

@@ -5,17 +5,17 @@ import enlightenment.device.DeviceChoice;
 import enlightenment.device.DeviceFailure;
 import enlightenment.device.DeviceProgram;
 import enlightenment.device.DeviceScene;
+import enlightenment.device.ShadedSamples;
 import enlightenment.device.opencl.OpenClDevices;
 import enlightenment.math.InvalidValueException;
 import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.world.CompiledScene;
+import java.util.ArrayList;
 import java.util.EnumMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 
 /**
@@ -30,11 +30,7 @@ public final class DeviceShare implements AutoCloseable {
     private final ComputeDevice device;
     private final Consumer<String> notes;
     private final Map<DeviceScene.Program, DeviceProgram> programs = new EnumMap<>(DeviceScene.Program.class);
-
-    /** Those that are open. */
-    private final Set<DeviceTiles> tiles = new HashSet<>();
-
-    private final Tally tally = new Tally();
+    private final ShadedSamples shaded = new ShadedSamples();
     private boolean hasFailed;
     private String lastRefusal = "";
 
@@ -95,12 +91,13 @@ public final class DeviceShare implements AutoCloseable {
     }
 
     /**
-     * Copies a scene to the device, for one thread.
+     * Copies a scene to the device, for some threads.
      *
      * @param settings of the render, whose method is not {@link Method#AUTO}
+     * @return one for each thread
      * @throws DeviceFailure if the device cannot take part in this render
      */
-    public DeviceTiles prepare(CompiledScene scene, RenderSettings settings) {
+    public List<DeviceTiles> prepare(CompiledScene scene, RenderSettings settings, int threads) {
         if (settings.method() != Method.RAYTRACE) {
             throw new DeviceFailure("devices render by the method " + Method.RAYTRACE.word() + ", not by "
                     + settings.method().word());
@@ -113,20 +110,27 @@ public final class DeviceShare implements AutoCloseable {
         if (needed > device.memory()) {
             throw new DeviceFailure("the scene takes " + needed + " bytes, and the device has " + device.memory());
         }
-        return prepare(flat, scene, settings);
+        DeviceProgram program = program(flat.program());
+        List<DeviceTiles> made = new ArrayList<>();
+        try {
+            for (int k = 0; k < threads; k++) {
+                made.add(new DeviceTiles(scene, settings, program.prepare(flat), shaded, this::failed));
+            }
+            return made;
+        } catch (DeviceFailure e) {
+            made.forEach(DeviceTiles::close);
+            throw e;
+        }
     }
 
-    private synchronized DeviceTiles prepare(DeviceScene flat, CompiledScene scene, RenderSettings settings) {
-        DeviceProgram program = programs.computeIfAbsent(flat.program(), device::compile);
-        DeviceTiles made = new DeviceTiles(scene, settings, program.prepare(flat), this::failed, this::closed);
-        tiles.add(made);
-        return made;
+    private synchronized DeviceProgram program(DeviceScene.Program which) {
+        return programs.computeIfAbsent(which, device::compile);
     }
 
-    /** As {@link #prepare}, but empty if the device cannot take part; the reason is a note, once for all scenes with the same. */
+    /** As {@link #prepare} for one thread, but empty if the device cannot take part; the reason is a note, once for all scenes with the same. */
     public Optional<DeviceTiles> tryPrepare(CompiledScene scene, RenderSettings settings) {
         try {
-            return Optional.of(prepare(scene, settings));
+            return Optional.of(prepare(scene, settings, 1).get(0));
         } catch (DeviceFailure e) {
             refused(e.getMessage());
             return Optional.empty();
@@ -147,31 +151,12 @@ public final class DeviceShare implements AutoCloseable {
         }
     }
 
-    private synchronized void closed(DeviceTiles one) {
-        tally.add(one);
-        tiles.remove(one);
-    }
-
     /** Notes how many samples the device has shaded so far, unless it took no part: all of them if no thread renders with it. */
-    public synchronized void note() {
-        Tally sum = new Tally();
-        sum.done = tally.done;
-        sum.left = tally.left;
-        tiles.forEach(sum::add);
-        if (sum.done + sum.left > 0) {
-            notes.accept(device.name() + " shaded " + sum.done + " samples"
-                    + (sum.left > 0 ? " and left " + sum.left + " to the processor" : ""));
-        }
-    }
-
-    /** Samples by who shaded them. */
-    private static final class Tally {
-        long done;
-        long left;
-
-        void add(DeviceTiles from) {
-            done += from.done();
-            left += from.leftToHost();
+    public void note() {
+        long left = shaded.host();
+        if (shaded.device() + left > 0) {
+            notes.accept(device.name() + " shaded " + shaded.device() + " samples"
+                    + (left > 0 ? " and left " + left + " to the processor" : ""));
         }
     }
 

@@ -5,7 +5,6 @@ import enlightenment.device.DeviceFailure;
 import enlightenment.math.InvalidValueException;
 import enlightenment.scene.RenderSettings;
 import enlightenment.world.CompiledScene;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -47,14 +46,10 @@ public final class PreparedDevice implements AutoCloseable {
     }
 
     private static PreparedDevice of(DeviceShare share, CompiledScene scene, RenderSettings settings) {
-        PreparedDevice made = new PreparedDevice(share, new ArrayList<>());
         try {
-            for (int k = 0; k < DeviceShare.THREADS; k++) {
-                made.tiles.add(share.prepare(scene, settings));
-            }
-            return made;
+            return new PreparedDevice(share, share.prepare(scene, settings, DeviceShare.THREADS));
         } catch (DeviceFailure e) {
-            made.close();
+            share.close();
             throw e;
         }
     }

@@ -124,7 +124,7 @@ public final class WorkerJobs implements AutoCloseable {
         if (pool != null) {
             pool.close();
         }
-        if (device != null && made() > 0) {
+        if (device != null) {
             device.note();
         }
     }

@@ -17,7 +17,6 @@ public final class LocalWorker implements AutoCloseable {
     public static final long ID = 0;
 
     private final RenderPool pool;
-    private final int threads;
     private final Consumer<Event> events;
 
     /**
@@ -35,14 +34,13 @@ public final class LocalWorker implements AutoCloseable {
             TileData.Maker results,
             Consumer<Event> events,
             Consumer<Throwable> failed) {
-        this.threads = threads + (device == null ? 0 : DeviceShare.THREADS);
         this.events = events;
         pool = new RenderPool(units, threads, device, Integer.MAX_VALUE / 2, results, failed);
     }
 
     public void start() {
         pool.start(this::deliver);
-        events.accept(new Event.Joined(ID, null, Origin.SERVER, false, "this process", threads, 1));
+        events.accept(new Event.Joined(ID, null, Origin.SERVER, false, "this process", pool.threads(), 1));
     }
 
     private void deliver() {

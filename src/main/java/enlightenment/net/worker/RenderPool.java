@@ -56,6 +56,11 @@ public final class RenderPool implements AutoCloseable {
         }
     }
 
+    /** The number of its threads, those of a device included. */
+    public int threads() {
+        return threads.size();
+    }
+
     /**
      * Starts the threads.
      *

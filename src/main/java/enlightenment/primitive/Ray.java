@@ -138,6 +138,12 @@ public final class Ray {
         return this;
     }
 
+    /** Makes this the same as a ray that starts on at most one surface and ends on none. */
+    public Ray set(Ray other) {
+        return set(other.ox, other.oy, other.oz, other.dx, other.dy, other.dz, other.tMin)
+                .from(other.start, other.startElement, other.startSide);
+    }
+
     /** Sets the surface that the ray starts on, that of a hit, and the side that it travels on. */
     public Ray from(Hit hit, int side) {
         return from(hit.primitive, hit.element, side);

@@ -121,7 +121,7 @@ final class BidirectionalLights {
             return false;
         }
         PhysicalLight l = physical.lights[choice.light];
-        if (l.isInPlaneWith(eye.path.at.id, hit.face) || l.isBallOf(eye.path.at.id)) {
+        if (eye.leavesLight(choice.light) || l.isInPlaneWith(eye.path.at.id, hit.face) || l.isBallOf(eye.path.at.id)) {
             return false;
         }
         counters.lightSamples++;

@@ -8,7 +8,6 @@ import enlightenment.transport.state.Throughput;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
 import enlightenment.world.material.SurfaceMaterial;
-import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
 
 /** The throughput of a {@link Subpath} from surface to surface, and its attenuation by media on the way. One per thread. */
@@ -30,12 +29,13 @@ abstract class CarriedLight {
     private final double[] left = new double[3];
 
     /**
+     * @param path follows the subpath
      * @param flying the purpose of the random numbers of flights
      */
-    CarriedLight(CompiledScene scene, RayCounters counters, Throughput throughput, Sampler.Purpose flying) {
+    CarriedLight(CompiledScene scene, PathFollower path, Throughput throughput, Sampler.Purpose flying) {
         this.throughput = throughput;
+        this.path = path;
         physical = scene.physical;
-        path = new PathFollower(scene, counters, physical.maxBounces);
         absorbs = physical.hasAbsorption;
         inMedium = physical.hasScattering ? new MediumVertex(path, flying) : null;
     }

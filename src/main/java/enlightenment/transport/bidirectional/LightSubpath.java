@@ -6,6 +6,7 @@ import enlightenment.primitive.Hit;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.direct.LightView;
 import enlightenment.transport.emission.LightSource;
+import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.ray.PathSource;
 import enlightenment.transport.state.Throughput;
 import enlightenment.world.CompiledScene;
@@ -32,6 +33,7 @@ public final class LightSubpath extends Subpath {
         super(
                 scene,
                 counters,
+                new PathFollower(scene, counters, scene.physical.maxBounces),
                 new Throughput(),
                 Sampler.Purpose.LIGHT_CHOICE,
                 Sampler.Purpose.LIGHT_DIRECTION,
@@ -59,6 +61,15 @@ public final class LightSubpath extends Subpath {
         path.drawWavelength(sampler);
         path.beginAtLight(ray, source);
         return true;
+    }
+
+    /** Traces the subpath to its next vertex and lets it leave there; returns whether it goes on. */
+    boolean step(Sampler sampler) {
+        return switch (next(sampler)) {
+            case SURFACE, INTERFACE, MEDIUM -> mayScatter() && leave(sampler);
+            case PASSED -> true;
+            case NOTHING, ENDED -> false;
+        };
     }
 
     /** The power of the path's start, mean of the bands. */

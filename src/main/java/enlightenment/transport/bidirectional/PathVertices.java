@@ -93,6 +93,11 @@ public final class PathVertices {
         size++;
     }
 
+    /** Bars the last vertex from being connected. */
+    void bar() {
+        bsdfs[size - 1] = null;
+    }
+
     /** Sets the incident power at the last vertex. */
     void power(Throughput power) {
         int k = (size - 1) * NUMBERS;

@@ -42,7 +42,7 @@ abstract class Subpath extends CarriedLight {
     public final SubpathDensities densities = new SubpathDensities();
 
     /** The vertices so far. */
-    public final PathVertices vertices = new PathVertices();
+    public PathVertices vertices = new PathVertices();
 
     /** The scattering at the current vertex, with its colour. */
     public Scattering s;
@@ -91,12 +91,13 @@ abstract class Subpath extends CarriedLight {
     Subpath(
             CompiledScene scene,
             RayCounters counters,
+            PathFollower path,
             Throughput throughput,
             Sampler.Purpose choosing,
             Sampler.Purpose directing,
             Sampler.Purpose surviving,
             Sampler.Purpose flying) {
-        super(scene, counters, throughput, flying);
+        super(scene, path, throughput, flying);
         this.counters = counters;
         this.choosing = choosing;
         this.directing = directing;
@@ -132,6 +133,11 @@ abstract class Subpath extends CarriedLight {
     /** Called when the path enters a medium with this index of refraction. */
     abstract void enter(double index);
 
+    /** Whether light of small lights at the current vertex is left to the caustic pass. */
+    boolean leavesSmallLights() {
+        return false;
+    }
+
     /** Traces the path to its next vertex. */
     public Event next(Sampler sampler) {
         PathFollower.Event event = meet(sampler);
@@ -156,7 +162,8 @@ abstract class Subpath extends CarriedLight {
         return Event.MEDIUM;
     }
 
-    private Event surface() {
+    /** Makes the opaque surface that the path has hit the current vertex. */
+    final Event surface() {
         if (inMedium != null) {
             inMedium.flight.begin();
         }
@@ -306,7 +313,9 @@ abstract class Subpath extends CarriedLight {
     private void remember(Scattering at, boolean connects) {
         if (connects) {
             state.extend(
-                    isMedium ? PathEvent.MEDIUM : isInterface ? PathEvent.ROUGH_INTERFACE : PathEvent.WIDE, at, false);
+                    isMedium ? PathEvent.MEDIUM : isInterface ? PathEvent.ROUGH_INTERFACE : PathEvent.WIDE,
+                    at,
+                    leavesSmallLights());
         } else {
             state.extendSpecular(-1);
         }

@@ -63,7 +63,7 @@ abstract class EyePathTracer implements Shader {
     }
 
     @Override
-    public final void stopWhen(BooleanSupplier condition) {
+    public void stopWhen(BooleanSupplier condition) {
         path.poll.stopWhen(condition);
     }
 

@@ -2,6 +2,7 @@ package enlightenment.transport.path;
 
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
+import enlightenment.transport.bidirectional.LightVertices;
 import enlightenment.world.Tracer;
 import enlightenment.world.light.SegmentEnds;
 import java.util.Arrays;
@@ -14,6 +15,12 @@ import java.util.Arrays;
  * are kept in a structure of arrays, for loops that the compiler vectorizes.
  */
 public final class PathConnections {
+    /** One in this many light subpaths gives light to all paths of a group: docs/notes/light-vertices.md has what more and fewer bring. */
+    private static final int PATHS_OF_LIGHT = 4;
+
+    /** The number of the path that has found a point that none has. */
+    private static final int NONE = -1;
+
     /** First vertices on further surfaces count as on one that has no id. */
     private static final int MOST_SURFACES = 6;
 
@@ -54,9 +61,22 @@ public final class PathConnections {
 
     private final LobeShares lobes = new LobeShares();
 
+    /** Shares light subpaths; null for none. */
+    private LightVertexReuse reuse;
+
+    /** The number of light subpaths whose vertices give light to all paths of the group. */
+    private int givers;
+
+    private final double[] leaving = new double[3];
+
     PathConnections(Tracer tracer) {
         this.tracer = tracer;
         Arrays.setAll(segments, k -> new SegmentEnds());
+    }
+
+    /** Shares light subpaths, too. */
+    void reuse(LightVertexReuse light) {
+        reuse = light;
     }
 
     /**
@@ -68,12 +88,16 @@ public final class PathConnections {
      * @param out by path: red, green, blue; the radiance that the path receives is added
      */
     public void share(PathCut[] paths, int size, double[][] out) {
+        givers = (size + PATHS_OF_LIGHT - 1) / PATHS_OF_LIGHT;
         findSurfaces(paths, size);
         if (surfaceCount == 0) {
             return;
         }
         order(paths, size);
         for (int q = 0; q < size; q++) {
+            if (reuse != null && q % PATHS_OF_LIGHT == 0) {
+                giveLight(paths[q].light, paths);
+            }
             if (paths[q].gives) {
                 give(paths[q], q, paths);
             }
@@ -191,8 +215,32 @@ public final class PathConnections {
         }
     }
 
-    private void give(PathCut giver, int number, PathCut[] paths) {
-        Hit at = giver.second;
+    /** Gives the light of a light subpath's vertices to all first vertices that see them. */
+    private void giveLight(LightVertices light, PathCut[] to) {
+        for (int v = 0; v < light.size(); v++) {
+            if (!reuse.gives(light, v)) {
+                continue;
+            }
+            double sum = findSeen(light.hit(v), light.id(v), NONE, to);
+            if (!(sum > 0)) {
+                continue;
+            }
+            reuse.leave(light, v, sum / Math.PI / givers, leaving);
+            double scale = 1 / (Math.PI * givers);
+            if (lobes.hasRough()) {
+                lobes.giveMatte(shares, sum, scale * leaving[0], scale * leaving[1], scale * leaving[2]);
+            } else {
+                gain(scale * leaving[0], scale * leaving[1], scale * leaving[2]);
+            }
+        }
+    }
+
+    /**
+     * Finds the shares of a point with this id in the first vertices that see it; returns their sum.
+     *
+     * @param number of the path that has found the point
+     */
+    private double findSeen(Hit at, int id, int number, PathCut[] to) {
         findShares(at.px, at.py, at.pz, at.nx * at.side, at.ny * at.side, at.nz * at.side);
         if (lobes.hasRough()) {
             lobes.find(at, x, y, z, shares);
@@ -200,19 +248,25 @@ public final class PathConnections {
         double sum = 0;
         int from = 0;
         for (int k = 0; k < surfaceCount; k++) {
-            boolean mayBeHidden =
-                    tracer.prepareSegments(at.px, at.py, at.pz, left(at, giver.secondId), segments[k], sizes[k]);
+            boolean mayBeHidden = tracer.prepareSegments(at.px, at.py, at.pz, left(at, id), segments[k], sizes[k]);
             for (int n = from; n < ends[k]; n++) {
-                if (!(shares[n] > 0)
-                        || mayBeHidden && pathOf[n] != number && isOccluded(n, paths[pathOf[n]].first, at)) {
+                if (!(shares[n] > 0) || mayBeHidden && pathOf[n] != number && isOccluded(n, to[pathOf[n]].first, at)) {
                     shares[n] = 0;
                 }
                 sum += shares[n];
             }
             from = ends[k];
         }
+        return sum;
+    }
+
+    private void give(PathCut giver, int number, PathCut[] to) {
+        double sum = findSeen(giver.second, giver.secondId, number, to);
         if (!(sum > 0)) {
             return;
+        }
+        if (giver.isOpenEnded) {
+            reuse.finish(giver, sum / Math.PI / givers);
         }
         if (giver.secondLobes != null) {
             lobes.giveRough(giver, x, y, z, shares);

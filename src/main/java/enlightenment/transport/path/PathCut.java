@@ -3,13 +3,16 @@ package enlightenment.transport.path;
 import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Hit;
-import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import enlightenment.transport.bidirectional.BidirectionalContinuation;
+import enlightenment.transport.bidirectional.LightVertices;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.state.IncidentLight;
 import enlightenment.transport.state.PathState;
 import enlightenment.transport.state.PathValue;
 import enlightenment.world.surface.SurfaceInteraction;
+import java.util.Arrays;
 
 /**
  * A path that is cut at its second vertex, so that the light there is shared with all paths whose first vertices see it (P. Bekaert, M.
@@ -74,6 +77,19 @@ public final class PathCut {
 
     double metDensity;
 
+    /** Where light subpaths are reused: whether the light that a matte second vertex gives has yet to be found. */
+    boolean isOpenEnded;
+
+    /** The ray by which such a path came to its second vertex, and the address of its next random numbers. */
+    final Ray arrived = new Ray();
+
+    int address;
+
+    /** The sampler of the path, and its light subpath. */
+    Sampler sampler;
+
+    final LightVertices light = new LightVertices();
+
     /** Makes a path that shares nothing, to be passed to {@link PathIntegrator#shade}. */
     public PathCut() {}
 
@@ -82,16 +98,22 @@ public final class PathCut {
      * hit the same surface again, or only other elements of it.
      */
     private static boolean isOpen(PathFollower path) {
-        Primitive p = path.at.hit.primitive;
-        return path.glass.isPlain()
-                && path.medium() == null
-                && (p.hasElements() || p.isFlat() || p.isConvex() && path.at.hit.side == Ray.OUTSIDE);
+        return BidirectionalContinuation.isOpen(path);
     }
 
     /** Makes this a path that shares nothing. */
     public void clear() {
         takes = false;
         gives = false;
+        isOpenEnded = false;
+    }
+
+    /** Leaves the path open at its second vertex. */
+    void endOpen(Ray ray, PathState state) {
+        isOpenEnded = true;
+        arrived.set(ray);
+        address = state.address;
+        Arrays.fill(given, 0);
     }
 
     /**
@@ -173,13 +195,17 @@ public final class PathCut {
     }
 
     /**
-     * Records the light that the BSDF sample has met.
+     * Records the light that the BSDF sample has met, if it has met one.
      *
      * @param density with which next-event estimation would have sampled it
+     * @return whether it could have
      */
-    void meet(SurfaceInteraction light, PathValue value, double density) {
-        metDensity = density;
-        value.getEmission(light, met);
+    boolean meets(SurfaceInteraction light, PathValue value, double density) {
+        if (density > 0 && light.emits()) {
+            metDensity = density;
+            value.getEmission(light, met);
+        }
+        return density > 0;
     }
 
     /** Writes the radiance of the path without the part that leaves the second vertex. */

@@ -18,6 +18,7 @@ import enlightenment.world.CompiledScene;
 import enlightenment.world.material.SurfaceMaterial;
 import enlightenment.world.parts.RayCounters;
 import java.util.Arrays;
+import java.util.function.BooleanSupplier;
 
 /**
  * The radiance seen along one camera ray, by the rendering equation: a path is followed from surface to surface, at each of them direct
@@ -48,6 +49,9 @@ public final class PathIntegrator extends EyePathTracer {
 
     private int followed;
 
+    /** Shares light subpaths among paths that are cut; null for none. */
+    private LightVertexReuse reuse;
+
     /** The path to be cut for path reuse; null if it is followed to its end. */
     private PathCut cut;
 
@@ -64,6 +68,14 @@ public final class PathIntegrator extends EyePathTracer {
     /** If hasCausticPass, leaves out caustics that the caustic pass samples, and samples those that it cannot in other ways. */
     public PathIntegrator(CompiledScene scene, RayCounters counters, boolean hasCausticPass) {
         this(scene, counters, PathPart.WHOLE, hasCausticPass);
+    }
+
+    /** For one thread that shares light subpaths, too, among paths that are cut, where the scene {@linkplain #reusesLight allows} it. */
+    public static PathIntegrator reusingLight(CompiledScene scene, RayCounters counters) {
+        PathIntegrator made = new PathIntegrator(scene, counters);
+        made.reuse = LightVertexReuse.of(scene, counters, made.path);
+        made.connections.reuse(made.reuse);
+        return made;
     }
 
     private PathIntegrator(CompiledScene scene, RayCounters counters, PathPart part, boolean hasCausticPass) {
@@ -84,6 +96,14 @@ public final class PathIntegrator extends EyePathTracer {
 
     private static boolean showsLamps(PathPart part) {
         return part == PathPart.WHOLE || part == PathPart.DIRECT;
+    }
+
+    @Override
+    public void stopWhen(BooleanSupplier condition) {
+        super.stopWhen(condition);
+        if (reuse != null) {
+            reuse.stopWhen(condition);
+        }
     }
 
     @Override
@@ -113,9 +133,17 @@ public final class PathIntegrator extends EyePathTracer {
     public void shade(Ray ray, Sampler sampler, PathCut out) {
         cut = out;
         cut.clear();
+        if (reuse != null) {
+            reuse.begin(sampler, cut);
+        }
         follow(ray, sampler);
         value.get(cut.gives ? cut.given : cut.own);
         cut = null;
+    }
+
+    /** Whether light subpaths are shared among paths that are cut. */
+    public boolean reusesLight() {
+        return reuse != null;
     }
 
     /** Connects this thread's paths that were cut. */
@@ -178,6 +206,9 @@ public final class PathIntegrator extends EyePathTracer {
         if (material.isBlack || !mayScatter()) {
             return false;
         }
+        if (cut != null && reuse != null && reuse.follow(ray, cut, state, value, sampler)) {
+            return false;
+        }
         path.color(material, surface);
         if (isAlbedo && !material.isDelta) {
             Albedo.find(path, ray, material, physical.hasUltraviolet, surface);
@@ -193,7 +224,7 @@ public final class PathIntegrator extends EyePathTracer {
 
     /** Adds the surface's emission, times its MIS weight. */
     private void addEmission(Ray ray) {
-        if (cut != null && cut.isLeft(state) && meetAtCut(ray)) {
+        if (cut != null && cut.isLeft(state) && cut.meets(path.at, value, nextEvent.density(ray))) {
             return;
         }
         double weight = path.at.emits() ? weightOfHit(ray) : 0;
@@ -229,7 +260,12 @@ public final class PathIntegrator extends EyePathTracer {
     private boolean matte(Ray ray, Reradiation dye, Sampler sampler) {
         if (cut != null && path.surfaces < 2) {
             cut.note(path, surface, value, dye != null);
+            if (reuse != null && cut.gives) {
+                cut.endOpen(ray, state);
+                return false;
+            }
         }
+        connectFirst(ray);
         if (dye != null && !value.scatter(dye, surface)) {
             return false;
         }
@@ -266,6 +302,9 @@ public final class PathIntegrator extends EyePathTracer {
                 && cut.noteRough(path, bsdf, s, value, physical.hasConstantEnvironment())) {
             return leaveCut(ray, bsdf, s, sampler);
         }
+        if (!isNarrow) {
+            connectFirst(ray);
+        }
         PathEvent event = isNarrow ? PathEvent.NARROW : PathEvent.WIDE;
         boolean leaves = isNarrow && state.isNarrowSampledByCausticPass();
         vertex.set(bsdf, s, surface, event, leaves);
@@ -283,6 +322,13 @@ public final class PathIntegrator extends EyePathTracer {
             state.extend(event, s, leaves);
         }
         return survives(s.valueR, s.valueG, s.valueB, sampler) && path.continues();
+    }
+
+    /** Connects the path's first vertex to its light subpath, where these are shared. */
+    private void connectFirst(Ray ray) {
+        if (cut != null && reuse != null && path.surfaces == 0) {
+            reuse.connectFirst(ray, cut, state, value);
+        }
     }
 
     /** Samples the direction in which the path leaves an opaque surface; returns whether there is one. */
@@ -379,14 +425,5 @@ public final class PathIntegrator extends EyePathTracer {
         path.leave(ray, s);
         state.extend(PathEvent.WIDE, s, false);
         return path.continues();
-    }
-
-    /** Records in the cut that the path has hit a light next; returns whether next-event estimation could have sampled it, too. */
-    private boolean meetAtCut(Ray ray) {
-        double density = nextEvent.density(ray);
-        if (density > 0 && path.at.emits()) {
-            cut.meet(path.at, value, density);
-        }
-        return density > 0;
     }
 }

@@ -31,6 +31,9 @@ public final class PathFollower {
         GLASS
     }
 
+    /** The solids around a point in empty space. */
+    private static final int[] NOWHERE = {};
+
     public final Tracer tracer;
     public final GlassTracer glass;
     public final Poll poll;
@@ -104,6 +107,20 @@ public final class PathFollower {
         beginFrom(false);
         glass.begin(ray, scene.cameraSolids, null);
         begin(0);
+    }
+
+    /**
+     * Begins again on the ray by which a path of physical shading has left its first surface, an opaque one in empty space, so that the
+     * path has had one scattering event.
+     *
+     * @param sampler of that path, from which its wavelength follows
+     */
+    public void resume(Ray ray, Sampler sampler) {
+        drawWavelength(sampler);
+        beginFrom(false);
+        glass.begin(ray, NOWHERE, null);
+        begin(1);
+        bounces.bounced();
     }
 
     /**

@@ -58,6 +58,11 @@ public final class SegmentRays {
      * negative.
      */
     public boolean reaches(double x, double y, double z, double distance, int id, int face) {
+        return reachesDirectly(x, y, z, distance, id, face) || walk != null && walks();
+    }
+
+    /** As {@link #reaches}, but panes and interfaces of equal index occlude, too. */
+    public boolean reachesDirectly(double x, double y, double z, double distance, int id, int face) {
         dx = x;
         dy = y;
         dz = z;
@@ -70,7 +75,7 @@ public final class SegmentRays {
             absorb(absorbs ? path.medium(isBeyond) : null, length);
             return true;
         }
-        return walk != null && walks();
+        return false;
     }
 
     /** Starts the ray; returns whether a surface that coincides with the vertex occludes it. */

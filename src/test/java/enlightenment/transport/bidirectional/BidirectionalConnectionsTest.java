@@ -68,7 +68,7 @@ class BidirectionalConnectionsTest {
         for (int n = 4; n <= LONGEST; n++) {
             int pairs = n - 3;
             double there = pairs * Math.pow(q, n - 4);
-            double expected = there * Math.min(1, (double) BidirectionalTracer.PATHS_OF_A_LENGTH / (n - 1));
+            double expected = there * Math.min(1, (double) BidirectionalGathering.PATHS_OF_A_LENGTH / (n - 1));
             if (expected * SAMPLES < 500) {
                 break;
             }
@@ -76,7 +76,7 @@ class BidirectionalConnectionsTest {
             // shorter part is there.
             double deviation = Math.sqrt(pairs * there / SAMPLES);
             assertEquals(expected, found[n], 5 * deviation, n + " vertices");
-            assertTrue(found[n] < BidirectionalTracer.PATHS_OF_A_LENGTH, n + " vertices: " + found[n]);
+            assertTrue(found[n] < BidirectionalGathering.PATHS_OF_A_LENGTH, n + " vertices: " + found[n]);
             tested++;
         }
         assertTrue(tested >= 8, tested + " lengths");

@@ -1,0 +1,143 @@
+package enlightenment.transport.bidirectional;
+
+import enlightenment.primitive.Primitive;
+import enlightenment.primitive.Ray;
+import enlightenment.sampling.Sampler;
+import enlightenment.transport.ray.PathFollower;
+import enlightenment.world.CompiledScene;
+import enlightenment.world.PhysicalScene;
+import enlightenment.world.light.CausticPass;
+import enlightenment.world.parts.RayCounters;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Continues paths from the eye, from their second vertex on, by bidirectional path tracing. First vertices may be connected to vertices of
+ * light subpaths elsewhere: as the eye is in {@link BidirectionalTracer}, but with the density of the second vertex in place of the
+ * camera's. Paths that the caustic pass samples are left to it. One per thread.
+ */
+public final class BidirectionalContinuation {
+    private final EyeSubpath eye;
+    private final BidirectionalGathering gathering;
+    private final CausticPass caustics;
+
+    /**
+     * @param path follows the paths that are continued
+     * @param caustics the caustic pass that paths of some light are left to; null if the scene has none
+     */
+    public BidirectionalContinuation(
+            CompiledScene scene, RayCounters counters, PathFollower path, CausticPass caustics) {
+        eye = new EyeSubpath(scene, counters, path, caustics);
+        gathering = new BidirectionalGathering(scene, counters, eye, null);
+        this.caustics = caustics;
+    }
+
+    /** Whether the paths of a scene can be continued so: not in media that scatter light, at fluorescent surfaces, or behind masks. */
+    public static boolean isPossible(PhysicalScene physical) {
+        return !physical.hasScattering && physical.lightOfBands == null && !physical.hasMasks;
+    }
+
+    /** Sets the condition on which light subpaths are given up. */
+    public void stopWhen(BooleanSupplier condition) {
+        gathering.light.path.poll.stopWhen(condition);
+    }
+
+    /** Whether rays that leave the current surface, in empty space, cannot hit it again, or only other elements of it. */
+    public static boolean isOpen(PathFollower path) {
+        Primitive p = path.at.hit.primitive;
+        return path.glass.isPlain()
+                && path.medium() == null
+                && (p.hasElements() || p.isFlat() || p.isConvex() && path.at.hit.side == Ray.OUTSIDE);
+    }
+
+    /** Whether light can be shared among paths at the current surface: where it {@linkplain #isOpen is open}, and neither specular nor smoothed. */
+    public static boolean isShareable(PathFollower path) {
+        return isOpen(path) && !path.at.bsdf.hasDelta() && !path.at.isSmooth();
+    }
+
+    /** Traces a light subpath. */
+    public void emit(Sampler sampler, LightVertices into) {
+        LightSubpath light = gathering.light;
+        light.vertices = into.vertices;
+        boolean goes = light.begin(sampler);
+        into.tint(light.path.glass.wavelength);
+        while (goes) {
+            int before = into.size();
+            LightSubpath.Event event = light.next(sampler);
+            boolean isLeft = isNarrowCaustic(event);
+            if (into.size() > before) {
+                into.note(light, event == LightSubpath.Event.SURFACE && isShareable(light.path));
+                if (isLeft) {
+                    into.vertices.bar();
+                }
+            }
+            goes = !isLeft && leaves(event, sampler);
+            // Of light that a specular event has sent on first, the caustic pass samples all.
+            goes &= caustics == null || light.state.events != 1 || light.state.hasDirect;
+        }
+    }
+
+    private boolean leaves(LightSubpath.Event event, Sampler sampler) {
+        return switch (event) {
+            case SURFACE, INTERFACE, MEDIUM -> gathering.light.mayScatter() && gathering.light.leave(sampler);
+            case PASSED -> true;
+            case NOTHING, ENDED -> false;
+        };
+    }
+
+    /** Whether the light subpath's first event is at a narrow lobe that the caustic pass takes. */
+    private boolean isNarrowCaustic(LightSubpath.Event event) {
+        LightSubpath light = gathering.light;
+        return caustics != null
+                && light.state.events == 0
+                && (event == LightSubpath.Event.SURFACE || event == LightSubpath.Event.INTERFACE)
+                && light.bsdf.isNarrow()
+                && caustics.takesNarrow()
+                && caustics.takesNarrow(light.source.light);
+    }
+
+    /**
+     * Connects the surface that the path is at, its first vertex, to vertices of its own light subpath: to those that are not shared among
+     * paths, if it shares light, else to all.
+     *
+     * @param arrived the ray by which the path came
+     * @param address of the path's next random numbers
+     * @param shares whether the path's first vertex receives light from the vertices of other paths
+     * @param out receives the radiance towards the eye, by band
+     */
+    public void connectFirst(Ray arrived, int address, LightVertices own, boolean shares, double[] out) {
+        gathering.light.vertices = own.vertices;
+        eye.beginAt(arrived, address, 0);
+        // Paths leave their first vertex without roulette.
+        eye.survival = 1;
+        for (int k = 0; k < own.size(); k++) {
+            if (!(shares && own.isOpen(k))) {
+                gathering.connectFirst(k);
+            }
+        }
+        eye.value.get(out);
+    }
+
+    /**
+     * Gathers all light but emission that leaves the surface that the path is at towards its last vertex, and follows it to its end.
+     *
+     * @param arrived the ray by which the path came
+     * @param address of the path's next random numbers
+     * @param density the expected number of such vertices per area, by all paths that could have found it, over the number of light
+     *     subpaths that are connected to their first vertices; 0 if none is
+     * @param out receives the radiance, by band
+     */
+    public void follow(Ray arrived, Sampler sampler, int address, double density, LightVertices own, double[] out) {
+        gathering.light.vertices = own.vertices;
+        eye.beginAt(arrived, address, density);
+        if (eye.mayScatter()) {
+            if (!eye.bsdf.isDelta()) {
+                gathering.gather(sampler);
+            }
+            boolean goes = eye.leave(sampler);
+            while (goes) {
+                goes = gathering.step(sampler);
+            }
+        }
+        eye.value.get(out);
+    }
+}

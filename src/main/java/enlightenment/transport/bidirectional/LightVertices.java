@@ -1,0 +1,105 @@
+package enlightenment.transport.bidirectional;
+
+import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Scattering;
+import enlightenment.primitive.Hit;
+import enlightenment.transport.state.PathWavelength;
+import enlightenment.world.PhysicalScene;
+import java.util.Arrays;
+
+/**
+ * The vertices of one light subpath, kept until they have been connected to the first vertices of all paths of a group. Mutable, reused
+ * from path to path.
+ */
+public final class LightVertices {
+    final PathVertices vertices = new PathVertices();
+    private Hit[] hits = {};
+
+    /** By vertex, whether it may be connected to paths other than its own; and whether it is matte, too. */
+    private boolean[] isOpen = {};
+
+    private boolean[] isMatte = {};
+    private final Scattering leaving = new Scattering();
+
+    /** The colour of the subpath's wavelength; 1 if no glass of the scene disperses. */
+    private double waveR;
+
+    private double waveG;
+    private double waveB;
+
+    /** Makes the vertices of no path. */
+    public LightVertices() {}
+
+    void begin() {
+        vertices.clear();
+    }
+
+    void tint(PathWavelength wavelength) {
+        waveR = wavelength == null ? 1 : wavelength.red;
+        waveG = wavelength == null ? 1 : wavelength.green;
+        waveB = wavelength == null ? 1 : wavelength.blue;
+    }
+
+    /** Records the surface that the last vertex is on; to be called before the subpath leaves it. */
+    void note(LightSubpath path, boolean opens) {
+        int k = vertices.size() - 1;
+        if (k >= hits.length) {
+            int old = hits.length;
+            hits = Arrays.copyOf(hits, 2 * k + 4);
+            isOpen = Arrays.copyOf(isOpen, hits.length);
+            isMatte = Arrays.copyOf(isMatte, hits.length);
+            for (int i = old; i < hits.length; i++) {
+                hits[i] = new Hit();
+            }
+        }
+        isOpen[k] = opens;
+        isMatte[k] = opens && path.bsdf == Lambert.INSTANCE;
+        if (isMatte[k]) {
+            hits[k].set(path.path.at.hit);
+        }
+    }
+
+    /** The number of vertices. */
+    public int size() {
+        return vertices.size();
+    }
+
+    /** Whether vertex k may be connected to first vertices of paths other than its own. */
+    boolean isOpen(int k) {
+        return isOpen[k];
+    }
+
+    /** Whether vertex k gives light to the first vertices of all paths of a group. */
+    public boolean gives(int k, PhysicalScene physical) {
+        return isMatte[k] && vertices.bsdf(k) != null && vertices.bounces(k) + 2 <= physical.maxBounces;
+    }
+
+    /** The surface point of vertex k, which {@linkplain #gives gives}. */
+    public Hit hit(int k) {
+        return hits[k];
+    }
+
+    /** The id of the primitive that vertex k is on. */
+    public int id(int k) {
+        return vertices.id(k);
+    }
+
+    /**
+     * Writes the light that vertex k, which {@linkplain #gives gives}, sends to the first vertices of paths.
+     *
+     * @param density the expected number of second vertices per area, with which paths through those first vertices would have found
+     *     this one, over the number of light subpaths
+     * @param out receives power per solid angle and projected area, times the MIS weight
+     */
+    public void leave(int k, double density, PhysicalScene physical, double[] out) {
+        vertices.get(k, leaving);
+        double cosine = leaving.geometricCosineOut();
+        double back = vertices.survival(k) * cosine / Math.PI;
+        double others = SubpathDensities.square(density * physical.areaUnit) * vertices.behind(k, back);
+        double f = SubpathDensities.weight(others, 0) / Math.PI;
+        boolean isColored = vertices.isColored(k);
+        out[0] = f * leaving.red * vertices.red(k) * (isColored ? waveR : 1);
+        out[1] = f * leaving.green * vertices.green(k) * (isColored ? waveG : 1);
+        out[2] = f * leaving.blue * vertices.blue(k) * (isColored ? waveB : 1);
+    }
+}

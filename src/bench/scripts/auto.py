@@ -26,7 +26,7 @@ import numpy
 from physical_light import copied, read_pfm
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
-FIXED = ["raytrace", "cluster", "light", "bidirectional", "metropolis"]
+FIXED = ["raytrace", "cluster", "light", "bidirectional", "bidirectional-cluster", "metropolis"]
 # Scenes of the repository: size, and what makes the reference.
 OWN = {
     "lamp-room": ("96x48", "bidirectional"),

@@ -22,11 +22,16 @@ final class EffortLevels implements Levels {
 
     private final CompiledScene scene;
     private final RenderSettings settings;
+    private final boolean reusesLight;
     private final BooleanSupplier cancelled;
     private final Map<Double, Double> efforts = new HashMap<>();
     private EffortCost cost;
 
-    EffortLevels(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
+    /**
+     * @param reusesLight whether light subpaths are reused, too, of physical shading
+     */
+    EffortLevels(CompiledScene scene, RenderSettings settings, boolean reusesLight, BooleanSupplier cancelled) {
+        this.reusesLight = reusesLight;
         this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
@@ -54,7 +59,7 @@ final class EffortLevels implements Levels {
         if (cost == null) {
             cost = scene.physical == null
                     ? ClusterCost.of(scene, settings, COST_BLOCKS, cancelled)
-                    : new PhysicalClusterCost(scene, settings, cancelled);
+                    : new PhysicalClusterCost(scene, settings, reusesLight, cancelled);
         }
         return cost;
     }

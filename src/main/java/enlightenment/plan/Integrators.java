@@ -75,6 +75,7 @@ public final class Integrators {
             case RAYTRACE, LIGHT, BIDIRECTIONAL -> MethodTraits.ofAnySamples(method, true);
             case CLUSTER ->
                 ofCluster(FEWEST_OF_CLUSTER, MOST_WITHOUT_SURVEY, FIRST_OF_CLUSTER, PhysicalClusterMethod.BLOCK_SIDE);
+            case BIDIRECTIONAL_CLUSTER -> ofPhysicalCluster(own);
             case METROPOLIS ->
                 new MethodTraits(
                         false,
@@ -98,12 +99,19 @@ public final class Integrators {
             return traits(method);
         }
         return isPhysical
-                ? ofCluster(
-                        FEWEST_OF_PHYSICAL_CLUSTER,
-                        MOST_WITHOUT_PHYSICAL_SURVEY,
-                        FIRST_OF_PHYSICAL_CLUSTER,
-                        PhysicalClusterMethod.BLOCK_SIDE)
+                ? ofPhysicalCluster(BuiltInMethod.CLUSTER)
                 : ofCluster(FEWEST_OF_CLUSTER, MOST_WITHOUT_SURVEY, FIRST_OF_CLUSTER, FilmTile.BLOCK_SIDE);
+    }
+
+    private static MethodTraits ofPhysicalCluster(BuiltInMethod method) {
+        return new MethodTraits(
+                false,
+                false,
+                method.standIn().orElseThrow(),
+                FEWEST_OF_PHYSICAL_CLUSTER,
+                MOST_WITHOUT_PHYSICAL_SURVEY,
+                FIRST_OF_PHYSICAL_CLUSTER,
+                PhysicalClusterMethod.BLOCK_SIDE);
     }
 
     private static MethodTraits ofCluster(double fewest, double mostBelow, double first, int blockSide) {
@@ -123,7 +131,10 @@ public final class Integrators {
 
     /** The function from the number of samples to the level of a method. */
     static Levels levels(Method method, CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
-        return method == BuiltInMethod.CLUSTER ? new EffortLevels(scene, settings, cancelled) : Levels.SAMPLES;
+        boolean reusesLight = method == BuiltInMethod.BIDIRECTIONAL_CLUSTER;
+        return reusesLight || method == BuiltInMethod.CLUSTER
+                ? new EffortLevels(scene, settings, reusesLight, cancelled)
+                : Levels.SAMPLES;
     }
 
     /** Whether a method adds paths that may end anywhere to the tiles of any scene. */
@@ -143,7 +154,7 @@ public final class Integrators {
     static double lightPathsPerSample(Method method, CompiledScene scene, RenderSettings settings) {
         if (method instanceof BuiltInMethod own) {
             return switch (own) {
-                case RAYTRACE, CLUSTER, METROPOLIS -> scene.hasCausticPass() ? CAUSTIC_PATHS : 0;
+                case RAYTRACE, CLUSTER, BIDIRECTIONAL_CLUSTER, METROPOLIS -> scene.hasCausticPass() ? CAUSTIC_PATHS : 0;
                 case LIGHT -> LIGHT_PATHS;
                 case BIDIRECTIONAL -> BidirectionalMethod.PATHS_PER_SAMPLE;
             };
@@ -174,7 +185,8 @@ public final class Integrators {
         }
         Check.that(scene.physical != null, "plan", "has light paths, which no scene of classic shading has");
         return switch ((BuiltInMethod) plan.method()) {
-            case RAYTRACE, CLUSTER, METROPOLIS -> LightPaths.ofCaustics(scene, settings, counters);
+            case RAYTRACE, CLUSTER, BIDIRECTIONAL_CLUSTER, METROPOLIS ->
+                LightPaths.ofCaustics(scene, settings, counters);
             case LIGHT -> LightPaths.ofAllLight(scene, settings, counters);
             case BIDIRECTIONAL -> LightPaths.ofBidirectional(scene, settings, counters);
         };
@@ -190,6 +202,12 @@ public final class Integrators {
         return Optional.of(method.word()
                 + " cannot see surfaces in mirrors and smooth coats, in panes or through glass that bends light:"
                 + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
+    }
+
+    /** Whether a method is more, for this scene, than another one by another name: paths from lights are not shared in every scene. */
+    static boolean differs(Method method, CompiledScene scene) {
+        return method != BuiltInMethod.BIDIRECTIONAL_CLUSTER
+                || scene.physical != null && PhysicalClusterMethod.canReuseLight(scene);
     }
 
     /** Light that no path of any method finds, as sentences without full stops. */
@@ -258,7 +276,9 @@ public final class Integrators {
                                 plan.level(),
                                 plan.samples(),
                                 learned.clusters())
-                        : new PhysicalClusterMethod(scene, settings, counters, plan.level(), plan.samples());
+                        : new PhysicalClusterMethod(scene, settings, counters, plan.level(), plan.samples(), false);
+            case BIDIRECTIONAL_CLUSTER ->
+                new PhysicalClusterMethod(scene, settings, counters, plan.level(), plan.samples(), true);
             case METROPOLIS -> new MetropolisMethod(scene, settings, counters, plan.level(), learned.chains());
         };
     }

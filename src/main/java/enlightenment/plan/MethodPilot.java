@@ -55,7 +55,7 @@ public final class MethodPilot {
     private static final double USUAL_SAMPLES = 64;
 
     /** In fewer blocks little would be seen of the picture. */
-    private static final int FEWEST_PIXELS_OF_BLOCKS = 6 * 64;
+    private static final int FEWEST_PIXELS_OF_BLOCKS = 6 * 256;
 
     /** Blocks that the survey of {@code cluster} looks at, and paths of each of their pixels: about. */
     private static final double SURVEYED_PIXELS = 24 * 256;
@@ -66,6 +66,10 @@ public final class MethodPilot {
     private static final double WORTH_TELLING = 1.05;
 
     private static final double MOST_TOLD = 100;
+
+    /** Methods whose pixels learn from their neighbours, so that blocks of the render's own size are tried. */
+    private static final List<BuiltInMethod> OF_BLOCKS =
+            List.of(BuiltInMethod.CLUSTER, BuiltInMethod.BIDIRECTIONAL_CLUSTER);
 
     private static final String ONLY = "no other method renders all of this scene";
 
@@ -121,7 +125,7 @@ public final class MethodPilot {
                     && Integrators.blindSpot(method, scene).isEmpty()
                     && Integrators.fewestSamples(method, description.shading().model()) <= samples;
             // Chains pay only for light so rare that no small picture shows it.
-            if (isAble && method != BuiltInMethod.METROPOLIS) {
+            if (isAble && method != BuiltInMethod.METROPOLIS && Integrators.differs(method, scene)) {
                 able.add(method);
             }
         }
@@ -176,11 +180,11 @@ public final class MethodPilot {
                 new PilotScores(small.width(), small.height(), SAMPLES, pictures, BuiltInMethod.BIDIRECTIONAL);
         List<PilotScore> scores = new ArrayList<>();
         for (BuiltInMethod method : whole) {
-            scores.add(all.of(method));
+            if (!OF_BLOCKS.contains(method)) {
+                scores.add(all.of(method));
+            }
         }
-        if (methods.contains(BuiltInMethod.CLUSTER)) {
-            scores.add(ofCluster(all));
-        }
+        scores.addAll(ofBlocks(all, whole));
         if (cancelled.getAsBoolean()) {
             throw new CancellationException("stopped before a method was chosen");
         }
@@ -208,24 +212,53 @@ public final class MethodPilot {
         return byMethod;
     }
 
-    /** Follows from the score of the method whose paths it shares. */
-    private PilotScore ofCluster(PilotScores all) {
+    /** The scores of methods whose pixels learn from their neighbours, relative to that of the method whose paths they share. */
+    private List<PilotScore> ofBlocks(PilotScores all, List<BuiltInMethod> whole) {
+        List<BuiltInMethod> able = new ArrayList<>(OF_BLOCKS);
+        able.retainAll(methods);
+        List<PilotScore> scores = new ArrayList<>();
+        if (able.isEmpty()) {
+            return scores;
+        }
+        List<BuiltInMethod> compared = new ArrayList<>(able);
+        compared.add(BuiltInMethod.RAYTRACE);
+        double pixels = Math.max(small.width() * small.height() / 2.0, FEWEST_PIXELS_OF_BLOCKS);
+        PilotBlocks blocks = new PilotBlocks(scene, settings, SAMPLES_IN_BLOCKS, pixels);
+        blocks.render(compared, PURPOSE, PICTURES, cancelled);
         PilotScore ray = all.of(BuiltInMethod.RAYTRACE);
         double share = all.shareOfTiles(BuiltInMethod.RAYTRACE);
-        double pixels = Math.max(small.width() * small.height() / 2.0, FEWEST_PIXELS_OF_BLOCKS);
-        PilotBlocks.Factors factors =
-                new PilotBlocks(scene, settings, SAMPLES_IN_BLOCKS, pixels).factors(PURPOSE, PICTURES, cancelled);
-        double factor = 1 - share + share * factors.variance();
         double surveyed = Math.min(SURVEYED_PIXELS / ((double) settings.width() * settings.height()), 1);
-        return new PilotScore(
-                BuiltInMethod.CLUSTER,
-                ray.variance() * factor,
-                ray.uncertain() * factor,
-                ray.missed(),
-                ray.cost() * (factors.cost() + surveyed * SURVEY_PATHS / expected));
+        double survey = 1 + surveyed * SURVEY_PATHS / expected;
+        for (BuiltInMethod method : able) {
+            double cost = ray.cost() * blocks.cost(method) / blocks.cost(BuiltInMethod.RAYTRACE) * survey;
+            PilotScore relative = relative(method, ray, share, blocks, cost);
+            scores.add(whole.contains(method) ? better(relative, all.of(method)) : relative);
+        }
+        return scores;
+    }
+
+    /**
+     * In small pictures pixels are too far apart to share much, and a ratio to a method of large variance is not well known: the less of the
+     * two estimates counts, with the light that was missed.
+     */
+    private static PilotScore better(PilotScore relative, PilotScore small) {
+        PilotScore least = relative.variance() < small.variance() ? relative : small;
+        return new PilotScore(small.method(), least.variance(), least.uncertain(), small.missed(), relative.cost());
+    }
+
+    /** It misses what the method misses whose paths it shares, in proportion. */
+    private static PilotScore relative(
+            BuiltInMethod method, PilotScore ray, double share, PilotBlocks blocks, double cost) {
+        double ofRay = blocks.variance(BuiltInMethod.RAYTRACE);
+        double factor = 1 - share + (ofRay > 0 ? share * blocks.variance(method) / ofRay : share);
+        return new PilotScore(method, ray.variance() * factor, ray.uncertain() * factor, ray.missed(), cost);
     }
 
     private RenderPlan plan(BuiltInMethod method) {
+        if (method == BuiltInMethod.BIDIRECTIONAL_CLUSTER) {
+            RenderPlan ray = plan(BuiltInMethod.RAYTRACE);
+            return new RenderPlan(method, PilotBlocks.NO_EFFORT, 2 * SAMPLES, "pilot", ray.lightPaths());
+        }
         return new SamplePlans(scene, small.withMethod(method), cancelled).of(SAMPLES, "pilot");
     }
 

@@ -8,25 +8,34 @@ import enlightenment.work.Workers;
 import enlightenment.world.CompiledScene;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntConsumer;
 
 /**
- * What {@code cluster} makes of {@code raytrace}'s paths, seen in some blocks of the picture in its full size: its pixels learn from their
- * neighbours, which those of a small picture have not.
+ * What methods make of blocks of the picture in its full size, whose pixels learn from their neighbours, which those of a small picture have
+ * not: {@code cluster} and {@code bidirectional-cluster}, beside {@code raytrace}.
  */
 final class PilotBlocks {
     private static final int SIDE =
             Integrators.traits(BuiltInMethod.CLUSTER, true).blockSide();
 
     /** With so small an effort every pixel has as many paths as any: half of those that are planned. */
-    private static final double NO_EFFORT = 0x1p-40;
+    static final double NO_EFFORT = 0x1p-40;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final int samples;
     private final List<RenderSettings.Crop> blocks = new ArrayList<>();
+
+    /** By method, its pictures of the blocks. */
+    private final Map<BuiltInMethod, List<PilotPicture>> pictures = new EnumMap<>(BuiltInMethod.class);
+
+    /** Of the light of all. */
+    private double[] scale = {};
 
     /**
      * @param settings of the render, of all of the picture
@@ -46,44 +55,58 @@ final class PilotBlocks {
         }
     }
 
-    /** The factors between the variances and the costs of two methods' camera samples. */
-    record Factors(double variance, double cost) {}
-
     /**
-     * How much of {@code raytrace}'s variance {@code cluster} leaves, and how much more its samples cost.
+     * Renders the blocks.
      *
+     * @param methods with blocks of the same side
      * @param purpose keeps the random numbers apart
-     * @param pictures of each method
+     * @param count of pictures by each method
      */
-    Factors factors(long purpose, int pictures, BooleanSupplier cancelled) {
-        List<RenderPlan> plans = List.of(
-                new RenderPlan(BuiltInMethod.RAYTRACE, samples, samples, "pilot"),
-                new RenderPlan(BuiltInMethod.CLUSTER, NO_EFFORT, 2 * samples, "pilot"));
-        PilotPicture[] made = new PilotPicture[2 * pictures];
+    void render(List<BuiltInMethod> methods, long purpose, int count, BooleanSupplier cancelled) {
+        PilotPicture[] made = new PilotPicture[count * methods.size()];
         Workers.run(settings.threads(), made.length, cancelled, () -> (IntConsumer) i -> {
-            RenderPlan plan = plans.get(i / pictures);
-            RenderSettings mine = settings.withMethod(plan.method())
-                    .withSeed(Hash.of(settings.seed(), purpose, pictures + i % pictures));
+            RenderPlan plan = plan(methods.get(i / count));
+            RenderSettings mine =
+                    settings.withMethod(plan.method()).withSeed(Hash.of(settings.seed(), purpose, count + i % count));
             made[i] = PilotPicture.parts(plan, scene, mine, blocks, cancelled);
         });
         if (cancelled.getAsBoolean()) {
-            return new Factors(1, 1);
+            throw new CancellationException("stopped before a method was chosen");
         }
         List<PilotPicture> all = Arrays.asList(made);
-        double[] scale = PilotSpread.scale(PilotSpread.mean(all));
-        double ray = variance(all.subList(0, pictures), scale);
-        double cluster = variance(all.subList(pictures, made.length), scale);
-        return new Factors(
-                ray > 0 ? cluster / ray : 1,
-                cost(BuiltInMethod.CLUSTER, all.subList(pictures, made.length))
-                        / cost(BuiltInMethod.RAYTRACE, all.subList(0, pictures)));
+        scale = PilotSpread.scale(PilotSpread.mean(all));
+        for (int m = 0; m < methods.size(); m++) {
+            pictures.put(methods.get(m), all.subList(m * count, (m + 1) * count));
+        }
     }
 
-    private static double variance(List<PilotPicture> of, double[] scale) {
-        return PilotSpread.relative(PilotSpread.variance(of, PilotPicture::tiles), scale);
+    private RenderPlan plan(BuiltInMethod method) {
+        return method == BuiltInMethod.RAYTRACE
+                ? new RenderPlan(method, samples, samples, "pilot")
+                : new RenderPlan(method, NO_EFFORT, 2 * samples, "pilot");
     }
 
-    private static double cost(BuiltInMethod method, List<PilotPicture> of) {
-        return of.stream().mapToDouble(p -> PilotCosts.of(method, p.counts())).sum();
+    /** The relative variance of one camera sample of a method that has rendered the blocks. */
+    double variance(BuiltInMethod method) {
+        return PilotSpread.relative(spread(method), scale) * samples;
+    }
+
+    /** The standard error of {@link #variance}. */
+    double uncertainty(BuiltInMethod method) {
+        return PilotSpread.uncertainty(spread(method), scale) * samples;
+    }
+
+    private double[] spread(BuiltInMethod method) {
+        return PilotSpread.variance(pictures.get(method), PilotPicture::tiles);
+    }
+
+    /** The nanoseconds of one camera sample of a method that has rendered the blocks. */
+    double cost(BuiltInMethod method) {
+        List<PilotPicture> mine = pictures.get(method);
+        double pixels = blocks.stream()
+                .mapToDouble(block -> (double) block.width() * block.height())
+                .sum();
+        return mine.stream().mapToDouble(p -> PilotCosts.of(method, p.counts())).sum()
+                / (pixels * samples * mine.size());
     }
 }

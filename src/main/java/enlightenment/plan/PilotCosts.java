@@ -30,7 +30,7 @@ final class PilotCosts {
         return switch (method) {
             case RAYTRACE, CLUSTER, METROPOLIS -> 500;
             case LIGHT -> 300;
-            case BIDIRECTIONAL -> 1500;
+            case BIDIRECTIONAL, BIDIRECTIONAL_CLUSTER -> 1500;
         };
     }
 
@@ -38,7 +38,7 @@ final class PilotCosts {
     private static double ofHit(BuiltInMethod method) {
         return switch (method) {
             case RAYTRACE -> 1500;
-            case CLUSTER -> 1200;
+            case CLUSTER, BIDIRECTIONAL_CLUSTER -> 1200;
             case LIGHT -> 900;
             case BIDIRECTIONAL -> 1650;
             case METROPOLIS -> 2000;

@@ -40,6 +40,14 @@ public enum BuiltInMethod implements Method {
             null,
             Shading.Model.PHYSICAL),
 
+    /** Paths from both ends, shared among pixels: for light that is hard to find from the eye. */
+    BIDIRECTIONAL_CLUSTER(
+            "bidirectional-cluster",
+            "paths from the eye and from lights, whose vertices neighbouring pixels share",
+            List.of(),
+            RAYTRACE,
+            Shading.Model.PHYSICAL),
+
     /** {@link Method#METROPOLIS}. */
     METROPOLIS(
             "metropolis",

@@ -59,7 +59,7 @@ class TinyPicturesTest {
     private static double noise(BuiltInMethod method) {
         return switch (method) {
             case RAYTRACE, CLUSTER -> 1e-6;
-            case BIDIRECTIONAL, METROPOLIS -> 0.15;
+            case BIDIRECTIONAL, BIDIRECTIONAL_CLUSTER, METROPOLIS -> 0.15;
             case LIGHT -> 1;
         };
     }

@@ -202,7 +202,8 @@ class PhysicalClusterTest {
         RenderSettings settings = settings(scene, Method.CLUSTER, samples);
         CompiledScene compiled = SceneCompiler.compile(scene, settings);
         FilmTile tile = new FilmTile(0, 0, WIDTH, HEIGHT, compiled.display);
-        new PhysicalClusterMethod(compiled, settings, new RayCounters(compiled.kindNames.size()), effort, samples)
+        new PhysicalClusterMethod(
+                        compiled, settings, new RayCounters(compiled.kindNames.size()), effort, samples, false)
                 .render(tile);
         return tile;
     }

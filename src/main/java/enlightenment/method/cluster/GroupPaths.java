@@ -79,11 +79,16 @@ final class GroupPaths {
                 tracers,
                 i -> moments[i] == scene
                         ? atFrame
-                        : new PathIntegrator(moments[i], scene.countersOf(moments[i], counters)));
+                        : tracer(moments[i], scene.countersOf(moments[i], counters), atFrame.reusesLight()));
         all = new LinkedHashSet<>(List.of(tracers));
         all.add(atFrame);
         Arrays.setAll(paths, k -> new PathCut());
         Arrays.setAll(samplers, m -> new SobolSampler());
+    }
+
+    /** Makes the path integrator of one thread; whether it reuses light subpaths, too, is asked and, where the scene is in the way, denied. */
+    static PathIntegrator tracer(CompiledScene scene, RayCounters counters, boolean reusesLight) {
+        return reusesLight ? PathIntegrator.reusingLight(scene, counters) : new PathIntegrator(scene, counters);
     }
 
     void stopWhen(BooleanSupplier cancelled) {
@@ -138,8 +143,9 @@ final class GroupPaths {
      */
     void take(int number, int[] counts, SharingGain sharing) {
         begin(number, counts);
-        boolean shares = sharing.isWorthIt(group.field);
         int moment = lots.of(groupHash, number);
+        boolean reusesLight = tracers[moment].reusesLight();
+        boolean shares = reusesLight || sharing.isWorthIt(group.field);
         for (int m = 0; m < group.members; m++) {
             if (has(m)) {
                 shade(m, number, sampleOf[m], shares, moment);
@@ -147,9 +153,13 @@ final class GroupPaths {
         }
         if (shares) {
             PathConnections connections = tracers[moment].connections();
-            sharing.before(group.field, paths, colors, size);
+            if (!reusesLight) {
+                sharing.before(group.field, paths, colors, size);
+            }
             connections.share(paths, size, colors);
-            sharing.after(group.field, colors, events, size, connections);
+            if (!reusesLight) {
+                sharing.after(group.field, colors, events, size, connections);
+            }
         }
     }
 

@@ -26,6 +26,7 @@ public final class PhysicalClusterCost implements EffortCost {
 
     private final CompiledScene scene;
     private final RenderSettings settings;
+    private final boolean reusesLight;
     private final SeenBlocks seen;
     private final List<Block> blocks;
     private final BooleanSupplier cancelled;
@@ -39,9 +40,12 @@ public final class PhysicalClusterCost implements EffortCost {
     /**
      * Estimates from a share of the blocks that show more than background.
      *
+     * @param reusesLight whether light subpaths are reused, too
      * @param cancelled once true, no more blocks are surveyed, and there is no effort
      */
-    public PhysicalClusterCost(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
+    public PhysicalClusterCost(
+            CompiledScene scene, RenderSettings settings, boolean reusesLight, BooleanSupplier cancelled) {
+        this.reusesLight = reusesLight;
         this.scene = scene;
         this.settings = settings;
         this.cancelled = cancelled;
@@ -100,8 +104,8 @@ public final class PhysicalClusterCost implements EffortCost {
 
         Needed(double samples, boolean surely) {
             PhysicalClusterMethod method = surely
-                    ? PhysicalClusterMethod.lookingAsPicture(scene, settings, samples)
-                    : PhysicalClusterMethod.looking(scene, settings, samples);
+                    ? PhysicalClusterMethod.lookingAsPicture(scene, settings, samples, reusesLight)
+                    : PhysicalClusterMethod.looking(scene, settings, samples, reusesLight);
             method.stopWhen(cancelled);
             // Not the picture's own samples: no decision may depend on the samples that it is about.
             long seed = Hash.of(settings.seed(), PURPOSE);

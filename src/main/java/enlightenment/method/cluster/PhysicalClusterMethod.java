@@ -7,6 +7,7 @@ import enlightenment.method.Block;
 import enlightenment.method.Dither;
 import enlightenment.method.TileIntegrator;
 import enlightenment.scene.RenderSettings;
+import enlightenment.transport.bidirectional.BidirectionalContinuation;
 import enlightenment.transport.path.PathIntegrator;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.parts.RayCounters;
@@ -76,10 +77,16 @@ public final class PhysicalClusterMethod implements TileIntegrator {
      * @param scene of physical shading
      * @param effort inverse of the smallest reduction of variance for which one more sample is taken
      * @param samples the expected number of camera rays per pixel: a share of them is the same for all pixels
+     * @param reusesLight whether light subpaths are reused, too, where the scene allows it
      */
     public PhysicalClusterMethod(
-            CompiledScene scene, RenderSettings settings, RayCounters counters, double effort, double samples) {
-        this(scene, settings, counters, effort, samples, firstOf(samples));
+            CompiledScene scene,
+            RenderSettings settings,
+            RayCounters counters,
+            double effort,
+            double samples,
+            boolean reusesLight) {
+        this(scene, settings, counters, effort, samples, reusesLight, firstOf(samples));
     }
 
     private PhysicalClusterMethod(
@@ -88,6 +95,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
             RayCounters counters,
             double effort,
             double samples,
+            boolean reusesLight,
             int firstSamples) {
         this.scene = scene;
         this.settings = settings;
@@ -96,7 +104,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         this.firstSamples = firstSamples;
         first = new double[3 * PIXELS << firstSamples];
         spreadOver = Math.scalb(1.0, Math.min(Math.max(Math.getExponent(samples), 0), MOST_SPREAD));
-        PathIntegrator tracer = new PathIntegrator(scene, counters);
+        PathIntegrator tracer = GroupPaths.tracer(scene, counters, reusesLight);
         survey = new PhysicalSurvey(scene, settings, tracer);
         noise = new PathNoise(scene.display, survey);
         paths = new GroupPaths(scene, settings, counters, tracer, group);
@@ -105,24 +113,32 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         }
     }
 
+    /** Whether light subpaths can be reused in a scene. */
+    public static boolean canReuseLight(CompiledScene scene) {
+        return BidirectionalContinuation.isPossible(scene.physical);
+    }
+
     private static int firstOf(double samples) {
         return Math.min(PhysicalAllocation.leastSamples(samples), MOST_FIRST);
     }
 
     /** Makes one that only surveys blocks, with half as many first paths: statistics over many blocks are precise enough. */
-    static PhysicalClusterMethod looking(CompiledScene scene, RenderSettings settings, double samples) {
-        return looking(scene, settings, samples, Math.max(firstOf(samples) - 1, 0));
+    static PhysicalClusterMethod looking(
+            CompiledScene scene, RenderSettings settings, double samples, boolean reusesLight) {
+        return looking(scene, settings, samples, reusesLight, Math.max(firstOf(samples) - 1, 0));
     }
 
     /** Makes one that only surveys blocks, with as many first paths as the picture has. */
-    static PhysicalClusterMethod lookingAsPicture(CompiledScene scene, RenderSettings settings, double samples) {
-        return looking(scene, settings, samples, firstOf(samples));
+    static PhysicalClusterMethod lookingAsPicture(
+            CompiledScene scene, RenderSettings settings, double samples, boolean reusesLight) {
+        return looking(scene, settings, samples, reusesLight, firstOf(samples));
     }
 
     private static PhysicalClusterMethod looking(
-            CompiledScene scene, RenderSettings settings, double samples, int first) {
+            CompiledScene scene, RenderSettings settings, double samples, boolean reusesLight, int first) {
         RayCounters counters = new RayCounters(scene.kindNames.size());
-        return new PhysicalClusterMethod(scene, settings, counters, EffortSearch.LEAST_EFFORT, samples, first);
+        return new PhysicalClusterMethod(
+                scene, settings, counters, EffortSearch.LEAST_EFFORT, samples, reusesLight, first);
     }
 
     @Override

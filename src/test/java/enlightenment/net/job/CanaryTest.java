@@ -23,7 +23,7 @@ class CanaryTest {
             followsLight |= render.plan().lightPaths() > 0;
         }
         assertEquals(new HashSet<>(BuiltInMethod.ALL), methods);
-        assertEquals(8, renders.size(), "three methods of classic shading, and five of physical");
+        assertEquals(9, renders.size(), "three methods of classic shading, and six of physical");
         assertTrue(followsLight);
     }
 

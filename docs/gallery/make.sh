@@ -70,6 +70,6 @@ for scene in metals glass-physical lamp-room; do
     small "$scene" --size 400x200 --samples 128
 done
 # The same time for each, with two threads.
-for method in raytrace bidirectional metropolis; do
+for method in raytrace bidirectional bidirectional-cluster; do
     exact "door-ajar-$method" scenes/door-ajar.json --size 240x160 --method "$method" --time 18 --threads 2
 done

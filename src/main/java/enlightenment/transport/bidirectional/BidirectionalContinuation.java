@@ -1,8 +1,8 @@
 package enlightenment.transport.bidirectional;
 
-import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
+import enlightenment.transport.ray.Departure;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.world.CompiledScene;
 import enlightenment.world.PhysicalScene;
@@ -41,17 +41,9 @@ public final class BidirectionalContinuation {
         gathering.light.path.poll.stopWhen(condition);
     }
 
-    /** Whether rays that leave the current surface, in empty space, cannot hit it again, or only other elements of it. */
-    public static boolean isOpen(PathFollower path) {
-        Primitive p = path.at.hit.primitive;
-        return path.glass.isPlain()
-                && path.medium() == null
-                && (p.hasElements() || p.isFlat() || p.isConvex() && path.at.hit.side == Ray.OUTSIDE);
-    }
-
-    /** Whether light can be shared among paths at the current surface: where it {@linkplain #isOpen is open}, and neither specular nor smoothed. */
+    /** Whether light can be shared among paths at the current surface, which is {@linkplain Departure#isOpen open}, without delta lobes and not smoothed. */
     public static boolean isShareable(PathFollower path) {
-        return isOpen(path) && !path.at.bsdf.hasDelta() && !path.at.isSmooth();
+        return Departure.isOpen(path) && !path.at.bsdf.hasDelta() && !path.at.isSmooth();
     }
 
     /** Traces a light subpath. */

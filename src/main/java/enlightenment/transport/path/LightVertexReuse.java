@@ -48,6 +48,9 @@ final class LightVertexReuse {
 
     /** Begins a path: traces its light subpath. */
     void begin(Sampler sampler, PathCut cut) {
+        if (cut.light == null) {
+            cut.light = new LightVertices();
+        }
         continuation.emit(sampler, cut.light);
         cut.sampler = sampler;
     }

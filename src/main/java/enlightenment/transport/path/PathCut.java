@@ -5,8 +5,8 @@ import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
-import enlightenment.transport.bidirectional.BidirectionalContinuation;
 import enlightenment.transport.bidirectional.LightVertices;
+import enlightenment.transport.ray.Departure;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.state.IncidentLight;
 import enlightenment.transport.state.PathState;
@@ -85,21 +85,13 @@ public final class PathCut {
 
     int address;
 
-    /** The sampler of the path, and its light subpath. */
+    /** Where light subpaths are reused, the sampler of the path, and the vertices of its light subpath. */
     Sampler sampler;
 
-    final LightVertices light = new LightVertices();
+    LightVertices light;
 
     /** Makes a path that shares nothing, to be passed to {@link PathIntegrator#shade}. */
     public PathCut() {}
-
-    /**
-     * Whether light can be shared at the current surface: in empty space, without coincident surfaces, and where a ray that leaves cannot
-     * hit the same surface again, or only other elements of it.
-     */
-    private static boolean isOpen(PathFollower path) {
-        return BidirectionalContinuation.isOpen(path);
-    }
 
     /** Makes this a path that shares nothing. */
     public void clear() {
@@ -126,7 +118,7 @@ public final class PathCut {
      */
     void note(PathFollower path, double[] color, PathValue value, boolean isFluorescent) {
         if (path.surfaces == 0 && !isFluorescent) {
-            takes = isOpen(path) && Math.max(color[0], Math.max(color[1], color[2])) >= PathValue.FAINT;
+            takes = Departure.isOpen(path) && Math.max(color[0], Math.max(color[1], color[2])) >= PathValue.FAINT;
             if (takes) {
                 begin(path, null);
                 System.arraycopy(color, 0, albedo, 0, 3);
@@ -151,7 +143,7 @@ public final class PathCut {
      */
     boolean noteRough(PathFollower path, Bsdf lobes, Scattering s, PathValue value, boolean mayGive) {
         if (path.surfaces == 0) {
-            takes = isOpen(path);
+            takes = Departure.isOpen(path);
             if (takes) {
                 begin(path, lobes);
                 atFirst.arriveAs(s);
@@ -171,7 +163,7 @@ public final class PathCut {
     }
 
     private void noteLater(PathFollower path, PathValue value) {
-        gives = path.surfaces == 1 && takes && isOpen(path);
+        gives = path.surfaces == 1 && takes && Departure.isOpen(path);
         if (gives) {
             second.set(path.at.hit);
             secondId = path.at.id;

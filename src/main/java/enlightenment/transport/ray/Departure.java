@@ -1,5 +1,6 @@
 package enlightenment.transport.ray;
 
+import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Ray;
 
 /** Starts rays at the current vertex of a path: towards lights, the eye, or other vertices. */
@@ -22,6 +23,14 @@ public final class Departure {
             path.glass.startOnAll(ray);
         }
         return isStopped(path, atInterface, through);
+    }
+
+    /** Whether rays that leave the current surface, in empty space, cannot hit it again, or only other elements of it. */
+    public static boolean isOpen(PathFollower path) {
+        Primitive p = path.at.hit.primitive;
+        return path.glass.isPlain()
+                && path.medium() == null
+                && (p.hasElements() || p.isFlat() || p.isConvex() && path.at.hit.side == Ray.OUTSIDE);
     }
 
     /** Whether a surface that coincides with the vertex occludes a ray from there. The parameters are those of {@link #from}. */

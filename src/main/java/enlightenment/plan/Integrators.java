@@ -204,7 +204,7 @@ public final class Integrators {
                 + " only what glows shows there; " + Method.RAYTRACE.word() + " sees them");
     }
 
-    /** Whether a method is more, for this scene, than another one by another name: paths from lights are not shared in every scene. */
+    /** Whether a method renders this scene otherwise than all others: light paths cannot be shared in every scene. */
     static boolean differs(Method method, CompiledScene scene) {
         return method != BuiltInMethod.BIDIRECTIONAL_CLUSTER
                 || scene.physical != null && PhysicalClusterMethod.canReuseLight(scene);

@@ -238,8 +238,8 @@ public final class MethodPilot {
     }
 
     /**
-     * In small pictures pixels are too far apart to share much, and a ratio to a method of large variance is not well known: the less of the
-     * two estimates counts, with the light that was missed.
+     * The score with the smaller of two estimates of variance: in small pictures pixels are too far apart to share much, and a ratio to a
+     * method of large variance is hardly known. Light that was missed in the small pictures counts.
      */
     private static PilotScore better(PilotScore relative, PilotScore small) {
         PilotScore least = relative.variance() < small.variance() ? relative : small;

@@ -57,7 +57,7 @@ class BidirectionalClusterTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"fog", "fluorescent-poster", "milk-and-glass"})
+    @ValueSource(strings = {"fog", "fluorescent-poster", "milk-and-glass", "prism"})
     void whereNoVerticesAreSharedItIsCluster(String name) throws IOException {
         Scene scene = scene(name);
         assertSame(

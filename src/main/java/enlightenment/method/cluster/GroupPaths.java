@@ -86,7 +86,7 @@ final class GroupPaths {
         Arrays.setAll(samplers, m -> new SobolSampler());
     }
 
-    /** Makes the path integrator of one thread; whether it reuses light subpaths, too, is asked and, where the scene is in the way, denied. */
+    /** Makes the path integrator of one thread. It reuses light subpaths, too, if that is asked for and possible in the scene. */
     static PathIntegrator tracer(CompiledScene scene, RayCounters counters, boolean reusesLight) {
         return reusesLight ? PathIntegrator.reusingLight(scene, counters) : new PathIntegrator(scene, counters);
     }

@@ -31,9 +31,15 @@ public final class BidirectionalContinuation {
         this.caustics = caustics;
     }
 
-    /** Whether the paths of a scene can be continued so: not in media that scatter light, at fluorescent surfaces, or behind masks. */
+    /**
+     * Whether the paths of a scene can be continued so: not where media scatter light, glass disperses it, surfaces are fluorescent, or masks
+     * have holes.
+     */
     public static boolean isPossible(PhysicalScene physical) {
-        return !physical.hasScattering && physical.lightOfBands == null && !physical.hasMasks;
+        return !physical.hasScattering
+                && !physical.hasDispersion
+                && physical.lightOfBands == null
+                && !physical.hasMasks;
     }
 
     /** Sets the condition on which light subpaths are given up. */
@@ -51,7 +57,6 @@ public final class BidirectionalContinuation {
         LightSubpath light = gathering.light;
         light.vertices = into.vertices;
         boolean goes = light.begin(sampler);
-        into.tint(light.path.glass.wavelength);
         while (goes) {
             int before = into.size();
             LightSubpath.Event event = light.next(sampler);

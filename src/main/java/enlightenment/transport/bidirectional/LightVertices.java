@@ -3,7 +3,6 @@ package enlightenment.transport.bidirectional;
 import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Hit;
-import enlightenment.transport.state.PathWavelength;
 import enlightenment.world.PhysicalScene;
 import java.util.Arrays;
 
@@ -21,24 +20,8 @@ public final class LightVertices {
     private boolean[] isMatte = {};
     private final Scattering leaving = new Scattering();
 
-    /** The colour of the subpath's wavelength; 1 if no glass of the scene disperses. */
-    private double waveR;
-
-    private double waveG;
-    private double waveB;
-
     /** Makes the vertices of no path. */
     public LightVertices() {}
-
-    void begin() {
-        vertices.clear();
-    }
-
-    void tint(PathWavelength wavelength) {
-        waveR = wavelength == null ? 1 : wavelength.red;
-        waveG = wavelength == null ? 1 : wavelength.green;
-        waveB = wavelength == null ? 1 : wavelength.blue;
-    }
 
     /** Records the surface that the last vertex is on; to be called before the subpath leaves it. */
     void note(LightSubpath path, boolean opens) {
@@ -97,9 +80,8 @@ public final class LightVertices {
         double back = vertices.survival(k) * cosine / Math.PI;
         double others = SubpathDensities.square(density * physical.areaUnit) * vertices.behind(k, back);
         double f = SubpathDensities.weight(others, 0) / Math.PI;
-        boolean isColored = vertices.isColored(k);
-        out[0] = f * leaving.red * vertices.red(k) * (isColored ? waveR : 1);
-        out[1] = f * leaving.green * vertices.green(k) * (isColored ? waveG : 1);
-        out[2] = f * leaving.blue * vertices.blue(k) * (isColored ? waveB : 1);
+        out[0] = f * leaving.red * vertices.red(k);
+        out[1] = f * leaving.green * vertices.green(k);
+        out[2] = f * leaving.blue * vertices.blue(k);
     }
 }

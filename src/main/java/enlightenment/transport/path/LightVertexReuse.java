@@ -35,7 +35,7 @@ final class LightVertexReuse {
         continuation = new BidirectionalContinuation(scene, counters, path, caustics);
     }
 
-    /** Makes that of one thread; null where the scene does not allow it. */
+    /** Makes the path reuse of one thread; null where the scene does not allow it. */
     static LightVertexReuse of(CompiledScene scene, RayCounters counters, PathFollower path) {
         return BidirectionalContinuation.isPossible(scene.physical)
                 ? new LightVertexReuse(scene, counters, path)
@@ -64,7 +64,7 @@ final class LightVertexReuse {
     }
 
     /**
-     * Continues the path to its end where it is at a later vertex than the first, unless it can be cut here.
+     * Continues the path to its end if it has come to an opaque surface after its first vertex, unless it is to be cut there.
      *
      * @return whether it has ended
      */
@@ -100,7 +100,7 @@ final class LightVertexReuse {
      */
     void finish(PathCut cut, double density) {
         ray.set(cut.arrived);
-        path.resume(ray, cut.sampler);
+        path.resume(ray);
         if (path.next(ray) == PathFollower.Event.SURFACE) {
             continuation.follow(ray, cut.sampler, cut.address, density, cut.light, cut.given);
         }

@@ -70,7 +70,7 @@ public final class PathIntegrator extends EyePathTracer {
         this(scene, counters, PathPart.WHOLE, hasCausticPass);
     }
 
-    /** For one thread that shares light subpaths, too, among paths that are cut, where the scene {@linkplain #reusesLight allows} it. */
+    /** For one thread that shares light subpaths, too, among paths that are cut, where the scene allows it ({@link #reusesLight}). */
     public static PathIntegrator reusingLight(CompiledScene scene, RayCounters counters) {
         PathIntegrator made = new PathIntegrator(scene, counters);
         made.reuse = LightVertexReuse.of(scene, counters, made.path);

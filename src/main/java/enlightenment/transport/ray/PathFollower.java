@@ -112,11 +112,8 @@ public final class PathFollower {
     /**
      * Begins again on the ray by which a path of physical shading has left its first surface, an opaque one in empty space, so that the
      * path has had one scattering event.
-     *
-     * @param sampler of that path, from which its wavelength follows
      */
-    public void resume(Ray ray, Sampler sampler) {
-        drawWavelength(sampler);
+    public void resume(Ray ray) {
         beginFrom(false);
         glass.begin(ray, NOWHERE, null);
         begin(1);

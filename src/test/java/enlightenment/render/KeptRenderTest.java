@@ -182,7 +182,7 @@ class KeptRenderTest {
     void whetherMoreSamplesGoOnFromThoseThatAreKeptIsTold(Kind kind) {
         render(kind, 4);
         render(kind, 16);
-        boolean anew = List.of("cluster", "metropolis").contains(kind.method.word());
+        boolean anew = List.of("cluster", "bidirectional-cluster", "metropolis").contains(kind.method.word());
         String said = anew
                 ? "what is kept has 4 samples per pixel: " + kind.method.word()
                         + " takes others where there are more, so all are taken anew"

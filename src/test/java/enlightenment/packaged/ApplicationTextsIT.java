@@ -86,7 +86,7 @@ class ApplicationTextsIT {
     @Test
     void valuesOfClosedVocabulariesAreCompleted() throws Exception {
         assertEquals(
-                List.of("auto", "bidirectional", "cluster", "light", "metropolis", "raytrace"),
+                List.of("auto", "bidirectional", "bidirectional-cluster", "cluster", "light", "metropolis", "raytrace"),
                 List.copyOf(complete("enlightenment", "render", "--method", "")));
         assertEquals(List.of("cluster"), List.copyOf(complete("enlightenment", "render", "--method", "c")));
         assertEquals(

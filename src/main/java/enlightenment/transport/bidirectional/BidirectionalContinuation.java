@@ -62,7 +62,8 @@ public final class BidirectionalContinuation {
             LightSubpath.Event event = light.next(sampler);
             boolean isLeft = isNarrowCaustic(event);
             if (into.size() > before) {
-                into.note(light, event == LightSubpath.Event.SURFACE && isShareable(light.path));
+                boolean isSurface = event == LightSubpath.Event.SURFACE;
+                into.note(light, isSurface, isSurface && isShareable(light.path));
                 if (isLeft) {
                     into.vertices.bar();
                 }
@@ -107,7 +108,7 @@ public final class BidirectionalContinuation {
         // Paths leave their first vertex without roulette.
         eye.survival = 1;
         for (int k = 0; k < own.size(); k++) {
-            if (!(shares && own.isOpen(k))) {
+            if (own.isOwn(k, shares)) {
                 gathering.connectFirst(k);
             }
         }

@@ -14,6 +14,9 @@ public final class LightVertices {
     final PathVertices vertices = new PathVertices();
     private Hit[] hits = {};
 
+    /** By vertex, whether it is on an opaque surface: paths from the eye pass others before they are continued. */
+    private boolean[] isOpaque = {};
+
     /** By vertex, whether it may be connected to paths other than its own; and whether it is matte, too. */
     private boolean[] isOpen = {};
 
@@ -24,17 +27,19 @@ public final class LightVertices {
     public LightVertices() {}
 
     /** Records the surface that the last vertex is on; to be called before the subpath leaves it. */
-    void note(LightSubpath path, boolean opens) {
+    void note(LightSubpath path, boolean isSurface, boolean opens) {
         int k = vertices.size() - 1;
         if (k >= hits.length) {
             int old = hits.length;
             hits = Arrays.copyOf(hits, 2 * k + 4);
+            isOpaque = Arrays.copyOf(isOpaque, hits.length);
             isOpen = Arrays.copyOf(isOpen, hits.length);
             isMatte = Arrays.copyOf(isMatte, hits.length);
             for (int i = old; i < hits.length; i++) {
                 hits[i] = new Hit();
             }
         }
+        isOpaque[k] = isSurface;
         isOpen[k] = opens;
         isMatte[k] = opens && path.bsdf == Lambert.INSTANCE;
         if (isMatte[k]) {
@@ -47,9 +52,13 @@ public final class LightVertices {
         return vertices.size();
     }
 
-    /** Whether vertex k may be connected to first vertices of paths other than its own. */
-    boolean isOpen(int k) {
-        return isOpen[k];
+    /**
+     * Whether vertex k may be connected to the first vertex of its own path.
+     *
+     * @param shares whether that receives light from the vertices of other paths
+     */
+    boolean isOwn(int k, boolean shares) {
+        return isOpaque[k] && !(shares && isOpen[k]);
     }
 
     /** Whether vertex k gives light to the first vertices of all paths of a group. */

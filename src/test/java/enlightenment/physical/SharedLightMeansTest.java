@@ -1,0 +1,88 @@
+package enlightenment.physical;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import enlightenment.image.Image;
+import enlightenment.render.RenderProgress;
+import enlightenment.render.Renderer;
+import enlightenment.render.Welch;
+import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
+import enlightenment.scene.Scene;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Pictures with and without shared light vertices have the same means: Welch's test of each band's mean over the picture, at 1 % for all
+ * comparisons together by Šidák's formula. Means are known to one or two thousandths, so that light which two strategies count twice is
+ * found: much sooner than by {@link BidirectionalClusterPartnerTest}, whose partner is naive.
+ */
+class SharedLightMeansTest {
+    private static final Map<String, Scene> SCENES = PartnerScenes.of(BuiltInMethod.BIDIRECTIONAL_CLUSTER);
+
+    private static final int SAMPLES = 32;
+
+    static Stream<String> scenes() {
+        return SCENES.keySet().stream();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "rough glass",
+                "hardly rough glass",
+                "half of rough glass, half of plastic",
+                "coated, mirror and glass",
+                "checkered metal, mirror and glass",
+                "smooth meshes of metal and coats",
+                "lights of all kinds",
+                "window"
+            })
+    void bothHaveTheSameMeans(String name) {
+        compare(name, 12);
+    }
+
+    @Tag("full")
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void bothHaveTheSameMeansOverManyPictures(String name) {
+        compare(name, 48);
+    }
+
+    private static void compare(String name, int pictures) {
+        double[][] shared = means(name, BuiltInMethod.BIDIRECTIONAL_CLUSTER, pictures);
+        double[][] unshared = means(name, BuiltInMethod.CLUSTER, pictures);
+        double level = Welch.sidak(0.01, 3 * SCENES.size());
+        for (int band = 0; band < 3; band++) {
+            Welch test = Welch.of(shared[band], unshared[band]);
+            assertTrue(
+                    test.probability() >= level,
+                    name + ", band " + band + ": " + test.deviations() + " standard errors of " + test.standardError());
+        }
+    }
+
+    /** By band, the mean of each picture. */
+    private static double[][] means(String name, BuiltInMethod method, int pictures) {
+        Scene scene = SCENES.get(name);
+        double[][] means = new double[3][pictures];
+        for (int k = 0; k < pictures; k++) {
+            RenderSettings settings = RenderSettings.of(scene)
+                    .withMethod(method)
+                    .withSeed(k)
+                    .withBudget(RenderSettings.Budget.NONE.withSamples(SAMPLES));
+            Image picture = Renderer.render(scene, settings, RenderProgress.NONE, () -> false)
+                    .image();
+            double pixels = picture.width() * picture.height();
+            for (int band = 0; band < 3; band++) {
+                for (int i = 0; i < pixels; i++) {
+                    means[band][k] += picture.component(i % picture.width(), i / picture.width(), band) / pixels;
+                }
+            }
+        }
+        return means;
+    }
+}

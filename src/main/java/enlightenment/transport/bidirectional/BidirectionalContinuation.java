@@ -47,7 +47,10 @@ public final class BidirectionalContinuation {
         gathering.light.path.poll.stopWhen(condition);
     }
 
-    /** Whether light can be shared among paths at the current surface, which is {@linkplain Departure#isOpen open}, without delta lobes and not smoothed. */
+    /**
+     * Whether light can be shared among paths at the current surface: where it is {@linkplain Departure#isOpen open}, has no delta lobe, and
+     * has no interpolated normals.
+     */
     public static boolean isShareable(PathFollower path) {
         return Departure.isOpen(path) && !path.at.bsdf.hasDelta() && !path.at.isSmooth();
     }

@@ -206,8 +206,7 @@ public final class Integrators {
 
     /** Whether a method renders this scene otherwise than all others: light paths cannot be shared in every scene. */
     static boolean differs(Method method, CompiledScene scene) {
-        return method != BuiltInMethod.BIDIRECTIONAL_CLUSTER
-                || scene.physical != null && PhysicalClusterMethod.canReuseLight(scene);
+        return method != BuiltInMethod.BIDIRECTIONAL_CLUSTER || PhysicalClusterMethod.canReuseLight(scene);
     }
 
     /** Light that no path of any method finds, as sentences without full stops. */

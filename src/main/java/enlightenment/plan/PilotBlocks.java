@@ -88,16 +88,7 @@ final class PilotBlocks {
 
     /** The relative variance of one camera sample of a method that has rendered the blocks. */
     double variance(BuiltInMethod method) {
-        return PilotSpread.relative(spread(method), scale) * samples;
-    }
-
-    /** The standard error of {@link #variance}. */
-    double uncertainty(BuiltInMethod method) {
-        return PilotSpread.uncertainty(spread(method), scale) * samples;
-    }
-
-    private double[] spread(BuiltInMethod method) {
-        return PilotSpread.variance(pictures.get(method), PilotPicture::tiles);
+        return PilotSpread.relative(PilotSpread.variance(pictures.get(method), PilotPicture::tiles), scale) * samples;
     }
 
     /** The nanoseconds of one camera sample of a method that has rendered the blocks. */

@@ -71,18 +71,10 @@ public final class BidirectionalContinuation {
                     into.vertices.bar();
                 }
             }
-            goes = !isLeft && leaves(event, sampler);
+            goes = !isLeft && light.goesOn(event, sampler);
             // Of light that a specular event has sent on first, the caustic pass samples all.
             goes &= caustics == null || light.state.events != 1 || light.state.hasDirect;
         }
-    }
-
-    private boolean leaves(LightSubpath.Event event, Sampler sampler) {
-        return switch (event) {
-            case SURFACE, INTERFACE, MEDIUM -> gathering.light.mayScatter() && gathering.light.leave(sampler);
-            case PASSED -> true;
-            case NOTHING, ENDED -> false;
-        };
     }
 
     /** Whether the light subpath's first event is at a narrow lobe that the caustic pass takes. */
@@ -91,8 +83,7 @@ public final class BidirectionalContinuation {
         return caustics != null
                 && light.state.events == 0
                 && (event == LightSubpath.Event.SURFACE || event == LightSubpath.Event.INTERFACE)
-                && light.bsdf.isNarrow()
-                && caustics.takesNarrow()
+                && caustics.takesNarrow(light.bsdf)
                 && caustics.takesNarrow(light.source.light);
     }
 
@@ -130,14 +121,9 @@ public final class BidirectionalContinuation {
     public void follow(Ray arrived, Sampler sampler, int address, double density, LightVertices own, double[] out) {
         gathering.light.vertices = own.vertices;
         eye.beginAt(arrived, address, density);
-        if (eye.mayScatter()) {
-            if (!eye.bsdf.isDelta()) {
-                gathering.gather(sampler);
-            }
-            boolean goes = eye.leave(sampler);
-            while (goes) {
-                goes = gathering.step(sampler);
-            }
+        boolean goes = gathering.scatter(sampler);
+        while (goes) {
+            goes = gathering.step(sampler);
         }
         eye.value.get(out);
     }

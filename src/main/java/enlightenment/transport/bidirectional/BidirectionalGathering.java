@@ -101,6 +101,11 @@ final class BidirectionalGathering {
             default:
                 return false;
         }
+        return scatter(sampler);
+    }
+
+    /** Gathers light at the current vertex of the eye subpath and lets it leave; returns whether it goes on. */
+    boolean scatter(Sampler sampler) {
         if (!eye.mayScatter()) {
             return false;
         }
@@ -148,21 +153,17 @@ final class BidirectionalGathering {
 
     /** Adds emission where the eye subpath has hit a light. */
     private void glow() {
-        if (eye.glowing != null && eye.glowing.glowsTo(eye.path.at.hit.side)) {
+        SurfaceInteraction at = eye.path.at;
+        if (eye.glowing != null && eye.glowing.glowsTo(at.hit.side) && !eye.leavesHit(at.light)) {
             // Directly visible emission has no other strategy.
             double weight = watched(0, eye.vertices.size() + 1, eye.isFirst() ? 1 : lights.weightOfHit());
-            SurfaceInteraction at = eye.path.at;
-            if (eye.leavesHit(at.light)) {
-                return;
-            }
             weight *= images == null ? 1 : images.weight();
             at.findEmission();
             add(colors(false), weight, at.emittedR, at.emittedG, at.emittedB, at.emittedUltraviolet);
         }
     }
 
-    /** Gathers light at the current vertex. */
-    void gather(Sampler sampler) {
+    private void gather(Sampler sampler) {
         int t = eye.vertices.size() + 1;
         if (eye.seesLamps() && lights.aim(sampler)) {
             double weight = watched(1, t, lights.weight);

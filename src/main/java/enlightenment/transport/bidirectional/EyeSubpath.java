@@ -110,7 +110,7 @@ final class EyeSubpath extends Subpath {
 
     @Override
     boolean leavesSmallLights() {
-        return caustics != null && caustics.takesNarrow() && bsdf.isNarrow();
+        return caustics != null && caustics.takesNarrow(bsdf);
     }
 
     /** Whether the caustic pass samples paths that hit a light next. */
@@ -118,7 +118,7 @@ final class EyeSubpath extends Subpath {
         if (caustics == null || light < 0) {
             return false;
         }
-        return state.hasDirect ? state.leftSmallLights && caustics.takesNarrow(light) : true;
+        return !state.hasDirect || state.leftSmallLights && caustics.takesNarrow(light);
     }
 
     /** Whether next-event estimation at the current vertex leaves a light to the caustic pass. */

@@ -65,7 +65,12 @@ public final class LightSubpath extends Subpath {
 
     /** Traces the subpath to its next vertex and lets it leave there; returns whether it goes on. */
     boolean step(Sampler sampler) {
-        return switch (next(sampler)) {
+        return goesOn(next(sampler), sampler);
+    }
+
+    /** Lets the subpath leave the vertex of an event; returns whether it goes on. */
+    boolean goesOn(Event event, Sampler sampler) {
+        return switch (event) {
             case SURFACE, INTERFACE, MEDIUM -> mayScatter() && leave(sampler);
             case PASSED -> true;
             case NOTHING, ENDED -> false;

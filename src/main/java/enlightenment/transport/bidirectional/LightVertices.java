@@ -23,8 +23,12 @@ public final class LightVertices {
     private boolean[] isMatte = {};
     private final Scattering leaving = new Scattering();
 
+    private final PhysicalScene physical;
+
     /** Makes the vertices of no path. */
-    public LightVertices() {}
+    public LightVertices(PhysicalScene physical) {
+        this.physical = physical;
+    }
 
     /** Records the surface that the last vertex is on; to be called before the subpath leaves it. */
     void note(LightSubpath path, boolean isSurface, boolean opens) {
@@ -52,6 +56,16 @@ public final class LightVertices {
         return vertices.size();
     }
 
+    /** Whether any vertex {@linkplain #isOwn may be connected} to the first vertex of its own path. */
+    public boolean hasOwn(boolean shares) {
+        for (int k = 0; k < size(); k++) {
+            if (isOwn(k, shares)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /**
      * Whether vertex k may be connected to the first vertex of its own path.
      *
@@ -62,7 +76,7 @@ public final class LightVertices {
     }
 
     /** Whether vertex k gives light to the first vertices of all paths of a group. */
-    public boolean gives(int k, PhysicalScene physical) {
+    public boolean gives(int k) {
         return isMatte[k] && vertices.bsdf(k) != null && vertices.bounces(k) + 2 <= physical.maxBounces;
     }
 
@@ -83,7 +97,7 @@ public final class LightVertices {
      *     this one, over the number of light subpaths
      * @param out receives power per solid angle and projected area, times the MIS weight
      */
-    public void leave(int k, double density, PhysicalScene physical, double[] out) {
+    public void leave(int k, double density, double[] out) {
         vertices.get(k, leaving);
         double cosine = leaving.geometricCosineOut();
         double back = vertices.survival(k) * cosine / Math.PI;

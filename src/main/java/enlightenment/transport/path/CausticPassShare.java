@@ -15,16 +15,14 @@ import enlightenment.world.light.CausticPass;
  */
 public final class CausticPassShare implements PathStrategy {
     private final CausticPass pass;
-    private final boolean takesNarrow;
 
     public CausticPassShare(CausticPass pass) {
         this.pass = pass;
-        takesNarrow = pass.takesNarrow();
     }
 
     /** Whether the caustic pass samples light of small lights that this BSDF reflects. */
     public boolean isNarrow(Bsdf bsdf) {
-        return takesNarrow && bsdf.isNarrow();
+        return pass.takesNarrow(bsdf);
     }
 
     @Override

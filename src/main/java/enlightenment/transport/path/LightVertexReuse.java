@@ -49,7 +49,7 @@ final class LightVertexReuse {
     /** Begins a path: traces its light subpath. */
     void begin(Sampler sampler, PathCut cut) {
         if (cut.light == null) {
-            cut.light = new LightVertices();
+            cut.light = new LightVertices(physical);
         }
         continuation.emit(sampler, cut.light);
         cut.sampler = sampler;
@@ -57,7 +57,7 @@ final class LightVertexReuse {
 
     /** Connects the path's first vertex to vertices of its light subpath that are not shared. */
     void connectFirst(Ray arrived, PathCut cut, PathState state, PathValue value) {
-        if (cut.light.size() > 0) {
+        if (cut.light.hasOwn(cut.takes)) {
             continuation.connectFirst(arrived, state.address, cut.light, cut.takes, rgb);
             value.add(rgb[0], rgb[1], rgb[2]);
         }
@@ -74,10 +74,9 @@ final class LightVertexReuse {
         }
         boolean isSecond = !cut.gives && path.surfaces == 1 && state.events == 1 && state.hasDirect;
         boolean isShared = cut.takes && BidirectionalContinuation.isShareable(path);
-        if (isSecond && isShared && path.at.bsdf == Lambert.INSTANCE) {
-            return false;
-        }
-        if (isSecond && isShared && physical.hasConstantEnvironment() && !path.at.bsdf.isNarrow()) {
+        boolean mayCut =
+                path.at.bsdf == Lambert.INSTANCE || physical.hasConstantEnvironment() && !path.at.bsdf.isNarrow();
+        if (isSecond && isShared && mayCut) {
             return false;
         }
         double density = isSecond && !isShared ? density(arrived, state) : 0;
@@ -104,15 +103,5 @@ final class LightVertexReuse {
         if (path.next(ray) == PathFollower.Event.SURFACE) {
             continuation.follow(ray, cut.sampler, cut.address, density, cut.light, cut.given);
         }
-    }
-
-    /** Whether vertex k of a light subpath gives light to the first vertices of a group. */
-    boolean gives(LightVertices light, int k) {
-        return light.gives(k, physical);
-    }
-
-    /** {@link LightVertices#leave}. */
-    void leave(LightVertices light, int k, double density, double[] out) {
-        light.leave(k, density, physical, out);
     }
 }

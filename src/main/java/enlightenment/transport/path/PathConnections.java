@@ -218,14 +218,14 @@ public final class PathConnections {
     /** Gives the light of a light subpath's vertices to all first vertices that see them. */
     private void giveLight(LightVertices light, PathCut[] to) {
         for (int v = 0; v < light.size(); v++) {
-            if (!reuse.gives(light, v)) {
+            if (!light.gives(v)) {
                 continue;
             }
             double sum = findSeen(light.hit(v), light.id(v), NONE, to);
             if (!(sum > 0)) {
                 continue;
             }
-            reuse.leave(light, v, sum / Math.PI / givers, leaving);
+            light.leave(v, sum / Math.PI / givers, leaving);
             double scale = 1 / (Math.PI * givers);
             if (lobes.hasRough()) {
                 lobes.giveMatte(shares, sum, scale * leaving[0], scale * leaving[1], scale * leaving[2]);

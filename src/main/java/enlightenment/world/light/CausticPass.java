@@ -1,5 +1,6 @@
 package enlightenment.world.light;
 
+import enlightenment.bsdf.Bsdf;
 import enlightenment.emitter.IntensityProfile;
 import enlightenment.math.Vec3;
 import enlightenment.numeric.Scale;
@@ -63,6 +64,9 @@ public final class CausticPass {
     /** By light, then by sun: whether it is small, so that narrow lobes count as casters of its caustics. */
     private final boolean[] isSmall;
 
+    /** Whether any light is small. */
+    private final boolean takesNarrow;
+
     private final boolean hasSmallLights;
 
     private final boolean[] isBeam;
@@ -81,6 +85,7 @@ public final class CausticPass {
         hasSmallLights = SmallLights.any(SmallLights.of(lights, suns, balls));
         this.lights = lights;
         this.isSmall = isSmall;
+        takesNarrow = SmallLights.any(isSmall);
         this.suns = suns;
         this.ofUltraviolet = ofUltraviolet;
         SceneBall around = SceneBall.around(compiled.primitives());
@@ -249,7 +254,12 @@ public final class CausticPass {
 
     /** Whether any light is small. */
     public boolean takesNarrow() {
-        return SmallLights.any(isSmall);
+        return takesNarrow;
+    }
+
+    /** Whether light of small lights that this BSDF reflects is sampled by the pass. */
+    public boolean takesNarrow(Bsdf bsdf) {
+        return takesNarrow && bsdf.isNarrow();
     }
 
     /** Samples a pair by a number in 0..1: {@code light · casters + caster}. */

@@ -3,12 +3,11 @@ package enlightenment.physical;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.image.Image;
-import enlightenment.render.RenderProgress;
-import enlightenment.render.Renderer;
 import enlightenment.render.Welch;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -54,35 +53,27 @@ class SharedLightMeansTest {
     }
 
     private static void compare(String name, int pictures) {
-        double[][] shared = means(name, BuiltInMethod.BIDIRECTIONAL_CLUSTER, pictures);
-        double[][] unshared = means(name, BuiltInMethod.CLUSTER, pictures);
+        List<Image> shared = render(name, BuiltInMethod.BIDIRECTIONAL_CLUSTER, pictures);
+        List<Image> unshared = render(name, BuiltInMethod.CLUSTER, pictures);
         double level = Welch.sidak(0.01, 3 * SCENES.size());
         for (int band = 0; band < 3; band++) {
-            Welch test = Welch.of(shared[band], unshared[band]);
+            Welch test = Welch.of(means(shared, band), means(unshared, band));
             assertTrue(
                     test.probability() >= level,
                     name + ", band " + band + ": " + test.deviations() + " standard errors of " + test.standardError());
         }
     }
 
-    /** By band, the mean of each picture. */
-    private static double[][] means(String name, BuiltInMethod method, int pictures) {
+    private static List<Image> render(String name, BuiltInMethod method, int pictures) {
         Scene scene = SCENES.get(name);
-        double[][] means = new double[3][pictures];
-        for (int k = 0; k < pictures; k++) {
-            RenderSettings settings = RenderSettings.of(scene)
-                    .withMethod(method)
-                    .withSeed(k)
-                    .withBudget(RenderSettings.Budget.NONE.withSamples(SAMPLES));
-            Image picture = Renderer.render(scene, settings, RenderProgress.NONE, () -> false)
-                    .image();
-            double pixels = picture.width() * picture.height();
-            for (int band = 0; band < 3; band++) {
-                for (int i = 0; i < pixels; i++) {
-                    means[band][k] += picture.component(i % picture.width(), i / picture.width(), band) / pixels;
-                }
-            }
-        }
-        return means;
+        RenderSettings settings =
+                RenderSettings.of(scene).withMethod(method).withBudget(RenderSettings.Budget.NONE.withSamples(SAMPLES));
+        return Rendered.seeds(scene, settings, 0, pictures);
+    }
+
+    /** The mean of each picture. */
+    private static double[] means(List<Image> pictures, int band) {
+        Image one = pictures.get(0);
+        return Rendered.means(pictures, 0, 0, one.width(), one.height(), band);
     }
 }

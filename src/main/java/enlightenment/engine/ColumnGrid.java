@@ -26,7 +26,7 @@ final class ColumnGrid implements TileCut {
 
     ColumnGrid(RenderSettings settings, RenderPlan plan) {
         region = settings.region();
-        side = WorkUnits.blockSide(plan);
+        side = WorkUnits.blockSide(settings, plan);
         firstColumn = region.x() / side;
         int across = (region.x() + region.width() - 1) / side - firstColumn + 1;
         int blocksDown = (region.y() + region.height() - 1) / side - region.y() / side + 1;

@@ -96,7 +96,7 @@ public final class Preview {
         this.kind = kind;
         this.scene = scene;
         this.settings = settings;
-        grid = new TileGrid(settings, Integrators.traits(settings.method()).blockSide());
+        grid = new TileGrid(settings, Integrators.traits(settings).blockSide());
         region = settings.region();
         rgb = new float[3 * region.width() * region.height()];
         shown = new boolean[region.width() * region.height()];

@@ -65,7 +65,7 @@ public final class WorkUnits {
     private final int blockSide;
 
     private WorkUnits(RenderSettings settings, RenderPlan plan, TileCut cut) {
-        blockSide = blockSide(plan);
+        blockSide = blockSide(settings, plan);
         this.cut = cut;
         if (cut == null) {
             passes = 1;
@@ -86,21 +86,22 @@ public final class WorkUnits {
 
     /** As they are handed out to the threads of one process. */
     public static WorkUnits forThreads(RenderSettings settings, RenderPlan plan) {
-        return new WorkUnits(settings, plan, areBatches(plan) ? null : new TileGrid(settings, blockSide(plan)));
+        return new WorkUnits(
+                settings, plan, areBatches(settings, plan) ? null : new TileGrid(settings, blockSide(settings, plan)));
     }
 
     /** As they are handed out to many machines. */
     public static WorkUnits forMachines(RenderSettings settings, RenderPlan plan) {
-        return new WorkUnits(settings, plan, areBatches(plan) ? null : new ColumnGrid(settings, plan));
+        return new WorkUnits(settings, plan, areBatches(settings, plan) ? null : new ColumnGrid(settings, plan));
     }
 
     /** Side of the blocks that tiles are not cut through. */
-    static int blockSide(RenderPlan plan) {
-        return Integrators.traits(plan.method()).blockSide();
+    static int blockSide(RenderSettings settings, RenderPlan plan) {
+        return Integrators.traits(plan.method(), settings).blockSide();
     }
 
-    private static boolean areBatches(RenderPlan plan) {
-        return Integrators.traits(plan.method()).areBatches();
+    private static boolean areBatches(RenderSettings settings, RenderPlan plan) {
+        return Integrators.traits(plan.method(), settings).areBatches();
     }
 
     /**
@@ -108,7 +109,7 @@ public final class WorkUnits {
      * longer than a unit should.
      */
     static int passes(RenderSettings settings, RenderPlan plan) {
-        MethodTraits traits = Integrators.traits(plan.method());
+        MethodTraits traits = Integrators.traits(plan.method(), settings);
         int side = traits.blockSide();
         long blocks = (settings.width() + side - 1L) / side * ((settings.height() + side - 1L) / side);
         if (side > FilmTile.BLOCK_SIDE) {

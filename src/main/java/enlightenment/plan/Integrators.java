@@ -65,17 +65,26 @@ public final class Integrators {
 
     private Integrators() {}
 
-    /** The traits of a method before there is a scene. If the block side depends on the shading, it is the larger one. */
-    public static MethodTraits traits(Method method) {
+    /** The traits of the method of a render before there is a scene. If the block side depends on the shading, it is the larger one. */
+    public static MethodTraits traits(RenderSettings settings) {
+        return traits(settings.method(), settings);
+    }
+
+    /** The traits of a method, whatever that of the settings, for a picture of their size. */
+    public static MethodTraits traits(Method method, RenderSettings settings) {
+        return traits(method, PhysicalClusterMethod.blockSide(settings));
+    }
+
+    /** @param blockSide of methods that share paths */
+    private static MethodTraits traits(Method method, int blockSide) {
         if (!(method instanceof BuiltInMethod own)) {
             return MethodTraits.ofAnySamples(
                     method, method instanceof IntegratorFactory factory && factory.dividesIntoPasses());
         }
         return switch (own) {
             case RAYTRACE, LIGHT, BIDIRECTIONAL -> MethodTraits.ofAnySamples(method, true);
-            case CLUSTER ->
-                ofCluster(FEWEST_OF_CLUSTER, MOST_WITHOUT_SURVEY, FIRST_OF_CLUSTER, PhysicalClusterMethod.BLOCK_SIDE);
-            case BIDIRECTIONAL_CLUSTER -> ofPhysicalCluster(own);
+            case CLUSTER -> ofCluster(FEWEST_OF_CLUSTER, MOST_WITHOUT_SURVEY, FIRST_OF_CLUSTER, blockSide);
+            case BIDIRECTIONAL_CLUSTER -> ofPhysicalCluster(own, blockSide);
             case METROPOLIS ->
                 new MethodTraits(
                         false,
@@ -90,20 +99,25 @@ public final class Integrators {
 
     /** The fewest samples per pixel with which a method is used itself. */
     public static double fewestSamples(Method method, Shading.Model shading) {
-        return traits(method, shading == Shading.Model.PHYSICAL).fewest();
+        return traits(method, shading == Shading.Model.PHYSICAL, FilmTile.BLOCK_SIDE)
+                .fewest();
     }
 
     /** The traits of a method for scenes with physical or with classic shading, which differ for {@code cluster} only. */
-    static MethodTraits traits(Method method, boolean isPhysical) {
+    static MethodTraits traits(Method method, RenderSettings settings, boolean isPhysical) {
+        return traits(method, isPhysical, PhysicalClusterMethod.blockSide(settings));
+    }
+
+    private static MethodTraits traits(Method method, boolean isPhysical, int blockSide) {
         if (method != BuiltInMethod.CLUSTER) {
-            return traits(method);
+            return traits(method, blockSide);
         }
         return isPhysical
-                ? ofPhysicalCluster(BuiltInMethod.CLUSTER)
+                ? ofPhysicalCluster(BuiltInMethod.CLUSTER, blockSide)
                 : ofCluster(FEWEST_OF_CLUSTER, MOST_WITHOUT_SURVEY, FIRST_OF_CLUSTER, FilmTile.BLOCK_SIDE);
     }
 
-    private static MethodTraits ofPhysicalCluster(BuiltInMethod method) {
+    private static MethodTraits ofPhysicalCluster(BuiltInMethod method, int blockSide) {
         return new MethodTraits(
                 false,
                 false,
@@ -111,7 +125,7 @@ public final class Integrators {
                 FEWEST_OF_PHYSICAL_CLUSTER,
                 MOST_WITHOUT_PHYSICAL_SURVEY,
                 FIRST_OF_PHYSICAL_CLUSTER,
-                PhysicalClusterMethod.BLOCK_SIDE);
+                blockSide);
     }
 
     private static MethodTraits ofCluster(double fewest, double mostBelow, double first, int blockSide) {
@@ -177,7 +191,7 @@ public final class Integrators {
      */
     public static SplatIntegrator splats(
             RenderPlan plan, CompiledScene scene, RenderSettings settings, RayCounters counters) {
-        if (traits(plan.method()).areBatches()) {
+        if (traits(plan.method(), settings).areBatches()) {
             return (SplatIntegrator) of(plan, scene, settings, counters);
         }
         if (plan.method() instanceof IntegratorFactory factory) {
@@ -234,7 +248,7 @@ public final class Integrators {
 
     /** The settings of the cheapest pictures that resemble those of some settings: for previews. */
     public static RenderSettings cheapest(RenderSettings settings) {
-        Method below = traits(settings.method()).below();
+        Method below = traits(settings).below();
         return below == BuiltInMethod.RAYTRACE
                 ? settings.using(new BuiltInMethod.RayTraceSettings(1))
                 : settings.withMethod(below);
@@ -290,7 +304,7 @@ public final class Integrators {
         }
         Integrator integrator = factory.make(plan, scene, settings, counters);
         boolean divides = integrator instanceof TileIntegrator tiles && tiles.dividesIntoPasses();
-        MethodTraits traits = traits(plan.method());
+        MethodTraits traits = traits(plan.method(), settings);
         if (integrator instanceof SplatIntegrator != traits.areBatches() || divides != traits.dividesIntoPasses()) {
             throw new IllegalStateException("the method " + word + " is not what it says: " + integrator.getClass());
         }

@@ -20,9 +20,6 @@ import java.util.function.IntConsumer;
  * not: {@code cluster} and {@code bidirectional-cluster}, beside {@code raytrace}.
  */
 final class PilotBlocks {
-    private static final int SIDE =
-            Integrators.traits(BuiltInMethod.CLUSTER, true).blockSide();
-
     /** With so small an effort every pixel has as many paths as any: half of those that are planned. */
     static final double NO_EFFORT = 0x1p-40;
 
@@ -46,11 +43,12 @@ final class PilotBlocks {
         this.scene = scene;
         this.settings = settings;
         this.samples = samples;
-        int across = (settings.width() + SIDE - 1) / SIDE;
-        int down = (settings.height() + SIDE - 1) / SIDE;
-        int count = (int) Math.ceil(pixels / (SIDE * SIDE));
+        int side = Integrators.traits(BuiltInMethod.CLUSTER, settings).blockSide();
+        int across = (settings.width() + side - 1) / side;
+        int down = (settings.height() + side - 1) / side;
+        int count = (int) Math.ceil(pixels / (side * side));
         for (int[] place : SpreadPlaces.of(across, down, Math.min(count, across * down))) {
-            blocks.add(new RenderSettings.Crop(place[0] * SIDE, place[1] * SIDE, SIDE, SIDE)
+            blocks.add(new RenderSettings.Crop(place[0] * side, place[1] * side, side, side)
                     .intersection(settings.region()));
         }
     }

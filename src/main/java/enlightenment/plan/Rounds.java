@@ -97,7 +97,8 @@ public final class Rounds {
             boolean isPhysical = outcome.light().isPresent();
             next = Math.min(
                     next,
-                    Integrators.traits(report.settings().method(), isPhysical).first());
+                    Integrators.traits(report.settings().method(), report.settings(), isPhysical)
+                            .first());
         }
         samples = n;
         error = high;

@@ -21,7 +21,7 @@ final class SamplePlans {
 
     SamplePlans(CompiledScene scene, RenderSettings settings, BooleanSupplier cancelled) {
         method = settings.method();
-        traits = Integrators.traits(method, scene.physical != null);
+        traits = Integrators.traits(method, settings, scene.physical != null);
         RenderSettings.Crop region = settings.region();
         // Paths that may end anywhere are followed for a part of the picture as for the whole.
         tracedPixels = traits.areBatches()

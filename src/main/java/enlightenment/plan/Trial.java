@@ -76,7 +76,7 @@ final class Trial {
      * @param fewestBlocks how large it should be at least
      */
     Piece piece(double share, double fewestBlocks) {
-        if (Integrators.traits(settings.method()).areBatches()) {
+        if (Integrators.traits(settings).areBatches()) {
             double blocks = plans.tracedPixels() / (FilmTile.BLOCK_SIDE * FilmTile.BLOCK_SIDE);
             return new Paths(Math.max(share, Math.min(fewestBlocks / blocks, 1)) * plans.tracedPixels());
         }

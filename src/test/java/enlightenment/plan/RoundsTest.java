@@ -114,7 +114,7 @@ class RoundsTest {
     @Test
     void withTimeLeftARoundOfTheMethodItselfFollowsThatOfTheMethodForFewSamples() {
         RenderSettings.Budget both = RenderSettings.Budget.NONE.withError(0.01).withSeconds(100);
-        MethodTraits traits = Integrators.traits(Method.CLUSTER, false);
+        MethodTraits traits = Integrators.traits(Method.CLUSTER, SETTINGS, false);
         RenderSettings settings = SETTINGS.withMethod(Method.CLUSTER).withBudget(both);
         RenderReport few = report(settings, traits.mostBelow(), 0.04, 0.05, 0);
         assertEquals(traits.first(), new Rounds(both).next(few, 1, 2).orElseThrow());

@@ -16,8 +16,6 @@ import java.util.Arrays;
  * white.
  */
 final class PathNoise {
-    private static final int SIDE = PhysicalClusterMethod.BLOCK_SIDE;
-
     private static final int MOST_CLUSTERS = 32;
 
     /** The index of the cluster that takes all keys beyond the others. */
@@ -32,12 +30,15 @@ final class PathNoise {
     private final DisplayCurve curve;
     private final Corners corners;
 
+    /** Of the largest block, in pixels. */
+    private final int side;
+
     private final long[] keys = new long[MOST_CLUSTERS];
     private int clusters;
     private final int[] clusterOfCorner;
 
     /** By pixel: the cluster that all four corners belong to; -1 if they differ. */
-    private final int[] clusterOfPixel = new int[PhysicalClusterMethod.PIXELS];
+    private final int[] clusterOfPixel;
 
     private Block block;
     private int perPixel;
@@ -64,7 +65,7 @@ final class PathNoise {
     private final double[] meanRest = new double[6];
 
     /** By pixel: the sum of squared deviations as shown. */
-    private final double[] ofPixel = new double[PhysicalClusterMethod.PIXELS];
+    private final double[] ofPixel;
 
     private final double[] level = new double[3];
     private final double[] shownLevel = new double[3];
@@ -76,7 +77,10 @@ final class PathNoise {
     PathNoise(DisplayCurve curve, Corners corners) {
         this.curve = curve;
         this.corners = corners;
+        side = corners.side - 1;
         clusterOfCorner = new int[corners.nodes];
+        clusterOfPixel = new int[side * side];
+        ofPixel = new double[side * side];
     }
 
     /**
@@ -90,7 +94,7 @@ final class PathNoise {
         perPixel = paths;
         root = Math.sqrt(samplesPerPixel);
         clusters = 0;
-        int n = PhysicalClusterMethod.PIXELS * paths;
+        int n = ofPixel.length * paths;
         if (clusterOfPath.length < n) {
             clusterOfPath = new int[n];
             costOfPath = new int[n];
@@ -123,8 +127,8 @@ final class PathNoise {
         return clusters++;
     }
 
-    private static int pixel(int i, int j) {
-        return SIDE * j + i;
+    private int pixel(int i, int j) {
+        return side * j + i;
     }
 
     /** Whether all four corners of a pixel have the same key. */

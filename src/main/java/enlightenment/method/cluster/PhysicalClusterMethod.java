@@ -23,15 +23,16 @@ import java.util.function.BooleanSupplier;
  */
 public final class PhysicalClusterMethod implements TileIntegrator {
     /**
-     * Side, in pixels, of the blocks whose pixels share statistics and paths: 16. Larger than in classic shading, because the errors of
-     * pixels that share paths are correlated, which is less visible the farther apart they lie (docs/notes/cluster-sampler.md).
+     * Side, in pixels, of the smallest blocks whose pixels share statistics and paths: 16. Larger than in classic shading, because the
+     * errors of pixels that share paths are correlated, which is less visible the farther apart they lie (docs/notes/cluster-sampler.md).
      */
-    public static final int BLOCK_SIDE = 2 * FilmTile.BLOCK_SIDE;
+    private static final int LEAST_SIDE = 2 * FilmTile.BLOCK_SIDE;
 
-    /** The largest number of pixels in such a block. */
-    public static final int PIXELS = BLOCK_SIDE * BLOCK_SIDE;
+    /** Side of the largest blocks. */
+    private static final int MOST_SIDE = 64;
 
-    private static final int MOST_MEMBERS = PixelGroup.MOST_MEMBERS;
+    /** The sides of a picture are at least this many times those of a block larger than the smallest. */
+    private static final int SIDES = 20;
 
     /** The number of samples of each pixel in which path reuse is tried. */
     private static final int TRIED = 2;
@@ -60,11 +61,12 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     private final PathNoise noise;
     private final SharingGain sharing = new SharingGain();
     private final Interpolation interpolation = new Interpolation();
-    private final PixelGroup group = new PixelGroup();
+    private final int blockSide;
+    private final PixelGroup group;
 
     private final GroupPaths paths;
-    private final int[] count = new int[MOST_MEMBERS];
-    private final SampleSpread[] spreads = new SampleSpread[MOST_MEMBERS];
+    private final int[] count = new int[PixelGroup.MOST_MEMBERS];
+    private final SampleSpread[] spreads = new SampleSpread[PixelGroup.MOST_MEMBERS];
 
     /** Binary logarithm of the number of first paths of each pixel; and their colours, one after another. */
     private final int firstSamples;
@@ -102,15 +104,26 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         this.effort = effort;
         samplesPerPixel = samples;
         this.firstSamples = firstSamples;
-        first = new double[3 * PIXELS << firstSamples];
+        blockSide = blockSide(settings);
+        group = new PixelGroup(blockSide);
+        first = new double[3 * blockSide * blockSide << firstSamples];
         spreadOver = Math.scalb(1.0, Math.min(Math.max(Math.getExponent(samples), 0), MOST_SPREAD));
         PathIntegrator tracer = GroupPaths.tracer(scene, counters, reusesLight);
-        survey = new PhysicalSurvey(scene, settings, tracer);
+        survey = new PhysicalSurvey(scene, settings, tracer, blockSide);
         noise = new PathNoise(scene.display, survey);
         paths = new GroupPaths(scene, settings, counters, tracer, group);
-        for (int m = 0; m < MOST_MEMBERS; m++) {
+        for (int m = 0; m < PixelGroup.MOST_MEMBERS; m++) {
             spreads[m] = new SampleSpread();
         }
+    }
+
+    /**
+     * Side, in pixels, of the blocks of a picture whose pixels share statistics and paths; a power of two. In a larger picture pixels that
+     * are farther apart are as much alike, and there are more groups of them, whose errors average out.
+     */
+    public static int blockSide(RenderSettings settings) {
+        int most = Math.min(settings.width(), settings.height()) / SIDES;
+        return Math.min(Math.max(Integer.highestOneBit(most), LEAST_SIDE), MOST_SIDE);
     }
 
     /** Whether light subpaths can be reused in a scene. */
@@ -155,7 +168,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
     @Override
     public void render(FilmTile tile, int pass, int passes) {
         TilePasses.checkOne(pass, passes);
-        Block.forEach(tile, settings.width(), settings.height(), BLOCK_SIDE, block -> render(block, tile));
+        Block.forEach(tile, settings.width(), settings.height(), blockSide, block -> render(block, tile));
     }
 
     private void render(Block block, FilmTile tile) {
@@ -164,7 +177,7 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         for (int colour = 0; colour < 2; colour++) {
             allocations[colour] = new PhysicalAllocation(limitedEffort(block, colour), samplesPerPixel);
         }
-        for (int number = 0; number < PixelGroup.COUNT; number++) {
+        for (int number = 0; number < group.count; number++) {
             group.gather(block, number);
             if (group.overlaps(tile)) {
                 paths.toPixels(settings.seed());
@@ -288,11 +301,11 @@ public final class PhysicalClusterMethod implements TileIntegrator {
         }
         int tried = Math.min(TRIED, count);
         sharing.begin();
-        for (int number = 0; number < PixelGroup.COUNT; number++) {
+        for (int number = 0; number < group.count; number++) {
             takeFirst(block, seed, number, 0, tried);
         }
         sharing.finish();
-        for (int number = 0; number < PixelGroup.COUNT; number++) {
+        for (int number = 0; number < group.count; number++) {
             takeFirst(block, seed, number, tried, count);
         }
         noise.finish();

@@ -25,8 +25,8 @@ final class PhysicalSurvey extends Corners {
     private int rays;
     private boolean empty;
 
-    PhysicalSurvey(CompiledScene scene, RenderSettings settings, PathIntegrator tracer) {
-        super(PhysicalClusterMethod.BLOCK_SIDE);
+    PhysicalSurvey(CompiledScene scene, RenderSettings settings, PathIntegrator tracer, int blockSide) {
+        super(blockSide);
         this.scene = scene;
         this.settings = settings;
         this.tracer = tracer;

@@ -5,21 +5,23 @@ import enlightenment.method.Block;
 import enlightenment.sampling.Hash;
 
 /**
- * A quarter of the pixels of a block, one of each 2 × 2. Were the block a chessboard, two groups have the fields of each colour; which of
- * the two fields of its colour in 2 × 2 pixels a group has is random for each. So groups are interleaved, their errors average out over few
- * pixels, and there is no visible pattern. Mutable, one per thread.
+ * 64 of the pixels of a block, one of each cell: of a block of 16 × 16 pixels one of each 2 × 2, of one of 32 × 32 one of each 4 × 4. Were
+ * the block a chessboard, all pixels of a group would be on fields of one colour; which of those of a cell a group has is random. So groups
+ * are interleaved, their errors average out over few pixels, and there is no visible pattern. Mutable, one per thread.
  */
 final class PixelGroup {
-    /** The number of groups of a block: two of each colour. */
-    static final int COUNT = 4;
+    /** The largest number of pixels in a group. */
+    static final int MOST_MEMBERS = 64;
+
+    private static final int CELLS_ACROSS = 8;
 
     private static final int COLOURS = 2;
 
     /** Mixed into hashes, so that groups share no random numbers with others. */
     private static final long PURPOSE = 0x67726F757073L;
 
-    /** The largest number of pixels in a group. */
-    static final int MOST_MEMBERS = PhysicalClusterMethod.PIXELS / COUNT;
+    /** The number of groups of a block: as many of each colour. */
+    final int count;
 
     /** The chessboard colour of the group, 0 or 1. */
     int field;
@@ -32,29 +34,62 @@ final class PixelGroup {
 
     final int[] row = new int[MOST_MEMBERS];
 
+    private final int blockSide;
+
+    /** Side of a cell, in pixels. */
+    private final int cell;
+
+    /** The fields of a colour in a cell, in a random order: that of the groups which have them. */
+    private final int[] order;
+
     private Block block;
     private int number;
+
+    /**
+     * @param blockSide of the largest block, in pixels; 16, 32 or 64
+     */
+    PixelGroup(int blockSide) {
+        this.blockSide = blockSide;
+        cell = blockSide / CELLS_ACROSS;
+        count = cell * cell;
+        order = new int[count / COLOURS];
+    }
 
     /** Makes this the group of a block with this number. */
     void gather(Block of, int numbered) {
         block = of;
         number = numbered;
         field = number % COLOURS;
-        int second = number / COLOURS;
+        int place = number / COLOURS;
         members = 0;
-        for (int j = 0; j < block.height(); j++) {
-            for (int i = (j ^ field) & 1; i < block.width(); i += COLOURS) {
-                if (((j ^ turn(block.x() + i >> 1, block.y() + j >> 1)) & 1) == second) {
-                    column[members] = i;
-                    row[members++] = j;
-                }
+        for (int j = 0; j < block.height(); j += cell) {
+            for (int i = 0; i < block.width(); i += cell) {
+                shuffle(Hash.of(Hash.of(PURPOSE, field), block.x() + i, block.y() + j));
+                add(i, j, order[place]);
             }
         }
     }
 
-    /** 0 or 1: whether the first group of the colour has its upper or its lower field in these 2 × 2 pixels of the picture. */
-    private int turn(int x, int y) {
-        return (int) (Hash.of(PURPOSE, x, y) >>> field) & 1;
+    /** Puts the fields of a cell in a random order. */
+    private void shuffle(long hash) {
+        long bits = hash;
+        for (int k = 0; k < order.length; k++) {
+            // As a fraction of 2³²: what this is short of uniform is below 2⁻²⁶.
+            int other = (int) ((bits >>> Integer.SIZE) * (k + 1) >>> Integer.SIZE);
+            order[k] = order[other];
+            order[other] = k;
+            bits = Hash.mix(bits);
+        }
+    }
+
+    /** Adds a field of the group's colour of the cell that begins here, if the picture does not end before it. */
+    private void add(int left, int top, int which) {
+        int j = which * COLOURS / cell;
+        int i = which * COLOURS % cell + (j + field) % COLOURS;
+        if (left + i < block.width() && top + j < block.height()) {
+            column[members] = left + i;
+            row[members++] = top + j;
+        }
     }
 
     /** A 64-bit hash that identifies the group in the whole picture. */
@@ -74,7 +109,7 @@ final class PixelGroup {
 
     /** The index of a member among all pixels of a block. */
     int inBlock(int m) {
-        return PhysicalClusterMethod.BLOCK_SIDE * row[m] + column[m];
+        return blockSide * row[m] + column[m];
     }
 
     /** Whether any member belongs to the tile. */

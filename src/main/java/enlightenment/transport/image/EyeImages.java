@@ -23,8 +23,8 @@ import enlightenment.world.parts.RayCounters;
  * stands for the image. See docs/notes/path-tracing.md. A mutable work object, one per thread.
  */
 public final class EyeImages implements PathStrategy {
-    /** Direct-mapped cache of 16 × 16 pixels: render blocks are smaller. */
-    private static final int CACHE_SIDE = 16;
+    /** Direct-mapped cache of 64 × 64 pixels: render blocks are no larger. */
+    private static final int CACHE_SIDE = 64;
 
     /** A part of a pixel, far more than by how much the projection of a camera ray misses the position that it was made for. */
     private static final double BORDER = 0x1p-20;

@@ -1,5 +1,6 @@
 package enlightenment.accel;
 
+import enlightenment.bvh.FloatShaft;
 import enlightenment.bvh.FloatSlabs;
 import enlightenment.bvh.ItemBoxes;
 import enlightenment.bvh.Nodes;
@@ -31,6 +32,11 @@ public final class BvhQuery {
     final FloatSlabs floatSlabs = new FloatSlabs();
 
     final FloatShaft shaft = new FloatShaft();
+
+    /** The box around the ends of the segments of the current cone: least, then largest coordinates. */
+    final double[] ends = new double[ItemBoxes.BOX];
+
+    final UnionNarrowing union = new UnionNarrowing();
 
     /** The axis of the current cone. */
     final Ray axis = new Ray();
@@ -75,6 +81,7 @@ public final class BvhQuery {
         frontSize = 1;
         frontBalls.setAny(0);
         candidates.close();
+        union.end();
     }
 
     /** Fills the stack with the links of the front whose balls the ray may hit; returns its depth. */
@@ -105,7 +112,7 @@ public final class BvhQuery {
             return false;
         }
         tests[kinds[union.id(0)]]++;
-        return union.blocks(ray, tMax);
+        return this.union.blocks(union, ray, tMax);
     }
 
     /** Empties the list. */

@@ -1,6 +1,7 @@
 package enlightenment.accel;
 
 import enlightenment.bvh.BvhBuilder;
+import enlightenment.bvh.FloatShaft;
 import enlightenment.bvh.FloatSlabs;
 import enlightenment.bvh.Nodes;
 import enlightenment.frame.BallCone;
@@ -137,9 +138,11 @@ final class FloatBvh extends Bvh {
     @Override
     public int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query) {
         FloatShaft shaft = query.shaft;
-        if (rays < 2 || !shaft.set(cone, reach)) {
+        cone.findEnds(query.ends);
+        if (rays < 2 || !shaft.set(cone.x, cone.y, cone.z, query.ends, reach)) {
             return super.narrow(cone, judge, rays, query);
         }
+        query.union.begin(cone, query.ends, rays);
         int most = rays < MANY_RAYS ? FRONT_OF_FEW_RAYS : BvhQuery.MAX_FRONT;
         int[] queue = query.queue;
         int[] front = query.front;

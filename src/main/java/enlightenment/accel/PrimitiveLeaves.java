@@ -82,13 +82,15 @@ final class PrimitiveLeaves extends Leaves {
         return ConeJudge.CLEAR;
     }
 
-    /** The union is not judged: judging all its members would take longer than a ray. */
+    /** The union is not judged, but narrowed where that pays: judging all its members would take longer than a ray. */
     @Override
     int gather(int from, int to, ConeJudge judge, BvhQuery query) {
         int left = ConeJudge.CLEAR;
         for (int i = from; i < to; i++) {
             if (primitives[i] == null) {
-                left = ConeJudge.MAY_BLOCK;
+                if (!query.union.clears(union)) {
+                    left = ConeJudge.MAY_BLOCK;
+                }
                 continue;
             }
             int verdict = judge.judge(ids[i]);

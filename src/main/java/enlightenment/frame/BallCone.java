@@ -64,6 +64,22 @@ public class BallCone {
         }
     }
 
+    /**
+     * Finds a box that all segments end in, those from the apex to points of the ball, or fewer.
+     *
+     * @param box receives the three least coordinates, then the three largest
+     */
+    public void findEnds(double[] box) {
+        setEnds(box, 0, Math.fma(distance, wx, x));
+        setEnds(box, 1, Math.fma(distance, wy, y));
+        setEnds(box, 2, Math.fma(distance, wz, z));
+    }
+
+    private void setEnds(double[] box, int axis, double center) {
+        box[axis] = center - radius;
+        box[axis + 3] = center + radius;
+    }
+
     /** 1 − {@link #cosine}, accurate to its last digits. */
     public final double oneMinusCosine() {
         return sine * sine / (1 + cosine);

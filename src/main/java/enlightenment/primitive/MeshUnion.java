@@ -4,6 +4,7 @@ import enlightenment.frame.Bounds;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.mesh.tree.JoinedMesh;
 import enlightenment.mesh.tree.MeshRay;
+import enlightenment.mesh.tree.ShaftTriangles;
 import enlightenment.mesh.tree.TriangleTree;
 import java.util.Arrays;
 import java.util.List;
@@ -136,6 +137,23 @@ public final class MeshUnion {
     /** Whether there is a crossing with tMin ≤ t ≤ tMax. Only for rays that the union {@link #suits}. */
     public boolean blocks(Ray ray, double tMax) {
         return local(ray).isBlocked(tMax);
+    }
+
+    /**
+     * Finds the triangles that may block segments from a point to others.
+     *
+     * @param ends a box around those others: least, then largest coordinates
+     * @param into receives the triangles
+     * @return whether they are few enough to be known
+     */
+    public boolean narrow(double x, double y, double z, double[] ends, ShaftTriangles into) {
+        return placing.isMove
+                && into.find(tree, x, y, z, ends, placing.offset(0), placing.offset(1), placing.offset(2));
+    }
+
+    /** Whether one of these triangles has a crossing with tMin ≤ t ≤ tMax. Only for rays that the union {@link #suits}. */
+    public boolean blocks(Ray ray, ShaftTriangles some, double tMax) {
+        return local(ray).isBlockedBy(some, tMax);
     }
 
     /** Whether the union can be queried with a ray: it is not extreme, and starts on at most two meshes. */

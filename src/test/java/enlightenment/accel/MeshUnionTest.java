@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.frame.BallCone;
 import enlightenment.frame.SceneFrame;
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Sphere;
@@ -19,12 +20,14 @@ import enlightenment.primitive.MeshUnion;
 import enlightenment.primitive.Primitive;
 import enlightenment.primitive.Primitives;
 import enlightenment.primitive.Ray;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /** Meshes that are searched together are met where each of them is met by itself. */
 final class MeshUnionTest {
     private static final int RAYS = 20_000;
+    private static final int SEGMENTS = 20;
 
     private static final Transform HALF = Transform.of(new Transform.Scale(new Vec3(0.5, 0.5, 0.5)));
 
@@ -100,6 +103,43 @@ final class MeshUnionTest {
     @Test
     void aHierarchyAnswersAsALoopDoes() {
         check(primitives(), 0);
+    }
+
+    /** Where many segments of a cone are to come, the union is narrowed to what they may hit. */
+    @Test
+    void aNarrowedUnionBlocksWhatAllBlocks() {
+        for (Primitive[] primitives : List.of(primitives(), lone())) {
+            Bvh bvh = Bvh.build(primitives);
+            int[] kinds = new int[primitives.length];
+            BvhQuery narrowed = new BvhQuery(kinds, new long[1]);
+            BvhQuery query = new BvhQuery(kinds, new long[1]);
+            SplittableRandom random = new SplittableRandom(31);
+            BallCone cone = new BallCone();
+            int blocked = 0;
+            int clear = 0;
+            for (int k = 0; k < RAYS; k += SEGMENTS) {
+                double[] from = {3 * signed(random), 3 * signed(random), 3 * signed(random)};
+                double[] to = {2 * signed(random), 2 * signed(random), 2 * signed(random)};
+                cone.set(to[0], to[1], to[2], 0.1, from[0], from[1], from[2]);
+                int left = bvh.narrow(cone, id -> ConeJudge.MAY_BLOCK, SEGMENTS, narrowed);
+                clear += left == 0 ? 1 : 0;
+                for (int j = 0; j < SEGMENTS; j++) {
+                    Ray ray = new Ray()
+                            .set(
+                                    from[0],
+                                    from[1],
+                                    from[2],
+                                    to[0] + 0.05 * signed(random) - from[0],
+                                    to[1] + 0.05 * signed(random) - from[1],
+                                    to[2] + 0.05 * signed(random) - from[2],
+                                    0);
+                    boolean isBlocked = bvh.occluded(ray, 1, query);
+                    assertEquals(isBlocked, left > 0 && bvh.occludedWithin(ray, 1, narrowed), "cone " + k);
+                    blocked += isBlocked ? 1 : 0;
+                }
+            }
+            assertTrue(clear > 0 && blocked > RAYS / 4 && blocked < RAYS, clear + " clear, " + blocked + " blocked");
+        }
     }
 
     /** Rays from anywhere, and rays that leave what the ray before has met. */

@@ -60,6 +60,7 @@ class FloatingLiteralsTest {
     private static final List<Explained> EXPLAINED = List.of(
             new Explained("geometry/Mesh.java", "1.01", "the middle of the box is rounded to a thousandth of its size"),
             new Explained("mesh/tree/Departure.java", "4", "how many times its own rounding a corner is away"),
+            new Explained("mesh/tree/ShaftTriangles.java", "64", "ratio: how slender a triangle may be"),
             new Explained(
                     "mesh/tree/TriangleTest.java",
                     "4",
@@ -151,15 +152,15 @@ class FloatingLiteralsTest {
             new Explained("bvh/FloatSlabs.java", "0x1p40", "range of floats: beyond it doubles are taken"),
             new Explained("bvh/FloatSlabs.java", "0x1p60", "range of floats: an inverse that does not overflow"),
             new Explained(
-                    "accel/FloatShaft.java",
+                    "bvh/FloatShaft.java",
                     "0x1p-19",
                     "relative: more than the roundings of floats, which have 24 bits"),
             new Explained(
-                    "accel/FloatShaft.java",
+                    "bvh/FloatShaft.java",
                     "0x1p-20f",
                     "relative: more than the roundings of floats, which have 24 bits"),
-            new Explained("accel/FloatShaft.java", "0x1p-12f", "share of a segment: more than the roundings of floats"),
-            new Explained("accel/FloatShaft.java", "0x1p60f", "range of floats: stands for no limit"),
+            new Explained("bvh/FloatShaft.java", "0x1p-12f", "share of a segment: more than the roundings of floats"),
+            new Explained("bvh/FloatShaft.java", "0x1p60f", "range of floats: stands for no limit"),
             new Explained("accel/ApexBalls.java", "0x1p-40", "relative: more than the roundings of doubles"),
             new Explained("accel/ApexBalls.java", "0x1p480", "range of doubles: beyond it nothing is left out"),
             new Explained("accel/ApexBalls.java", "0x1p-480", "range of doubles: beyond it nothing is left out"),

@@ -78,6 +78,16 @@ public final class MeshRay {
         return search(tMax, true);
     }
 
+    /** Whether any of these triangles has a crossing with t in from..tMax. */
+    public boolean isBlockedBy(ShaftTriangles some, double tMax) {
+        for (int k = 0; k < some.size(); k++) {
+            if (test.test(some.get(k)) <= tMax) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     private boolean search(double tMax, boolean any) {
         t = MISS;
         tree = TriangleTree.of(mesh);

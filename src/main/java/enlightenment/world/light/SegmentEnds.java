@@ -21,7 +21,12 @@ public final class SegmentEnds {
     double size;
 
     /** The cone of directions to the points. */
-    public final BallCone cone = new BallCone();
+    public final BallCone cone = new BallCone() {
+        @Override
+        public void findEnds(double[] out) {
+            System.arraycopy(box, 0, out, 0, box.length);
+        }
+    };
 
     /** The id of the primitive that all points lie on, or -1. */
     private int on;

@@ -1,10 +1,7 @@
-package enlightenment.accel;
-
-import enlightenment.bvh.FloatSlabs;
-import enlightenment.frame.BallCone;
+package enlightenment.bvh;
 
 /**
- * The test of a shaft, all segments from a point P to a box around a ball, against boxes of floats that were rounded outwards. At the
+ * The test of a shaft, all segments from a point P to a box, against boxes of floats that were rounded outwards. At the
  * share s of their way the segments fill the box P + s·(L − P), L being the box at their end; it overlaps another box on an axis
  * for s in an interval, so the shaft meets that box if the three intervals and [0, 1] have a point in common. No square root is taken.
  *
@@ -12,7 +9,7 @@ import enlightenment.frame.BallCone;
  * of each face, and L is widened by w. The roundings of a face and of its distance from P are less than 5·2^-24 m; the factors
  * {@link #LESS} and {@link #MORE} cover the roundings of quotients once more.
  */
-final class FloatShaft {
+public final class FloatShaft {
     private static final double WIDENING = 0x1p-19;
     private static final float LESS = 1 - 0x1p-20f;
     private static final float MORE = 1 + 0x1p-20f;
@@ -52,27 +49,29 @@ final class FloatShaft {
     private float mostZ;
     private float mostInvZ;
 
+    /** A shaft to be {@link #set} before use. */
+    public FloatShaft() {}
+
     /**
      * Prepares the test.
      *
+     * @param px the point: px, py, pz
+     * @param ends the box at the end of the segments: least, then largest coordinates
      * @param reach the largest absolute coordinate of any box, such that {@link FloatSlabs#suits}
-     * @return whether this test is right for the cone
+     * @return whether this test is right for the shaft
      */
-    boolean set(BallCone cone, double reach) {
-        double r = cone.radius;
-        double cx = Math.fma(cone.distance, cone.wx, cone.x);
-        double cy = Math.fma(cone.distance, cone.wy, cone.y);
-        double cz = Math.fma(cone.distance, cone.wz, cone.z);
-        double p = Math.max(Math.abs(cone.x), Math.max(Math.abs(cone.y), Math.abs(cone.z)));
-        double l = Math.max(Math.abs(cx), Math.max(Math.abs(cy), Math.abs(cz))) + r;
-        double m = Math.max(reach, Math.max(p, l));
+    public boolean set(double px, double py, double pz, double[] ends, double reach) {
+        double m = Math.max(reach, Math.max(Math.abs(px), Math.max(Math.abs(py), Math.abs(pz))));
+        for (int k = 0; k < ItemBoxes.BOX; k++) {
+            m = Math.max(m, Math.abs(ends[k]));
+        }
         if (!(m <= FloatSlabs.LARGEST)) {
             return false;
         }
         double w = WIDENING * m;
-        setX(cone.x, cx - r - w - cone.x, cx + r + w - cone.x, w);
-        setY(cone.y, cy - r - w - cone.y, cy + r + w - cone.y, w);
-        setZ(cone.z, cz - r - w - cone.z, cz + r + w - cone.z, w);
+        setX(px, ends[0] - w - px, ends[3] + w - px, w);
+        setY(py, ends[1] - w - py, ends[4] + w - py, w);
+        setZ(pz, ends[2] - w - pz, ends[5] + w - pz, w);
         return true;
     }
 
@@ -122,7 +121,7 @@ final class FloatShaft {
     }
 
     /** Whether the shaft may meet the box whose numbers (centre and half extents) begin at b[k] and lie two apart. */
-    boolean meets(float[] b, int k) {
+    public boolean meets(float[] b, int k) {
         float cx = b[k];
         float cy = b[k + 2];
         float cz = b[k + 4];

@@ -38,6 +38,8 @@ public final class PathIntegrator extends EyePathTracer {
     /** The strategy for caustics of mirror balls that the eye sees in mirrors or through glass; null without such balls. */
     private final MirrorCaustics mirrorCaustics;
 
+    private final PathEmission emission;
+
     /** Follows paths through scattering media; null if there are none. */
     private final RandomWalk walk;
 
@@ -92,6 +94,7 @@ public final class PathIntegrator extends EyePathTracer {
         causticPass = hasCausticPass ? new CausticPassShare(physical.caustics) : null;
         walk = RandomWalk.of(scene, counters, path, value, part);
         mirrorCaustics = hasCausticPass && !directOnly ? MirrorCaustics.of(scene, counters, path) : null;
+        emission = new PathEmission(path, value, state, nextEvent, images, causticPass, mirrorCaustics);
     }
 
     private static boolean showsLamps(PathPart part) {
@@ -180,7 +183,9 @@ public final class PathIntegrator extends EyePathTracer {
             return mayScatter() && walk.scatter(ray, nextEvent, vertex, state, sampler) && path.continues();
         }
         if (event == PathFollower.Event.NOTHING) {
-            escape(ray);
+            if (!isAlbedo) {
+                emission.escape(ray);
+            }
             return false;
         }
         if (medium != null && medium.absorbs && medium.medium == null) {
@@ -189,19 +194,11 @@ public final class PathIntegrator extends EyePathTracer {
         return event == PathFollower.Event.SURFACE ? surface(ray, sampler) : glass(ray, sampler);
     }
 
-    /** Adds the surroundings' radiance where the path has left the scene. */
-    private void escape(Ray ray) {
-        if (!isAlbedo) {
-            nextEvent.escape(ray, state, causticPass == null || !state.isSampledByCausticPass());
-            value.addEscaped(nextEvent.gathered, nextEvent.hasConstantEnvironment(), path.key);
-        }
-    }
-
     /** Shades an opaque surface; returns whether the path goes on. */
     private boolean surface(Ray ray, Sampler sampler) {
         SurfaceMaterial material = path.at.material;
         if (material.glows && !isAlbedo) {
-            addEmission(ray);
+            emission.add(ray, cut);
         }
         if (material.isBlack || !mayScatter()) {
             return false;
@@ -220,30 +217,6 @@ public final class PathIntegrator extends EyePathTracer {
         return path.at.bsdf == Lambert.INSTANCE
                 ? matte(ray, material.reradiation, sampler)
                 : rough(ray, path.at.bsdf, material.reradiation, sampler);
-    }
-
-    /** Adds the surface's emission, times its MIS weight. */
-    private void addEmission(Ray ray) {
-        if (cut != null && cut.isLeft(state) && cut.meets(path.at, value, nextEvent.density(ray))) {
-            return;
-        }
-        double weight = path.at.emits() ? weightOfHit(ray) : 0;
-        if (weight > 0) {
-            value.addEmission(path.at, weight, path.key);
-        }
-    }
-
-    /** The MIS weight of emission that the path hits: the product of the weights of all other strategies. */
-    private double weightOfHit(Ray ray) {
-        int light = path.at.light;
-        double weight = causticPass == null ? 1 : causticPass.weightOfHit(state, ray, light);
-        if (weight > 0) {
-            weight *= images.weightOfHit(state, ray, light) * nextEvent.weightOfHit(state, ray, light);
-        }
-        if (weight > 0 && mirrorCaustics != null) {
-            weight *= mirrorCaustics.weightOfHit(state, ray, light);
-        }
-        return weight;
     }
 
     /** Reflects the path at a mirror; returns whether it goes on. */

@@ -248,16 +248,32 @@ public final class PathConnections {
         double sum = 0;
         int from = 0;
         for (int k = 0; k < surfaceCount; k++) {
-            boolean mayBeHidden = tracer.prepareSegments(at.px, at.py, at.pz, left(at, id), segments[k], sizes[k]);
-            for (int n = from; n < ends[k]; n++) {
-                if (!(shares[n] > 0) || mayBeHidden && pathOf[n] != number && isOccluded(n, to[pathOf[n]].first, at)) {
-                    shares[n] = 0;
+            if (hasShares(from, ends[k])) {
+                boolean mayBeHidden = tracer.prepareSegments(at.px, at.py, at.pz, left(at, id), segments[k], sizes[k]);
+                for (int n = from; n < ends[k]; n++) {
+                    if (!(shares[n] > 0)
+                            || mayBeHidden && pathOf[n] != number && isOccluded(n, to[pathOf[n]].first, at)) {
+                        shares[n] = 0;
+                    }
+                    sum += shares[n];
                 }
-                sum += shares[n];
             }
             from = ends[k];
         }
         return sum;
+    }
+
+    /** Whether any first vertex of a range has a share, so that there is something to test; a share that is no number becomes none. */
+    private boolean hasShares(int from, int end) {
+        boolean has = false;
+        for (int n = from; n < end; n++) {
+            if (shares[n] > 0) {
+                has = true;
+            } else {
+                shares[n] = 0;
+            }
+        }
+        return has;
     }
 
     private void give(PathCut giver, int number, PathCut[] to) {

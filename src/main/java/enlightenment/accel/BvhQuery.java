@@ -36,7 +36,7 @@ public final class BvhQuery {
     /** The box around the ends of the segments of the current cone: least, then largest coordinates. */
     final double[] ends = new double[ItemBoxes.BOX];
 
-    final UnionNarrowing union = new UnionNarrowing();
+    final UnionNarrowing narrowing = new UnionNarrowing(ends);
 
     /** The axis of the current cone. */
     final Ray axis = new Ray();
@@ -81,7 +81,7 @@ public final class BvhQuery {
         frontSize = 1;
         frontBalls.setAny(0);
         candidates.close();
-        union.end();
+        narrowing.end();
     }
 
     /** Fills the stack with the links of the front whose balls the ray may hit; returns its depth. */
@@ -112,7 +112,7 @@ public final class BvhQuery {
             return false;
         }
         tests[kinds[union.id(0)]]++;
-        return this.union.blocks(union, ray, tMax);
+        return narrowing.blocks(union, ray, tMax);
     }
 
     /** Empties the list. */

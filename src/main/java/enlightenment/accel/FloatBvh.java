@@ -137,12 +137,15 @@ final class FloatBvh extends Bvh {
      */
     @Override
     public int narrow(BallCone cone, ConeJudge judge, int rays, BvhQuery query) {
-        FloatShaft shaft = query.shaft;
-        cone.findEnds(query.ends);
-        if (rays < 2 || !shaft.set(cone.x, cone.y, cone.z, query.ends, reach)) {
+        if (rays < 2) {
             return super.narrow(cone, judge, rays, query);
         }
-        query.union.begin(cone, query.ends, rays);
+        FloatShaft shaft = query.shaft;
+        cone.findEnds(query.ends);
+        if (!shaft.set(cone.x, cone.y, cone.z, query.ends, reach)) {
+            return super.narrow(cone, judge, rays, query);
+        }
+        query.narrowing.begin(cone, rays);
         int most = rays < MANY_RAYS ? FRONT_OF_FEW_RAYS : BvhQuery.MAX_FRONT;
         int[] queue = query.queue;
         int[] front = query.front;

@@ -88,7 +88,7 @@ final class PrimitiveLeaves extends Leaves {
         int left = ConeJudge.CLEAR;
         for (int i = from; i < to; i++) {
             if (primitives[i] == null) {
-                if (!query.union.clears(union)) {
+                if (!query.narrowing.clears(union)) {
                     left = ConeJudge.MAY_BLOCK;
                 }
                 continue;

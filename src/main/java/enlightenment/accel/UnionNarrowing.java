@@ -18,33 +18,37 @@ final class UnionNarrowing {
 
     private final ShaftTriangles triangles = new ShaftTriangles();
 
-    /** The apex of the segments, and the box in which they end: least, then largest coordinates. */
+    /** The box in which the segments end: least, then largest coordinates. */
+    private final double[] ends;
+
+    /** The apex of the segments. */
     private double x;
 
     private double y;
     private double z;
-    private double[] ends;
     private boolean isPaying;
     private boolean isNarrowed;
+
+    /** @param ends receives the box in which the segments of a cone end before it begins: least, then largest coordinates */
+    UnionNarrowing(double[] ends) {
+        this.ends = ends;
+    }
 
     /**
      * Begins a cone.
      *
-     * @param box in which its segments end
      * @param rays how many segments are to come
      */
-    void begin(BallCone cone, double[] box, int rays) {
+    void begin(BallCone cone, int rays) {
         x = cone.x;
         y = cone.y;
         z = cone.z;
-        ends = box;
         isPaying = rays >= FEWEST_RAYS;
         isNarrowed = false;
     }
 
     /** Lets rays hit everything again. */
     void end() {
-        isPaying = false;
         isNarrowed = false;
     }
 

@@ -8,8 +8,8 @@ import enlightenment.numeric.Scale;
 
 /**
  * The triangles of a mesh that may block segments from one point to several others: those whose boxes the shaft around the segments meets,
- * without those on one side of whose plane all segments stay. Conservative: a triangle too many costs a
- * test. A mutable work object, one per thread.
+ * without those on one side of whose plane all segments stay. Conservative: a triangle too many costs a test. A mutable work object, one
+ * per thread.
  */
 public final class ShaftTriangles {
     /** With more triangles than this a search of the tree is quicker. */

@@ -251,8 +251,8 @@ public final class PathConnections {
             if (hasShares(from, ends[k])) {
                 boolean mayBeHidden = tracer.prepareSegments(at.px, at.py, at.pz, left(at, id), segments[k], sizes[k]);
                 for (int n = from; n < ends[k]; n++) {
-                    if (!(shares[n] > 0)
-                            || mayBeHidden && pathOf[n] != number && isOccluded(n, to[pathOf[n]].first, at)) {
+                    boolean isTested = mayBeHidden && shares[n] > 0 && pathOf[n] != number;
+                    if (isTested && isOccluded(n, to[pathOf[n]].first, at)) {
                         shares[n] = 0;
                     }
                     sum += shares[n];

@@ -86,22 +86,23 @@ public final class WorkUnits {
 
     /** As they are handed out to the threads of one process. */
     public static WorkUnits forThreads(RenderSettings settings, RenderPlan plan) {
-        return new WorkUnits(
-                settings, plan, areBatches(settings, plan) ? null : new TileGrid(settings, blockSide(settings, plan)));
+        MethodTraits traits = traits(settings, plan);
+        return new WorkUnits(settings, plan, traits.areBatches() ? null : new TileGrid(settings, traits.blockSide()));
     }
 
     /** As they are handed out to many machines. */
     public static WorkUnits forMachines(RenderSettings settings, RenderPlan plan) {
-        return new WorkUnits(settings, plan, areBatches(settings, plan) ? null : new ColumnGrid(settings, plan));
+        return new WorkUnits(
+                settings, plan, traits(settings, plan).areBatches() ? null : new ColumnGrid(settings, plan));
     }
 
     /** Side of the blocks that tiles are not cut through. */
     static int blockSide(RenderSettings settings, RenderPlan plan) {
-        return Integrators.traits(plan.method(), settings).blockSide();
+        return traits(settings, plan).blockSide();
     }
 
-    private static boolean areBatches(RenderSettings settings, RenderPlan plan) {
-        return Integrators.traits(plan.method(), settings).areBatches();
+    private static MethodTraits traits(RenderSettings settings, RenderPlan plan) {
+        return Integrators.traits(plan.method(), settings);
     }
 
     /**
@@ -109,7 +110,7 @@ public final class WorkUnits {
      * longer than a unit should.
      */
     static int passes(RenderSettings settings, RenderPlan plan) {
-        MethodTraits traits = Integrators.traits(plan.method(), settings);
+        MethodTraits traits = traits(settings, plan);
         int side = traits.blockSide();
         long blocks = (settings.width() + side - 1L) / side * ((settings.height() + side - 1L) / side);
         if (side > FilmTile.BLOCK_SIDE) {

@@ -54,9 +54,6 @@ public final class MethodPilot {
     /** Samples per pixel of a render whose budget does not say. */
     private static final double USUAL_SAMPLES = 64;
 
-    /** In fewer blocks little would be seen of the picture. */
-    private static final int FEWEST_BLOCKS = 6;
-
     /** Blocks that the survey of {@code cluster} looks at, and paths of each of their pixels: about. */
     private static final double SURVEYED_BLOCKS = 24;
 
@@ -222,14 +219,13 @@ public final class MethodPilot {
         }
         List<BuiltInMethod> compared = new ArrayList<>(able);
         compared.add(BuiltInMethod.RAYTRACE);
-        int side = Integrators.traits(BuiltInMethod.CLUSTER, settings).blockSide();
-        double ofBlock = (double) side * side;
-        double pixels = Math.max(small.width() * small.height() / 2.0, FEWEST_BLOCKS * ofBlock);
+        double pixels = small.width() * small.height() / 2.0;
         PilotBlocks blocks = new PilotBlocks(scene, settings, SAMPLES_IN_BLOCKS, pixels);
         blocks.render(compared, PURPOSE, PICTURES, cancelled);
         PilotScore ray = all.of(BuiltInMethod.RAYTRACE);
         double share = all.shareOfTiles(BuiltInMethod.RAYTRACE);
-        double surveyed = Math.min(SURVEYED_BLOCKS * ofBlock / ((double) settings.width() * settings.height()), 1);
+        double surveyed =
+                Math.min(SURVEYED_BLOCKS * blocks.pixelsOfBlock() / ((double) settings.width() * settings.height()), 1);
         double survey = 1 + surveyed * SURVEY_PATHS / expected;
         for (BuiltInMethod method : able) {
             double cost = ray.cost() * blocks.cost(method) / blocks.cost(BuiltInMethod.RAYTRACE) * survey;

@@ -20,12 +20,19 @@ import java.util.function.IntConsumer;
  * not: {@code cluster} and {@code bidirectional-cluster}, beside {@code raytrace}.
  */
 final class PilotBlocks {
+    /** In fewer blocks little would be seen of the picture. */
+    private static final int FEWEST_BLOCKS = 6;
+
     /** With so small an effort every pixel has as many paths as any: half of those that are planned. */
     static final double NO_EFFORT = 0x1p-40;
 
     private final CompiledScene scene;
     private final RenderSettings settings;
     private final int samples;
+
+    /** Of the blocks, in pixels. */
+    private final int side;
+
     private final List<RenderSettings.Crop> blocks = new ArrayList<>();
 
     /** By method, its pictures of the blocks. */
@@ -37,20 +44,25 @@ final class PilotBlocks {
     /**
      * @param settings of the render, of all of the picture
      * @param samples per pixel
-     * @param pixels how many there should be, about
+     * @param pixels how many there should be at least, about
      */
     PilotBlocks(CompiledScene scene, RenderSettings settings, int samples, double pixels) {
         this.scene = scene;
         this.settings = settings;
         this.samples = samples;
-        int side = Integrators.traits(BuiltInMethod.CLUSTER, settings).blockSide();
+        side = Integrators.traits(BuiltInMethod.CLUSTER, settings).blockSide();
         int across = (settings.width() + side - 1) / side;
         int down = (settings.height() + side - 1) / side;
-        int count = (int) Math.ceil(pixels / (side * side));
+        int count = (int) Math.max(Math.ceil(pixels / pixelsOfBlock()), FEWEST_BLOCKS);
         for (int[] place : SpreadPlaces.of(across, down, Math.min(count, across * down))) {
             blocks.add(new RenderSettings.Crop(place[0] * side, place[1] * side, side, side)
                     .intersection(settings.region()));
         }
+    }
+
+    /** The number of pixels in a block that the picture does not cut. */
+    double pixelsOfBlock() {
+        return (double) side * side;
     }
 
     /**

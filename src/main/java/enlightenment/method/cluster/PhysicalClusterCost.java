@@ -55,32 +55,26 @@ public final class PhysicalClusterCost implements EffortCost {
 
     /** The blocks that are tried. */
     private static List<Block> tried(RenderSettings settings, SeenBlocks seen) {
-        double all = (double) settings.width() / pixels(settings) * settings.height() * seen.share();
+        double all = (double) settings.width() / seen.pixelsOfBlock() * settings.height() * seen.share();
         return seen.spread((int) Math.min(Math.max(all / SHARE, LEAST_BLOCKS), MOST_BLOCKS));
     }
 
     /** The limits of camera rays in a block. */
     static BlockLimits limits(CompiledScene scene, RenderSettings settings, double samples) {
         SeenBlocks seen = SeenBlocks.of(scene, settings, PhysicalClusterMethod.blockSide(settings));
-        return limits(settings, seen, tried(settings, seen).size(), samples);
+        return limits(seen, tried(settings, seen).size(), samples);
     }
 
-    private static BlockLimits limits(RenderSettings settings, SeenBlocks seen, int tried, double samples) {
+    private static BlockLimits limits(SeenBlocks seen, int tried, double samples) {
         double share = seen.share();
         return share == 0
                 ? BlockLimits.NONE
-                : BlockLimits.of((samples - (1 - share) * ofEmpty(settings, samples)) / share, tried);
+                : BlockLimits.of((samples - (1 - share) * ofEmpty(seen, samples)) / share, tried);
     }
 
     /** The camera rays per pixel of a block that shows only background. */
-    private static double ofEmpty(RenderSettings settings, double samples) {
-        return Math.scalb(1.0, PhysicalAllocation.leastSamples(samples)) + 1.0 / pixels(settings);
-    }
-
-    /** The number of pixels in a block. */
-    private static int pixels(RenderSettings settings) {
-        int side = PhysicalClusterMethod.blockSide(settings);
-        return side * side;
+    private static double ofEmpty(SeenBlocks seen, double samples) {
+        return Math.scalb(1.0, PhysicalAllocation.leastSamples(samples)) + 1.0 / seen.pixelsOfBlock();
     }
 
     @Override
@@ -101,7 +95,7 @@ public final class PhysicalClusterCost implements EffortCost {
 
     /** The needs of the pixels of the blocks. */
     private final class Needed {
-        private final double[] noise = new double[pixels(settings) * blocks.size()];
+        private final double[] noise = new double[seen.pixelsOfBlock() * blocks.size()];
         private final double[] edge = new double[noise.length];
         private final double[] cost = new double[noise.length];
         private final double[] dither = new double[noise.length];
@@ -161,7 +155,7 @@ public final class PhysicalClusterCost implements EffortCost {
         /** The mean number of camera rays per pixel, the survey's included. */
         double samples(double effort, double asked) {
             PhysicalAllocation allocation = new PhysicalAllocation(effort, asked);
-            BlockLimits limits = limits(settings, seen, rays.length, asked);
+            BlockLimits limits = limits(seen, rays.length, asked);
             double sum = 0;
             int k = 0;
             for (int b = 0; b < rays.length; b++) {
@@ -172,7 +166,7 @@ public final class PhysicalClusterCost implements EffortCost {
                 }
                 sum += n * limits.limited((double) ofBlock / n);
             }
-            return seen.share() * (sum / pixels) + (1 - seen.share()) * ofEmpty(settings, asked);
+            return seen.share() * (sum / pixels) + (1 - seen.share()) * ofEmpty(seen, asked);
         }
     }
 }

@@ -80,6 +80,11 @@ public final class SeenBlocks {
         return !shader.seesNothing();
     }
 
+    /** The number of pixels in a block that the picture does not cut. */
+    public int pixelsOfBlock() {
+        return side * side;
+    }
+
     /** The share of the picture's pixels that are in such blocks. */
     public double share() {
         return share;

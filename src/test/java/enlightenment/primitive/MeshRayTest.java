@@ -20,7 +20,7 @@ class MeshRayTest {
     private static final int FEW = 1_500;
 
     /** By name: a mesh in the cube from −1 to 1. */
-    private static Map<String, TriangleMesh> meshes() {
+    static Map<String, TriangleMesh> meshes() {
         Map<String, TriangleMesh> all = new TreeMap<>();
         all.put("soup", TestMeshes.soup(300, 0.3, 1));
         all.put("dust", TestMeshes.soup(500, 1e-3, 2));

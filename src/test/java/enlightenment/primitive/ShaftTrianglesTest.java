@@ -3,6 +3,7 @@ package enlightenment.primitive;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.TestMeshes;
 import enlightenment.mesh.TriangleMesh;
@@ -10,7 +11,6 @@ import enlightenment.mesh.tree.MeshRay;
 import enlightenment.mesh.tree.ShaftTriangles;
 import enlightenment.mesh.tree.TriangleTree;
 import java.util.Map;
-import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -24,17 +24,9 @@ class ShaftTrianglesTest {
 
     private static final double[] SIZES = {1, 1e-25, 1e25};
 
+    /** By name: a mesh, of which some shafts meet few triangles and others none. */
     private static Map<String, TriangleMesh> meshes() {
-        Map<String, TriangleMesh> all = new TreeMap<>();
-        all.put("soup", TestMeshes.soup(60, 0.3, 1));
-        all.put("dust", TestMeshes.soup(400, 1e-3, 2));
-        all.put(
-                "slivers",
-                TestMeshes.moved(TestMeshes.soup(60, 1, 3), false, v -> new Vec3(v.x(), v.y(), 1e-7 * v.z())));
-        all.put("ball", TestMeshes.icosphere(2));
-        all.put("grid", TestMeshes.grid(8));
-        all.put("grid on its side", TestMeshes.moved(TestMeshes.grid(7), false, v -> new Vec3(0.25, v.x(), v.y())));
-        all.put("cube", TestMeshes.cube());
+        Map<String, TriangleMesh> all = MeshRayTest.meshes();
         all.put("crumbs", TestMeshes.soup(50, 1e-9, 5));
         return all;
     }
@@ -93,21 +85,12 @@ class ShaftTrianglesTest {
             Vec3 middle = point(k / 2);
             double width = k % 5 == 0 ? 0 : k % 5 == 1 ? 1 : 0.05;
             Vec3[] to = new Vec3[SEGMENTS];
-            double[] box = {
-                Double.MAX_VALUE,
-                Double.MAX_VALUE,
-                Double.MAX_VALUE,
-                -Double.MAX_VALUE,
-                -Double.MAX_VALUE,
-                -Double.MAX_VALUE
-            };
             for (int j = 0; j < SEGMENTS; j++) {
                 to[j] = middle.plus(random.inCube().times(width * mesh.maxAbs()));
-                for (int axis = 0; axis < 3; axis++) {
-                    box[axis] = Math.min(box[axis], to[j].component(axis));
-                    box[axis + 3] = Math.max(box[axis + 3], to[j].component(axis));
-                }
             }
+            Vec3 low = Bounds.of(to).min();
+            Vec3 high = Bounds.of(to).max();
+            double[] box = {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
             if (!triangles.find(tree, from.x(), from.y(), from.z(), box, 0, 0, 0)) {
                 return;
             }

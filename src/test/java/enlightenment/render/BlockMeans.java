@@ -31,7 +31,8 @@ final class BlockMeans {
         return all;
     }
 
-    private double[] means(List<double[]> pictures, int left, int top, int right, int bottom) {
+    /** For a part: one number per picture. */
+    double[] means(List<double[]> pictures, int left, int top, int right, int bottom) {
         return pictures.stream()
                 .mapToDouble(rgb -> {
                     double sum = 0;

@@ -12,7 +12,6 @@ import enlightenment.scene.Method;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.RenderSettings.Crop;
 import enlightenment.scene.Scene;
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -39,22 +38,13 @@ class LargeClusterPicturesTest {
                 .withBudget(RenderSettings.Budget.NONE.withSamples(8));
     }
 
-    private static List<double[]> pictures(RenderSettings settings, long first, int count) {
-        List<double[]> all = new ArrayList<>();
-        for (int k = 0; k < count; k++) {
-            float[] rgb = Renderer.render(ROOM, settings.withSeed(first + k)).toArray();
-            double[] values = new double[rgb.length];
-            for (int i = 0; i < rgb.length; i++) {
-                values[i] = rgb[i];
-            }
-            all.add(values);
-        }
-        return all;
+    private static List<double[]> pictures(Method method, int height, long first, int count) {
+        return PhysicalClusterTest.pictures(ROOM, settings(method, height), first, count);
     }
 
     private static void compare(int height, int seeds) {
-        List<double[]> clustered = pictures(settings(Method.CLUSTER, height), 1, seeds);
-        List<double[]> traced = pictures(settings(Method.RAYTRACE, height), APART, seeds);
+        List<double[]> clustered = pictures(Method.CLUSTER, height, 1, seeds);
+        List<double[]> traced = pictures(Method.RAYTRACE, height, APART, seeds);
         Verdict verdict = new BlockMeans(CROP.width(), CROP.height()).compare(clustered, traced);
         assertFalse(verdict.isDifferent(), height + " rows: " + verdict);
     }
@@ -98,35 +88,26 @@ class LargeClusterPicturesTest {
      */
     @Test
     void meansOfSquaresVaryLess() {
-        double shared = varianceOfSquares(pictures(settings(Method.CLUSTER, 640), 1, 8));
-        double alone = varianceOfSquares(pictures(settings(Method.RAYTRACE, 640), APART, 8));
+        double shared = varianceOfSquares(pictures(Method.CLUSTER, 640, 1, 8));
+        double alone = varianceOfSquares(pictures(Method.RAYTRACE, 640, APART, 8));
         assertTrue(shared < alone / 2, shared + " of " + alone);
     }
 
     /** The mean over all squares of 16 × 16 pixels of the variance of their mean. */
     private static double varianceOfSquares(List<double[]> pictures) {
+        BlockMeans means = new BlockMeans(CROP.width(), CROP.height());
         double sum = 0;
         int squares = 0;
         for (int y = 0; y < CROP.height(); y += 16) {
             for (int x = 0; x < CROP.width(); x += 16) {
                 RunningStatistics of = new RunningStatistics();
-                for (double[] picture : pictures) {
-                    of.add(meanOfSquare(picture, x, y));
+                for (double mean : means.means(pictures, x, y, x + 16, y + 16)) {
+                    of.add(mean);
                 }
                 sum += of.variance();
                 squares++;
             }
         }
         return sum / squares;
-    }
-
-    private static double meanOfSquare(double[] picture, int left, int top) {
-        double sum = 0;
-        for (int y = top; y < top + 16; y++) {
-            for (int k = 3 * left; k < 3 * (left + 16); k++) {
-                sum += picture[3 * CROP.width() * y + k];
-            }
-        }
-        return sum / (3 * 16 * 16);
     }
 }

@@ -47,7 +47,8 @@ class PhysicalClusterTest {
         return Renderer.render(scene, settings);
     }
 
-    private static List<double[]> pictures(Scene scene, RenderSettings settings, long first, int count) {
+    /** Pictures with the seeds first, first + 1, … */
+    static List<double[]> pictures(Scene scene, RenderSettings settings, long first, int count) {
         List<double[]> all = new ArrayList<>();
         for (int k = 0; k < count; k++) {
             float[] rgb = image(scene, settings.withSeed(first + k)).toArray();

@@ -96,9 +96,16 @@ final class PilotBlocks {
                 : new RenderPlan(method, NO_EFFORT, 2 * samples, "pilot");
     }
 
-    /** The relative variance of one camera sample of a method that has rendered the blocks. */
+    /**
+     * The relative variance of one camera sample of a method that has rendered the blocks, of which all pixels have as many; after allocation,
+     * if the method allocates.
+     */
     double variance(BuiltInMethod method) {
-        return PilotSpread.relative(PilotSpread.variance(pictures.get(method), PilotPicture::tiles), scale) * samples;
+        double[] variance = PilotSpread.variance(pictures.get(method), PilotPicture::tiles);
+        if (method == BuiltInMethod.RAYTRACE) {
+            return PilotSpread.relative(variance, scale) * samples;
+        }
+        return PilotAllocation.mean(PilotSpread.ofPixels(variance, scale), blocks) * samples;
     }
 
     /** The nanoseconds of one camera sample of a method that has rendered the blocks. */

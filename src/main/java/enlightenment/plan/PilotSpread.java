@@ -70,17 +70,23 @@ final class PilotSpread {
         return sum / variance.length;
     }
 
+    /** The mean of relative variances over the bands of each pixel. */
+    static double[] ofPixels(double[] variance, double[] scale) {
+        double[] all = new double[variance.length / 3];
+        for (int i = 0; i < variance.length; i++) {
+            all[i / 3] += ratio(variance[i], scale[i]) / 3;
+        }
+        return all;
+    }
+
     /** The standard error of {@link #relative}, as the differences between pixels tell it. */
     static double uncertainty(double[] variance, double[] scale) {
         double mean = relative(variance, scale);
-        int pixels = variance.length / 3;
+        double[] of = ofPixels(variance, scale);
+        int pixels = of.length;
         double sum = 0;
         for (int p = 0; p < pixels; p++) {
-            double one = 0;
-            for (int i = 3 * p; i < 3 * p + 3; i++) {
-                one += ratio(variance[i], scale[i]) / 3;
-            }
-            sum += (one - mean) * (one - mean);
+            sum += (of[p] - mean) * (of[p] - mean);
         }
         return Math.sqrt(sum) / pixels;
     }

@@ -11,8 +11,10 @@ import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
 import enlightenment.scene.json.SceneReader;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -53,6 +55,17 @@ class BidirectionalClusterTest {
         Scene door = scene("door-ajar");
         double shared = noise(door, BuiltInMethod.BIDIRECTIONAL_CLUSTER);
         double unshared = noise(door, BuiltInMethod.BIDIRECTIONAL);
+        assertTrue(shared < unshared / 4, shared + " and " + unshared);
+    }
+
+    /** Matte surfaces made plastic, whose reflection depends on direction, as that of most models is. */
+    @Test
+    void inARoomOfPlasticLightPathsHelpAsMuch(@TempDir Path folder) throws IOException {
+        String text = Files.readString(Path.of("scenes", "door-ajar.json"))
+                .replace("\"type\": \"matte\"", "\"type\": \"principled\", \"roughness\": 0.6");
+        Scene plastic = SceneReader.read(Files.writeString(folder.resolve("plastic.json"), text));
+        double shared = noise(plastic, BuiltInMethod.BIDIRECTIONAL_CLUSTER);
+        double unshared = noise(plastic, BuiltInMethod.BIDIRECTIONAL);
         assertTrue(shared < unshared / 4, shared + " and " + unshared);
     }
 

@@ -202,6 +202,15 @@ final class PartnerScenes {
                         .object(
                                 BLOCK,
                                 Principled.of(linear(0.2, 0.9, 0.6), 0.3, 0).withClearcoat(0.5, 0)));
+        scenes.put(
+                "walls of plastic and metal",
+                room(
+                                Principled.of(linear(0.7, 0.8, 0.6), 0.4, 0),
+                                Glossy.metal(linear(1, 0.9, 0.8), COPPER, 0.5),
+                                Principled.of(linear(0.2, 0.9, 0.6), 0.5, 0.5))
+                        .light(panel(-0.2, 0.4, 0.6, 0.3, WARM, false))
+                        .object(BALL, Coated.of(linear(0.2, 0.4, 0.9), 0.5))
+                        .object(BLOCK, Glossy.of(linear(0.9, 0.6, 0.3), 0.8)));
         Texture shares = new Texture.Checker(List.of(Rgb.gray(0.375), new Rgb(1, 0.75, 0.5)), 3);
         scenes.put(
                 "checkered roughness",

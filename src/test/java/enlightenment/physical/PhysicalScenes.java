@@ -77,11 +77,16 @@ final class PhysicalScenes {
 
     /** The walls of a room from −1 to 1, 2 high, open to the viewer; seen in 16 × 16 pixels. */
     static Scene.Builder room() {
+        return room(WHITE, RED, GREEN);
+    }
+
+    /** The same with other materials: of floor, ceiling and back, of the left wall, and of the right one. */
+    static Scene.Builder room(Material back, Material left, Material right) {
         return view(16, 16)
-                .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), WHITE)
-                .object(TestScenes.rectangle(-1, 2, -1, -1, 2, 1, 1, 2, 1, 1, 2, -1), WHITE)
-                .object(TestScenes.rectangle(-1, 0, 1, -1, 2, 1, 1, 2, 1, 1, 0, 1), WHITE)
-                .object(TestScenes.rectangle(-1, 0, -1, -1, 2, -1, -1, 2, 1, -1, 0, 1), RED)
-                .object(TestScenes.rectangle(1, 0, -1, 1, 2, -1, 1, 2, 1, 1, 0, 1), GREEN);
+                .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), back)
+                .object(TestScenes.rectangle(-1, 2, -1, -1, 2, 1, 1, 2, 1, 1, 2, -1), back)
+                .object(TestScenes.rectangle(-1, 0, 1, -1, 2, 1, 1, 2, 1, 1, 0, 1), back)
+                .object(TestScenes.rectangle(-1, 0, -1, -1, 2, -1, -1, 2, 1, -1, 0, 1), left)
+                .object(TestScenes.rectangle(1, 0, -1, 1, 2, -1, 1, 2, 1, 1, 0, 1), right);
     }
 }

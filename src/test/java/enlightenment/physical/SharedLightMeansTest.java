@@ -32,6 +32,7 @@ class SharedLightMeansTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
+                "walls of plastic and metal",
                 "rough glass",
                 "hardly rough glass",
                 "half of rough glass, half of plastic",

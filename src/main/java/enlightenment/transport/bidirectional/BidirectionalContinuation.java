@@ -1,5 +1,6 @@
 package enlightenment.transport.bidirectional;
 
+import enlightenment.bsdf.Lambert;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.ray.Departure;
@@ -19,6 +20,9 @@ public final class BidirectionalContinuation {
     private final EyeSubpath eye;
     private final BidirectionalGathering gathering;
     private final CausticPass caustics;
+    private final boolean sharesRough;
+    private final MeanLobe lobe = new MeanLobe();
+    private final double[] gathered = new double[3];
 
     /**
      * @param path follows the paths that are continued
@@ -29,6 +33,7 @@ public final class BidirectionalContinuation {
         eye = new EyeSubpath(scene, counters, path, caustics);
         gathering = new BidirectionalGathering(scene, counters, eye, null);
         this.caustics = caustics;
+        sharesRough = scene.physical.hasConstantEnvironment();
     }
 
     /**
@@ -55,6 +60,11 @@ public final class BidirectionalContinuation {
         return Departure.isOpen(path) && !path.at.bsdf.hasDelta() && !path.at.isSmooth();
     }
 
+    /** Whether the light of the current surface, where light {@linkplain #isShareable can be shared}, is shared among paths. */
+    public boolean isShared(PathFollower path) {
+        return path.at.bsdf == Lambert.INSTANCE || sharesRough && !path.at.bsdf.isNarrow();
+    }
+
     /** Traces a light subpath. */
     public void emit(Sampler sampler, LightVertices into) {
         LightSubpath light = gathering.light;
@@ -66,7 +76,8 @@ public final class BidirectionalContinuation {
             boolean isLeft = isNarrowCaustic(event);
             if (into.size() > before) {
                 boolean isSurface = event == LightSubpath.Event.SURFACE;
-                into.note(light, isSurface, isSurface && isShareable(light.path));
+                boolean isOpen = isSurface && isShareable(light.path);
+                into.note(light, isSurface, isOpen, isOpen && isShared(light.path));
                 if (isLeft) {
                     into.vertices.bar();
                 }
@@ -126,5 +137,28 @@ public final class BidirectionalContinuation {
             goes = gathering.step(sampler);
         }
         eye.value.get(out);
+    }
+
+    /**
+     * Does the same at a rough vertex, and divides the radiance from each direction.
+     *
+     * @param by divides it
+     */
+    public void follow(Ray arrived, Sampler sampler, int address, double density, LightVertices own, LightDivision by) {
+        gathering.light.vertices = own.vertices;
+        gathering.division = by;
+        eye.beginAt(arrived, address, density);
+        lobe.set(eye.bsdf, by);
+        eye.bsdf = lobe;
+        boolean goes = gathering.scatter(sampler);
+        while (goes) {
+            goes = gathering.step(sampler);
+        }
+        gathering.division = null;
+        // All that the path has met since it left the vertex came from the direction that it left by.
+        eye.value.get(gathered);
+        if (gathered[0] > 0 || gathered[1] > 0 || gathered[2] > 0) {
+            by.divide(gathered[0], gathered[1], gathered[2]);
+        }
     }
 }

@@ -51,6 +51,9 @@ final class BidirectionalGathering {
     /** Whether connections pass nothing. */
     private boolean isDirect;
 
+    /** Receives the light at the first vertex of the eye subpath in place of its {@link EyeSubpath#value}; null if nothing does. */
+    LightDivision division;
+
     /**
      * @param images see {@link #images}
      */
@@ -130,7 +133,9 @@ final class BidirectionalGathering {
 
     /** Adds radiance, in the colour of the path's wavelength if isColored. */
     private void add(boolean isColored, double factor, double r, double g, double b, double ultraviolet) {
-        if (isColored) {
+        if (division != null && eye.isFirst()) {
+            division.divide(factor * r, factor * g, factor * b);
+        } else if (isColored) {
             eye.value.add(factor * r * wavelength.red, factor * g * wavelength.green, factor * b * wavelength.blue);
         } else {
             eye.value.add(factor * r, factor * g, factor * b, factor * ultraviolet);

@@ -1,6 +1,6 @@
 package enlightenment.transport.bidirectional;
 
-import enlightenment.bsdf.Lambert;
+import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Hit;
 import enlightenment.world.PhysicalScene;
@@ -17,10 +17,10 @@ public final class LightVertices {
     /** By vertex, whether it is on an opaque surface: paths from the eye pass others before they are continued. */
     private boolean[] isOpaque = {};
 
-    /** By vertex, whether it may be connected to paths other than its own; and whether it is matte, too. */
+    /** By vertex, whether light can be shared among paths there; and whether it is. */
     private boolean[] isOpen = {};
 
-    private boolean[] isMatte = {};
+    private boolean[] isShared = {};
     private final Scattering leaving = new Scattering();
 
     private final PhysicalScene physical;
@@ -31,22 +31,22 @@ public final class LightVertices {
     }
 
     /** Records the surface that the last vertex is on; to be called before the subpath leaves it. */
-    void note(LightSubpath path, boolean isSurface, boolean opens) {
+    void note(LightSubpath path, boolean isSurface, boolean opens, boolean shares) {
         int k = vertices.size() - 1;
         if (k >= hits.length) {
             int old = hits.length;
             hits = Arrays.copyOf(hits, 2 * k + 4);
             isOpaque = Arrays.copyOf(isOpaque, hits.length);
             isOpen = Arrays.copyOf(isOpen, hits.length);
-            isMatte = Arrays.copyOf(isMatte, hits.length);
+            isShared = Arrays.copyOf(isShared, hits.length);
             for (int i = old; i < hits.length; i++) {
                 hits[i] = new Hit();
             }
         }
         isOpaque[k] = isSurface;
         isOpen[k] = opens;
-        isMatte[k] = opens && path.bsdf == Lambert.INSTANCE;
-        if (isMatte[k]) {
+        isShared[k] = shares;
+        if (shares) {
             hits[k].set(path.path.at.hit);
         }
     }
@@ -77,7 +77,7 @@ public final class LightVertices {
 
     /** Whether vertex k gives light to the first vertices of all paths of a group. */
     public boolean gives(int k) {
-        return isMatte[k] && vertices.bsdf(k) != null && vertices.bounces(k) + 2 <= physical.maxBounces;
+        return isShared[k] && vertices.bsdf(k) != null && vertices.bounces(k) + 2 <= physical.maxBounces;
     }
 
     /** The surface point of vertex k, which {@linkplain #gives gives}. */
@@ -90,8 +90,33 @@ public final class LightVertices {
         return vertices.id(k);
     }
 
+    /** The BSDF of vertex k. */
+    public Bsdf bsdf(int k) {
+        return vertices.bsdf(k);
+    }
+
+    /** The scattering at vertex k, until the next call: o leads to where the light comes from. */
+    public Scattering scattering(int k) {
+        vertices.get(k, leaving);
+        return leaving;
+    }
+
     /**
-     * Writes the light that vertex k, which {@linkplain #gives gives}, sends to the first vertices of paths.
+     * Divides the light that vertex k, which is rough and {@linkplain #gives gives}, reflects to the first vertices of paths.
+     *
+     * @param density as of {@link #leave}
+     */
+    public void divide(int k, double density, LightDivision by) {
+        vertices.get(k, leaving);
+        double back = vertices.survival(k) * by.aim(leaving.ox, leaving.oy, leaving.oz);
+        double others = SubpathDensities.square(density * physical.areaUnit) * vertices.behind(k, back);
+        double cosine = SubpathDensities.cosine(leaving.geometricCosineOut());
+        double f = SubpathDensities.weight(others, 0) * density / cosine;
+        by.divide(f * vertices.red(k), f * vertices.green(k), f * vertices.blue(k));
+    }
+
+    /**
+     * Writes the light that vertex k, which is matte and {@linkplain #gives gives}, sends to the first vertices of paths.
      *
      * @param density the expected number of second vertices per area, with which paths through those first vertices would have found
      *     this one, over the number of light subpaths

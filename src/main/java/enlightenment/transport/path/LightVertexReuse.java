@@ -1,10 +1,10 @@
 package enlightenment.transport.path;
 
-import enlightenment.bsdf.Lambert;
 import enlightenment.bsdf.Scattering;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.bidirectional.BidirectionalContinuation;
+import enlightenment.transport.bidirectional.LightDivision;
 import enlightenment.transport.bidirectional.LightVertices;
 import enlightenment.transport.ray.PathFollower;
 import enlightenment.transport.state.PathState;
@@ -74,9 +74,7 @@ final class LightVertexReuse {
         }
         boolean isSecond = !cut.gives && path.surfaces == 1 && state.events == 1 && state.hasDirect;
         boolean isShared = cut.takes && BidirectionalContinuation.isShareable(path);
-        boolean mayCut =
-                path.at.bsdf == Lambert.INSTANCE || physical.hasConstantEnvironment() && !path.at.bsdf.isNarrow();
-        if (isSecond && isShared && mayCut) {
+        if (isSecond && isShared && continuation.isShared(path)) {
             return false;
         }
         double density = isSecond && !isShared ? density(arrived, state) : 0;
@@ -93,15 +91,21 @@ final class LightVertexReuse {
     }
 
     /**
-     * Finds the light that a matte second vertex gives.
+     * Finds the light that a second vertex gives.
      *
      * @param density the expected number of second vertices per area there, over that of light subpaths
+     * @param by divides it, if the vertex is rough; of a matte one it becomes {@link PathCut#given}
      */
-    void finish(PathCut cut, double density) {
+    void finish(PathCut cut, double density, LightDivision by) {
         ray.set(cut.arrived);
         path.resume(ray);
-        if (path.next(ray) == PathFollower.Event.SURFACE) {
+        if (path.next(ray) != PathFollower.Event.SURFACE) {
+            return;
+        }
+        if (cut.secondLobes == null) {
             continuation.follow(ray, cut.sampler, cut.address, density, cut.light, cut.given);
+        } else {
+            continuation.follow(ray, cut.sampler, cut.address, density, cut.light, by);
         }
     }
 }

@@ -4,6 +4,7 @@ import enlightenment.bsdf.Bsdf;
 import enlightenment.bsdf.Scattering;
 import enlightenment.bsdf.ScatteringBatch;
 import enlightenment.primitive.Hit;
+import enlightenment.transport.bidirectional.LightDivision;
 import enlightenment.transport.state.IncidentLight;
 import java.util.Arrays;
 
@@ -11,7 +12,7 @@ import java.util.Arrays;
  * Path reuse at rough vertices, whose reflection depends on direction (at matte ones it does not). First vertices are in the order of
  * {@link PathConnections}. One per thread.
  */
-final class LobeShares {
+final class LobeShares implements LightDivision {
     /** By first vertex, its BSDF and scattering geometry if it is rough; null if it is matte. */
     private Bsdf[] lobes = {};
 
@@ -34,6 +35,12 @@ final class LobeShares {
 
     /** The scattering at a rough second vertex, a column for each first vertex that it reflects light to. */
     private ScatteringBatch from;
+
+    /** Of that vertex, its BSDF, the shares of first vertices, and their sum. */
+    private Bsdf second;
+
+    private double[] sharesOfSecond;
+    private double sumOfShares;
 
     private int count;
 
@@ -173,11 +180,44 @@ final class LobeShares {
         }
     }
 
-    /** Divides the light that a rough second vertex reflects. */
-    void giveRough(PathCut giver, double[] x, double[] y, double[] z, double[] shares) {
-        aim(from.ox, from.oy, from.oz, giver.second, 1, x, y, z, 0, count);
-        fill(from.nx, from.ny, from.nz, giver.atSecond.nx, giver.atSecond.ny, giver.atSecond.nz);
-        fill(from.red, from.green, from.blue, giver.atSecond.red, giver.atSecond.green, giver.atSecond.blue);
+    /**
+     * Sets the rough vertex whose light is divided next.
+     *
+     * @param at the surface there, with colour and normal
+     */
+    void begin(Hit vertex, Scattering at, Bsdf bsdf, double[] x, double[] y, double[] z, double[] shares, double sum) {
+        aim(from.ox, from.oy, from.oz, vertex, 1, x, y, z, 0, count);
+        fill(from.nx, from.ny, from.nz, at.nx, at.ny, at.nz);
+        fill(from.red, from.green, from.blue, at.red, at.green, at.blue);
+        second = bsdf;
+        sharesOfSecond = shares;
+        sumOfShares = sum;
+    }
+
+    @Override
+    public double aim(double ix, double iy, double iz) {
+        fill(from.ix, from.iy, from.iz, ix, iy, iz);
+        evaluate(second);
+        double density = 0;
+        for (int n = 0; n < count; n++) {
+            density += sharesOfSecond[n] * from.pdf[n];
+        }
+        return density / sumOfShares;
+    }
+
+    @Override
+    public void divide(double r, double g, double b) {
+        double scale = 1 / sumOfShares;
+        for (int n = 0; n < count; n++) {
+            double share = sharesOfSecond[n] * scale;
+            gainedR[n] = Math.fma(red[n] * share, from.valueR[n] * r, gainedR[n]);
+            gainedG[n] = Math.fma(green[n] * share, from.valueG[n] * g, gainedG[n]);
+            gainedB[n] = Math.fma(blue[n] * share, from.valueB[n] * b, gainedB[n]);
+        }
+    }
+
+    /** Divides the light that the rough second vertex reflects, of a path that has gone on alone. */
+    void giveRough(PathCut giver, double[] shares) {
         IncidentLight lamp = giver.lamp;
         if (lamp.density > 0) {
             fill(from.ix, from.iy, from.iz, lamp.dx, lamp.dy, lamp.dz);
@@ -221,13 +261,8 @@ final class LobeShares {
             return;
         }
         note(square, sum);
-        double scale = 1 / sum;
-        for (int n = 0; n < count; n++) {
-            double share = shares[n] * scale;
-            gainedR[n] = Math.fma(red[n] * share, from.valueR[n] * r, gainedR[n]);
-            gainedG[n] = Math.fma(green[n] * share, from.valueG[n] * g, gainedG[n]);
-            gainedB[n] = Math.fma(blue[n] * share, from.valueB[n] * b, gainedB[n]);
-        }
+        sumOfShares = sum;
+        divide(r, g, b);
     }
 
     private void note(double square, double sum) {

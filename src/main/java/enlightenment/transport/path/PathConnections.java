@@ -1,5 +1,6 @@
 package enlightenment.transport.path;
 
+import enlightenment.bsdf.Lambert;
 import enlightenment.primitive.Hit;
 import enlightenment.primitive.Ray;
 import enlightenment.transport.bidirectional.LightVertices;
@@ -225,13 +226,15 @@ public final class PathConnections {
             if (!(sum > 0)) {
                 continue;
             }
-            light.leave(v, sum / Math.PI / givers, leaving);
-            double scale = 1 / (Math.PI * givers);
-            if (lobes.hasRough()) {
-                lobes.giveMatte(shares, sum, scale * leaving[0], scale * leaving[1], scale * leaving[2]);
-            } else {
-                gain(scale * leaving[0], scale * leaving[1], scale * leaving[2]);
+            double density = sum / Math.PI / givers;
+            if (light.bsdf(v) != Lambert.INSTANCE) {
+                lobes.begin(light.hit(v), light.scattering(v), light.bsdf(v), x, y, z, shares, sum);
+                light.divide(v, density, lobes);
+                continue;
             }
+            light.leave(v, density, leaving);
+            double scale = 1 / (Math.PI * givers);
+            giveMatte(sum, scale * leaving[0], scale * leaving[1], scale * leaving[2]);
         }
     }
 
@@ -281,15 +284,26 @@ public final class PathConnections {
         if (!(sum > 0)) {
             return;
         }
-        if (giver.isOpenEnded) {
-            reuse.finish(giver, sum / Math.PI / givers);
+        boolean isRough = giver.secondLobes != null;
+        if (isRough) {
+            lobes.begin(giver.second, giver.atSecond, giver.secondLobes, x, y, z, shares, sum);
         }
-        if (giver.secondLobes != null) {
-            lobes.giveRough(giver, x, y, z, shares);
-        } else if (lobes.hasRough()) {
-            lobes.giveMatte(shares, sum, giver.given[0] / sum, giver.given[1] / sum, giver.given[2] / sum);
+        if (giver.isOpenEnded) {
+            reuse.finish(giver, sum / Math.PI / givers, lobes);
+        }
+        if (!isRough) {
+            giveMatte(sum, giver.given[0] / sum, giver.given[1] / sum, giver.given[2] / sum);
+        } else if (!giver.isOpenEnded) {
+            lobes.giveRough(giver, shares);
+        }
+    }
+
+    /** Divides the radiance that leaves a matte vertex, given as its ratio to the sum of the shares. */
+    private void giveMatte(double sum, double r, double g, double b) {
+        if (lobes.hasRough()) {
+            lobes.giveMatte(shares, sum, r, g, b);
         } else {
-            gain(giver.given[0] / sum, giver.given[1] / sum, giver.given[2] / sum);
+            gain(r, g, b);
         }
     }
 

@@ -273,6 +273,10 @@ public final class PathIntegrator extends EyePathTracer {
                 && cut != null
                 && path.surfaces < 2
                 && cut.noteRough(path, bsdf, s, value, physical.hasConstantEnvironment())) {
+            if (reuse != null) {
+                cut.endOpen(ray, state);
+                return false;
+            }
             return leaveCut(ray, bsdf, s, sampler);
         }
         if (!isNarrow) {

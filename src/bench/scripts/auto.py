@@ -4,9 +4,10 @@
     python3 src/bench/scripts/auto.py costs --work FOLDER
 
 `race` renders pictures of at most N pixels of scenes of this repository and of those below FOLDER (reference/*, scenes/*: folders with reference.pfm
-and scene.json or scene.xml) by every method that can, with K seeds each, and prints the table of docs/guide/methods.md. Scenes without a
+and scene.json or scene.xml) by every method that can, with K seeds each, and prints the table of docs/notes/methods.md. Scenes without a
 reference.pfm get one by a long render of the method that is named here. The error is that of light, relative: squares over
-m^2 + (0.05 M)^2, with m the pixel and M the picture's mean, as `relativeError` of reports. CPU-seconds are user and system time of the
+m^2 + (0.05 M)^2, with m the pixel and M the picture's mean, as `relativeError` of reports; a second table leaves out the thousandth of
+pixels with the largest errors, as a few bright dots may outweigh all the rest (and objects that a method cannot see). CPU-seconds are user and system time of the
 whole process, less those of the same program for a picture of one pixel (start-up, reading the scene).
 Every run is kept as a line in WORK/runs.csv, and is not measured again: remove the file to begin anew.
 `costs` compares the costs by which auto chooses with the processor time of the same renders, from the reports that `race` leaves in WORK.
@@ -64,8 +65,10 @@ def shrunk(picture, factor):
 
 
 def relative(picture, reference):
+    """The error of all pixels, and of all but the thousandth with the largest ones."""
     mean = reference.mean(axis=(0, 1))
-    return float(numpy.mean((picture - reference) ** 2 / (reference**2 + (0.05 * mean) ** 2)))
+    errors = numpy.sort(((picture - reference) ** 2 / (reference**2 + (0.05 * mean) ** 2)).mean(axis=2).ravel())
+    return float(errors.mean()), float(errors[: len(errors) - math.ceil(len(errors) / 1000)].mean())
 
 
 def given(folder, work, most):
@@ -111,7 +114,7 @@ def known(file):
     if not file.exists():
         return {}
     with open(file) as lines:
-        return {(r["scene"], r["method"], r["samples"], r["seed"]): (r["error"], r["cpu"]) for r in csv.DictReader(lines)}
+        return {(r["scene"], r["method"], r["samples"], r["seed"]): (r["error"], r["trimmed"], r["cpu"]) for r in csv.DictReader(lines)}
 
 
 def race(chosen):
@@ -135,23 +138,28 @@ def race(chosen):
                         continue
                     seconds = render(
                         chosen.jar, scene, "1x1" if tiny else size, method, 1 if tiny else chosen.samples, seed, out, report)
-                    error = 0 if tiny else math.nan if seconds is None else relative(read_pfm(out), reference)
-                    runs[key] = (error, math.nan if seconds is None else seconds)
+                    if tiny:
+                        runs[key] = (0, 0, seconds)
+                    elif seconds is None:
+                        runs[key] = (math.nan, math.nan, math.nan)
+                    else:
+                        runs[key] = (*relative(read_pfm(out), reference), seconds)
                     is_new = not file.exists()
                     with open(file, "a") as lines:
                         writer = csv.writer(lines)
                         if is_new:
-                            writer.writerow(["scene", "method", "samples", "seed", "error", "cpu"])
+                            writer.writerow(["scene", "method", "samples", "seed", "error", "trimmed", "cpu"])
                         writer.writerow(list(key) + list(runs[key]))
-        start = float(runs[(name, "raytrace", str(chosen.samples), "0")][1])
+        start = float(runs[(name, "raytrace", str(chosen.samples), "0")][2])
         row = {}
         for method in chosen.methods:
             of = [tuple(map(float, runs[(name, method, str(chosen.samples), str(s))])) for s in range(1, chosen.seeds + 1)]
-            error = sum(e for e, _ in of) / len(of)
-            seconds = sum(max(t - start, 0.01) for _, t in of) / len(of)
-            row[method] = (error, seconds)
+            seconds = sum(max(t - start, 0.01) for _, _, t in of) / len(of)
+            row[method] = [seconds * sum(run[which] for run in of) / len(of) for which in (0, 1)]
         table[name] = row
-    print_table(table, chosen.methods, work, chosen.samples)
+    for which, title in enumerate(["All pixels", "Without the thousandth of pixels with the largest errors"]):
+        print(f"\n{title}:\n")
+        print_table({name: {m: w[which] for m, w in row.items()} for name, row in table.items()}, chosen.methods, work, chosen.samples)
 
 
 def chose(work, name, samples):
@@ -164,8 +172,7 @@ def print_table(table, methods, work, samples):
     print("| scene | " + " | ".join(f"`{m}`" for m in methods) + " | auto chose |")
     print("|---|" + "---|" * (len(methods) + 1))
     shares = {m: [] for m in methods}
-    for name, row in table.items():
-        work_of = {m: e * t for m, (e, t) in row.items()}
+    for name, work_of in table.items():
         best = min(w for m, w in work_of.items() if m in FIXED and not math.isnan(w))
         cells = []
         for m in methods:

@@ -108,10 +108,9 @@ public final class LightVertices {
      */
     public void divide(int k, double density, LightDivision by) {
         vertices.get(k, leaving);
-        double back = vertices.survival(k) * by.aim(leaving.ox, leaving.oy, leaving.oz);
-        double others = SubpathDensities.square(density * physical.areaUnit) * vertices.behind(k, back);
-        double cosine = SubpathDensities.cosine(leaving.geometricCosineOut());
-        double f = SubpathDensities.weight(others, 0) * density / cosine;
+        double weight = weight(k, density, by.aim(leaving.ox, leaving.oy, leaving.oz));
+        // The BSDF's values have this cosine, the power of a light subpath has it, too.
+        double f = weight * density / SubpathDensities.cosine(leaving.geometricCosineOut());
         by.divide(f * vertices.red(k), f * vertices.green(k), f * vertices.blue(k));
     }
 
@@ -124,12 +123,20 @@ public final class LightVertices {
      */
     public void leave(int k, double density, double[] out) {
         vertices.get(k, leaving);
-        double cosine = leaving.geometricCosineOut();
-        double back = vertices.survival(k) * cosine / Math.PI;
-        double others = SubpathDensities.square(density * physical.areaUnit) * vertices.behind(k, back);
-        double f = SubpathDensities.weight(others, 0) / Math.PI;
+        double f = weight(k, density, leaving.geometricCosineOut() / Math.PI) / Math.PI;
         out[0] = f * leaving.red * vertices.red(k);
         out[1] = f * leaving.green * vertices.green(k);
         out[2] = f * leaving.blue * vertices.blue(k);
+    }
+
+    /**
+     * The MIS weight of light that vertex k gives.
+     *
+     * @param density as of {@link #leave}
+     * @param back the density per solid angle with which paths from the eye leave the vertex to where its light comes from
+     */
+    private double weight(int k, double density, double back) {
+        double others = SubpathDensities.square(density * physical.areaUnit);
+        return SubpathDensities.weight(others * vertices.behind(k, vertices.survival(k) * back), 0);
     }
 }

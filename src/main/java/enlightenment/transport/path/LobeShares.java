@@ -36,7 +36,7 @@ final class LobeShares implements LightDivision {
     /** The scattering at a rough second vertex, a column for each first vertex that it reflects light to. */
     private ScatteringBatch from;
 
-    /** Of that vertex, its BSDF, the shares of first vertices, and their sum. */
+    /** Of that vertex, its BSDF, the shares of first vertices, and what these are divided by: their sum, until {@link #give} has another. */
     private Bsdf second;
 
     private double[] sharesOfSecond;

@@ -77,7 +77,7 @@ public final class PathCut {
 
     double metDensity;
 
-    /** Where light subpaths are reused: whether the light that a matte second vertex gives has yet to be found. */
+    /** Where light subpaths are reused: whether the light that the second vertex gives has yet to be found. */
     boolean isOpenEnded;
 
     /** The ray by which such a path came to its second vertex, and the address of its next random numbers. */

@@ -2,15 +2,22 @@ package enlightenment.physical;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.color.Rgb;
 import enlightenment.image.Image;
+import enlightenment.material.Glossy;
+import enlightenment.material.Principled;
 import enlightenment.render.Welch;
 import enlightenment.scene.BuiltInMethod;
 import enlightenment.scene.RenderSettings;
 import enlightenment.scene.Scene;
+import enlightenment.scene.Shading;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -53,20 +60,39 @@ class SharedLightMeansTest {
         compare(name, 48);
     }
 
+    /** Light of a sky and its sun, which only paths from the eye find, beside that of a lamp. */
+    @Test
+    void roughWallsUnderASkyHaveTheSameMeans() {
+        Shading.Background sky = Shading.Background.Sky.of(30, 150);
+        Scene scene = PhysicalScenes.room(
+                        Principled.of(PhysicalScenes.linear(0.7, 0.8, 0.6), 0.4, 0),
+                        Glossy.of(PhysicalScenes.linear(0.9, 0.6, 0.3), 0.8),
+                        Principled.of(PhysicalScenes.linear(0.2, 0.9, 0.6), 0.5, 0.5))
+                .shading(new Shading.Physical(OptionalInt.empty(), sky, Optional.empty()))
+                .light(PhysicalScenes.panel(-0.2, 0.4, 0.6, 0.3, new Rgb(5, 4, 2), false))
+                .name("rough walls under a sky")
+                .build();
+        compare(scene, 16);
+    }
+
     private static void compare(String name, int pictures) {
-        List<Image> shared = render(name, BuiltInMethod.BIDIRECTIONAL_CLUSTER, pictures);
-        List<Image> unshared = render(name, BuiltInMethod.CLUSTER, pictures);
+        compare(SCENES.get(name), pictures);
+    }
+
+    private static void compare(Scene scene, int pictures) {
+        List<Image> shared = render(scene, BuiltInMethod.BIDIRECTIONAL_CLUSTER, pictures);
+        List<Image> unshared = render(scene, BuiltInMethod.CLUSTER, pictures);
         double level = Welch.sidak(0.01, 3 * SCENES.size());
         for (int band = 0; band < 3; band++) {
             Welch test = Welch.of(means(shared, band), means(unshared, band));
             assertTrue(
                     test.probability() >= level,
-                    name + ", band " + band + ": " + test.deviations() + " standard errors of " + test.standardError());
+                    scene.name() + ", band " + band + ": " + test.deviations() + " standard errors of "
+                            + test.standardError());
         }
     }
 
-    private static List<Image> render(String name, BuiltInMethod method, int pictures) {
-        Scene scene = SCENES.get(name);
+    private static List<Image> render(Scene scene, BuiltInMethod method, int pictures) {
         RenderSettings settings =
                 RenderSettings.of(scene).withMethod(method).withBudget(RenderSettings.Budget.NONE.withSamples(SAMPLES));
         return Rendered.seeds(scene, settings, 0, pictures);

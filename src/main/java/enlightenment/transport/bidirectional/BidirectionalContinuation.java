@@ -1,6 +1,5 @@
 package enlightenment.transport.bidirectional;
 
-import enlightenment.bsdf.Lambert;
 import enlightenment.primitive.Ray;
 import enlightenment.sampling.Sampler;
 import enlightenment.transport.ray.Departure;
@@ -20,7 +19,6 @@ public final class BidirectionalContinuation {
     private final EyeSubpath eye;
     private final BidirectionalGathering gathering;
     private final CausticPass caustics;
-    private final boolean sharesRough;
     private final MeanLobe lobe = new MeanLobe();
     private final double[] gathered = new double[3];
 
@@ -33,7 +31,6 @@ public final class BidirectionalContinuation {
         eye = new EyeSubpath(scene, counters, path, caustics);
         gathering = new BidirectionalGathering(scene, counters, eye, null);
         this.caustics = caustics;
-        sharesRough = scene.physical.hasConstantEnvironment();
     }
 
     /**
@@ -61,8 +58,8 @@ public final class BidirectionalContinuation {
     }
 
     /** Whether the light of the current surface, where light {@linkplain #isShareable can be shared}, is shared among paths. */
-    public boolean isShared(PathFollower path) {
-        return path.at.bsdf == Lambert.INSTANCE || sharesRough && !path.at.bsdf.isNarrow();
+    public static boolean isShared(PathFollower path) {
+        return !path.at.bsdf.isNarrow();
     }
 
     /** Traces a light subpath. */

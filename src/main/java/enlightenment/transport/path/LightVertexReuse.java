@@ -74,7 +74,7 @@ final class LightVertexReuse {
         }
         boolean isSecond = !cut.gives && path.surfaces == 1 && state.events == 1 && state.hasDirect;
         boolean isShared = cut.takes && BidirectionalContinuation.isShareable(path);
-        if (isSecond && isShared && continuation.isShared(path)) {
+        if (isSecond && isShared && BidirectionalContinuation.isShared(path)) {
             return false;
         }
         double density = isSecond && !isShared ? density(arrived, state) : 0;

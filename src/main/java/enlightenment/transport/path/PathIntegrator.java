@@ -272,7 +272,7 @@ public final class PathIntegrator extends EyePathTracer {
                 && !path.at.isSmooth()
                 && cut != null
                 && path.surfaces < 2
-                && cut.noteRough(path, bsdf, s, value, physical.hasConstantEnvironment())) {
+                && cut.noteRough(path, bsdf, s, value, reuse != null || physical.hasConstantEnvironment())) {
             if (reuse != null) {
                 cut.endOpen(ray, state);
                 return false;

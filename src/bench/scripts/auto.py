@@ -185,7 +185,8 @@ def print_table(table, methods, work, samples):
 
 
 # PilotCosts.java: nanoseconds of a camera sample and of a surface that is met; then of a shadow ray and of a test.
-TABLE = {"raytrace": (500, 1500), "cluster": (500, 1200), "light": (300, 900), "bidirectional": (1500, 1650), "metropolis": (500, 2000)}
+TABLE = {"raytrace": (500, 1500), "cluster": (500, 1200), "light": (300, 900), "bidirectional": (1500, 1650), "metropolis": (500, 2000),
+         "bidirectional-cluster": (1500, 1200)}
 SHADOW_RAY, TEST = 200, 6
 
 

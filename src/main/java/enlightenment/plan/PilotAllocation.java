@@ -1,7 +1,7 @@
 package enlightenment.plan;
 
 import enlightenment.scene.RenderSettings;
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -16,17 +16,16 @@ final class PilotAllocation {
     /** The share of samples that are the same for all pixels. */
     private static final double EVEN = 0.5;
 
-    private final double[] variance;
-    private final List<RenderSettings.Crop> blocks;
+    private PilotAllocation() {}
 
-    /** The sum of the roots of variances that allocate. */
-    private double roots;
-
-    private double allocated;
-
-    private PilotAllocation(double[] variance, List<RenderSettings.Crop> blocks) {
-        this.variance = variance;
-        this.blocks = blocks;
+    /** Pixels of one colour in a cell, by the sum of their variances, and the root of the mean variance of the others. */
+    private record Half(int pixels, double variance, double root) {
+        Half(double[] sums, int[] counts, int color) {
+            this(
+                    counts[color],
+                    sums[color],
+                    counts[1 - color] == 0 ? 0 : Math.sqrt(sums[1 - color] / counts[1 - color]));
+        }
     }
 
     /**
@@ -35,60 +34,44 @@ final class PilotAllocation {
      * @param variance of one sample of each pixel, block by block
      */
     static double mean(double[] variance, List<RenderSettings.Crop> blocks) {
-        PilotAllocation allocation = new PilotAllocation(variance, blocks);
-        allocation.forEachCell(
-                (pixels, other) -> allocation.roots += pixels.length * Math.sqrt(allocation.meanOf(other)));
-        if (!(allocation.roots > 0)) {
+        List<Half> halves = halves(variance, blocks);
+        double roots = halves.stream().mapToDouble(h -> h.pixels * h.root).sum();
+        if (!(roots > 0)) {
             return 0;
         }
-        double mean = allocation.roots / variance.length;
-        allocation.forEachCell((pixels, other) -> {
-            double samples = EVEN + (1 - EVEN) * Math.sqrt(allocation.meanOf(other)) / mean;
-            for (int p : pixels) {
-                allocation.allocated += variance[p] / samples;
-            }
-        });
-        return allocation.allocated / variance.length;
+        double mean = roots / variance.length;
+        return halves.stream()
+                        .mapToDouble(h -> h.variance / (EVEN + (1 - EVEN) * h.root / mean))
+                        .sum()
+                / variance.length;
     }
 
-    private double meanOf(int[] pixels) {
-        double sum = 0;
-        for (int p : pixels) {
-            sum += variance[p];
-        }
-        return pixels.length == 0 ? 0 : sum / pixels.length;
-    }
-
-    /** Receives the pixels of one colour in a cell, and those of the other. */
-    private interface Visitor {
-        void accept(int[] pixels, int[] others);
-    }
-
-    private void forEachCell(Visitor visitor) {
+    private static List<Half> halves(double[] variance, List<RenderSettings.Crop> blocks) {
+        List<Half> halves = new ArrayList<>();
         int first = 0;
         for (RenderSettings.Crop block : blocks) {
-            for (int y = 0; y < block.height(); y += CELL) {
-                for (int x = 0; x < block.width(); x += CELL) {
-                    int[] black = pixels(block, first, x, y, 0);
-                    int[] white = pixels(block, first, x, y, 1);
-                    visitor.accept(black, white);
-                    visitor.accept(white, black);
+            for (int top = 0; top < block.height(); top += CELL) {
+                for (int left = 0; left < block.width(); left += CELL) {
+                    addCell(variance, first, block, left, top, halves);
                 }
             }
             first += block.width() * block.height();
         }
+        return halves;
     }
 
-    private static int[] pixels(RenderSettings.Crop block, int first, int left, int top, int color) {
-        int[] some = new int[CELL * CELL];
-        int count = 0;
+    private static void addCell(
+            double[] variance, int first, RenderSettings.Crop block, int left, int top, List<Half> halves) {
+        double[] sums = new double[2];
+        int[] counts = new int[2];
         for (int y = top; y < Math.min(top + CELL, block.height()); y++) {
             for (int x = left; x < Math.min(left + CELL, block.width()); x++) {
-                if (((x ^ y) & 1) == color) {
-                    some[count++] = first + block.width() * y + x;
-                }
+                int color = (x ^ y) & 1;
+                sums[color] += variance[first + block.width() * y + x];
+                counts[color]++;
             }
         }
-        return Arrays.copyOf(some, count);
+        halves.add(new Half(sums, counts, 0));
+        halves.add(new Half(sums, counts, 1));
     }
 }

@@ -80,7 +80,7 @@ final class PhysicalScenes {
         return room(WHITE, RED, GREEN);
     }
 
-    /** The same with other materials: of floor, ceiling and back, of the left wall, and of the right one. */
+    /** That room with materials of floor, ceiling and back, of the left wall, and of the right one. */
     static Scene.Builder room(Material back, Material left, Material right) {
         return view(16, 16)
                 .object(TestScenes.rectangle(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), back)

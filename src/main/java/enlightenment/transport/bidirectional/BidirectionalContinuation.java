@@ -57,7 +57,7 @@ public final class BidirectionalContinuation {
         return Departure.isOpen(path) && !path.at.bsdf.hasDelta() && !path.at.isSmooth();
     }
 
-    /** Whether the light of the current surface, where light {@linkplain #isShareable can be shared}, is shared among paths. */
+    /** Whether the light of the current surface, where it {@linkplain #isShareable can be}, is shared among paths: not at narrow lobes. */
     public static boolean isShared(PathFollower path) {
         return !path.at.bsdf.isNarrow();
     }
@@ -129,6 +129,10 @@ public final class BidirectionalContinuation {
     public void follow(Ray arrived, Sampler sampler, int address, double density, LightVertices own, double[] out) {
         gathering.light.vertices = own.vertices;
         eye.beginAt(arrived, address, density);
+        followToEnd(sampler, out);
+    }
+
+    private void followToEnd(Sampler sampler, double[] out) {
         boolean goes = gathering.scatter(sampler);
         while (goes) {
             goes = gathering.step(sampler);
@@ -137,7 +141,7 @@ public final class BidirectionalContinuation {
     }
 
     /**
-     * Does the same at a rough vertex, and divides the radiance from each direction.
+     * Gathers light as the other {@code follow}, at a rough vertex, and divides the radiance from each direction.
      *
      * @param by divides it
      */
@@ -147,13 +151,9 @@ public final class BidirectionalContinuation {
         eye.beginAt(arrived, address, density);
         lobe.set(eye.bsdf, by);
         eye.bsdf = lobe;
-        boolean goes = gathering.scatter(sampler);
-        while (goes) {
-            goes = gathering.step(sampler);
-        }
+        followToEnd(sampler, gathered);
         gathering.division = null;
         // All that the path has met since it left the vertex came from the direction that it left by.
-        eye.value.get(gathered);
         if (gathered[0] > 0 || gathered[1] > 0 || gathered[2] > 0) {
             by.divide(gathered[0], gathered[1], gathered[2]);
         }

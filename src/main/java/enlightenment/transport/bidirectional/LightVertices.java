@@ -107,7 +107,7 @@ public final class LightVertices {
      * @param density as of {@link #leave}
      */
     public void divide(int k, double density, LightDivision by) {
-        vertices.get(k, leaving);
+        scattering(k);
         double weight = weight(k, density, by.aim(leaving.ox, leaving.oy, leaving.oz));
         // The BSDF's values have this cosine, the power of a light subpath has it, too.
         double f = weight * density / SubpathDensities.cosine(leaving.geometricCosineOut());
@@ -122,7 +122,7 @@ public final class LightVertices {
      * @param out receives power per solid angle and projected area, times the MIS weight
      */
     public void leave(int k, double density, double[] out) {
-        vertices.get(k, leaving);
+        scattering(k);
         double f = weight(k, density, leaving.geometricCosineOut() / Math.PI) / Math.PI;
         out[0] = f * leaving.red * vertices.red(k);
         out[1] = f * leaving.green * vertices.green(k);

@@ -14,7 +14,7 @@ final class MeanLobe implements Bsdf {
     /**
      * Sets the vertex.
      *
-     * @param lobe its BSDF, opaque and without delta lobes
+     * @param lobe its BSDF, opaque, without delta lobes, not narrow
      * @param by divides its light
      */
     void set(Bsdf lobe, LightDivision by) {
@@ -30,11 +30,6 @@ final class MeanLobe implements Bsdf {
     @Override
     public boolean transmits() {
         return false;
-    }
-
-    @Override
-    public boolean isNarrow() {
-        return own.isNarrow();
     }
 
     @Override

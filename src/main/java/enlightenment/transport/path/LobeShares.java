@@ -36,7 +36,7 @@ final class LobeShares implements LightDivision {
     /** The scattering at a rough second vertex, a column for each first vertex that it reflects light to. */
     private ScatteringBatch from;
 
-    /** Of that vertex, its BSDF, the shares of first vertices, and what these are divided by: their sum, until {@link #give} has another. */
+    /** Of that vertex, its BSDF, the shares of first vertices, and their sum. */
     private Bsdf second;
 
     private double[] sharesOfSecond;
@@ -196,8 +196,7 @@ final class LobeShares implements LightDivision {
 
     @Override
     public double aim(double ix, double iy, double iz) {
-        fill(from.ix, from.iy, from.iz, ix, iy, iz);
-        evaluate(second);
+        turn(ix, iy, iz);
         double density = 0;
         for (int n = 0; n < count; n++) {
             density += sharesOfSecond[n] * from.pdf[n];
@@ -207,7 +206,11 @@ final class LobeShares implements LightDivision {
 
     @Override
     public void divide(double r, double g, double b) {
-        double scale = 1 / sumOfShares;
+        divide(sumOfShares, r, g, b);
+    }
+
+    private void divide(double sum, double r, double g, double b) {
+        double scale = 1 / sum;
         for (int n = 0; n < count; n++) {
             double share = sharesOfSecond[n] * scale;
             gainedR[n] = Math.fma(red[n] * share, from.valueR[n] * r, gainedR[n]);
@@ -217,25 +220,25 @@ final class LobeShares implements LightDivision {
     }
 
     /** Divides the light that the rough second vertex reflects, of a path that has gone on alone. */
-    void giveRough(PathCut giver, double[] shares) {
+    void giveRough(PathCut giver) {
         IncidentLight lamp = giver.lamp;
         if (lamp.density > 0) {
-            fill(from.ix, from.iy, from.iz, lamp.dx, lamp.dy, lamp.dz);
-            evaluate(giver.secondLobes);
-            give(shares, lamp.density, lamp.hasExtent ? 1 : 0, lamp.red, lamp.green, lamp.blue);
+            turn(lamp.dx, lamp.dy, lamp.dz);
+            give(lamp.density, lamp.hasExtent ? 1 : 0, lamp.red, lamp.green, lamp.blue);
         }
         if (giver.wentOn) {
-            fill(from.ix, from.iy, from.iz, giver.onX, giver.onY, giver.onZ);
-            evaluate(giver.secondLobes);
-            give(shares, 0, 1, giver.given[0], giver.given[1], giver.given[2]);
+            turn(giver.onX, giver.onY, giver.onZ);
+            give(0, 1, giver.given[0], giver.given[1], giver.given[2]);
             if (giver.metDensity > 0) {
-                give(shares, giver.metDensity, 1, giver.met[0], giver.met[1], giver.met[2]);
+                give(giver.metDensity, 1, giver.met[0], giver.met[1], giver.met[2]);
             }
         }
     }
 
-    private void evaluate(Bsdf bsdf) {
-        bsdf.evaluate(from, 0, count);
+    /** Evaluates the BSDF of the rough second vertex for light from a direction. */
+    private void turn(double ix, double iy, double iz) {
+        fill(from.ix, from.iy, from.iz, ix, iy, iz);
+        second.evaluate(from, 0, count);
         evaluations += count;
     }
 
@@ -246,14 +249,14 @@ final class LobeShares implements LightDivision {
     }
 
     /** Divides incident radiance over the sum of all densities with which all paths would have sampled it: the light's and the lobe's. */
-    private void give(double[] shares, double ofLight, double byLobe, double r, double g, double b) {
+    private void give(double ofLight, double byLobe, double r, double g, double b) {
         if (!(r > 0 || g > 0 || b > 0)) {
             return;
         }
         double sum = 0;
         double square = 0;
         for (int n = 0; n < count; n++) {
-            double density = shares[n] * Math.fma(byLobe, from.pdf[n], ofLight);
+            double density = sharesOfSecond[n] * Math.fma(byLobe, from.pdf[n], ofLight);
             sum += density;
             square = Math.fma(density, density, square);
         }
@@ -261,8 +264,7 @@ final class LobeShares implements LightDivision {
             return;
         }
         note(square, sum);
-        sumOfShares = sum;
-        divide(r, g, b);
+        divide(sum, r, g, b);
     }
 
     private void note(double square, double sum) {

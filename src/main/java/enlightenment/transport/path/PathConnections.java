@@ -294,7 +294,7 @@ public final class PathConnections {
         if (!isRough) {
             giveMatte(sum, giver.given[0] / sum, giver.given[1] / sum, giver.given[2] / sum);
         } else if (!giver.isOpenEnded) {
-            lobes.giveRough(giver, shares);
+            lobes.giveRough(giver);
         }
     }
 

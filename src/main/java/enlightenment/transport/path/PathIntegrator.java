@@ -273,10 +273,6 @@ public final class PathIntegrator extends EyePathTracer {
                 && cut != null
                 && path.surfaces < 2
                 && cut.noteRough(path, bsdf, s, value, reuse != null || physical.hasConstantEnvironment())) {
-            if (reuse != null) {
-                cut.endOpen(ray, state);
-                return false;
-            }
             return leaveCut(ray, bsdf, s, sampler);
         }
         if (!isNarrow) {
@@ -392,8 +388,15 @@ public final class PathIntegrator extends EyePathTracer {
         return value.survives(r, g, b, sampler, state);
     }
 
-    /** Leaves the vertex at which the path is cut: incident radiance is stored there, and the paths that share it shade it. */
+    /**
+     * Leaves the rough vertex at which the path is cut: incident radiance is stored there, and the paths that share it shade it. Where light
+     * subpaths are shared, the path ends there for now.
+     */
     private boolean leaveCut(Ray ray, Bsdf bsdf, Scattering s, Sampler sampler) {
+        if (reuse != null) {
+            cut.endOpen(ray, state);
+            return false;
+        }
         nextEvent.sample(sampler, state.address, cut.lamp);
         if (!sample(bsdf, s, sampler)) {
             return false;

@@ -6,7 +6,7 @@ public interface DeviceProgram extends AutoCloseable {
      * Copies a scene to the device.
      *
      * @return for one thread; may be used after this program is closed
-     * @throws DeviceFailure if the device does not take it
+     * @throws DeviceFailure if the device does not take it, or this program is closed
      */
     DeviceKernel prepare(DeviceScene scene);
 

@@ -29,6 +29,14 @@ final class OpenClProgram implements DeviceProgram {
     /** After a failure nothing may be asked of the device, not even to release what it holds: that could wait for ever. */
     private volatile boolean isLost;
 
+    /**
+     * This object, until it is closed, and the queues. A driver may abort the process that uses what was released, so that users are
+     * counted before they use anything.
+     */
+    private int users = 1;
+
+    private boolean isClosed;
+
     private long context;
     private final OpenClDevice device;
     private long program;
@@ -83,7 +91,27 @@ final class OpenClProgram implements DeviceProgram {
         return context;
     }
 
-    /** Makes a queue of commands, which its owner releases. */
+    /**
+     * Counts one more user of the program and its context, who lets go of them in the end.
+     *
+     * @throws DeviceFailure if the program is closed
+     */
+    synchronized void hold() {
+        if (isClosed) {
+            throw new DeviceFailure("its program is closed");
+        }
+        users++;
+    }
+
+    /** Releases the program and its context after their last user. */
+    synchronized void letGo() {
+        users--;
+        while (users == 0 && !isLost && !releases.isEmpty()) {
+            releases.pop().run();
+        }
+    }
+
+    /** Makes a queue of commands, for an owner who {@link #hold holds} the program and releases the queue. */
     long queue() {
         try (MemoryStack stack = MemoryStack.stackPush()) {
             IntBuffer code = stack.mallocInt(1);
@@ -113,11 +141,12 @@ final class OpenClProgram implements DeviceProgram {
         }
     }
 
-    /** Kernels may outlive it: the driver counts who uses the program. */
+    /** Kernels may outlive it: they hold the program. */
     @Override
-    public void close() {
-        while (!isLost && !releases.isEmpty()) {
-            releases.pop().run();
+    public synchronized void close() {
+        if (!isClosed) {
+            isClosed = true;
+            letGo();
         }
     }
 }

@@ -31,10 +31,17 @@ final class OpenClQueue implements AutoCloseable {
 
     private final long queue;
 
-    /** @throws DeviceFailure if the device makes no queue */
+    /** @throws DeviceFailure if the device makes no queue, or the program is closed */
     OpenClQueue(OpenClProgram program) {
         this.program = program;
-        queue = program.queue();
+        program.hold();
+        releases.push(program::letGo);
+        try {
+            queue = program.queue();
+        } catch (DeviceFailure e) {
+            close();
+            throw e;
+        }
         releases.push(() -> CL10.clReleaseCommandQueue(queue));
     }
 

@@ -32,6 +32,7 @@ public final class DeviceShare implements AutoCloseable {
     private final Map<DeviceScene.Program, DeviceProgram> programs = new EnumMap<>(DeviceScene.Program.class);
     private final ShadedSamples shaded = new ShadedSamples();
     private boolean hasFailed;
+    private boolean isClosed;
     private String lastRefusal = "";
 
     private DeviceShare(ComputeDevice device, Consumer<String> notes) {
@@ -95,7 +96,7 @@ public final class DeviceShare implements AutoCloseable {
      *
      * @param settings of the render, whose method is not {@link Method#AUTO}
      * @return one for each thread
-     * @throws DeviceFailure if the device cannot take part in this render
+     * @throws DeviceFailure if the device cannot take part in this render, or this object is closed
      */
     public List<DeviceTiles> prepare(CompiledScene scene, RenderSettings settings, int threads) {
         if (settings.method() != Method.RAYTRACE) {
@@ -124,10 +125,16 @@ public final class DeviceShare implements AutoCloseable {
     }
 
     private synchronized DeviceProgram program(DeviceScene.Program which) {
+        if (isClosed) {
+            throw new DeviceFailure("it is closed");
+        }
         return programs.computeIfAbsent(which, device::compile);
     }
 
-    /** As {@link #prepare} for one thread, but empty if the device cannot take part; the reason is a note, once for all scenes with the same. */
+    /**
+     * As {@link #prepare} for one thread, but empty if the device cannot take part; the reason is a note, once for all scenes with the same.
+     * A thread that comes after the end, when this object is closed, is no reason for a note.
+     */
     public Optional<DeviceTiles> tryPrepare(CompiledScene scene, RenderSettings settings) {
         try {
             return Optional.of(prepare(scene, settings, 1).get(0));
@@ -138,7 +145,7 @@ public final class DeviceShare implements AutoCloseable {
     }
 
     private synchronized void refused(String reason) {
-        if (!reason.equals(lastRefusal)) {
+        if (!isClosed && !reason.equals(lastRefusal)) {
             lastRefusal = reason;
             notes.accept(device.name() + " takes no part: " + reason);
         }
@@ -163,6 +170,7 @@ public final class DeviceShare implements AutoCloseable {
     /** Closes what no {@link DeviceTiles} still uses; these are closed by their threads. */
     @Override
     public synchronized void close() {
+        isClosed = true;
         programs.values().forEach(DeviceProgram::close);
         programs.clear();
     }

@@ -1,6 +1,5 @@
 package enlightenment.plan;
 
-import enlightenment.scene.RenderSettings;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -10,9 +9,6 @@ import java.util.List;
  * other, so that rare bright paths gain nothing by having been seen.
  */
 final class PilotAllocation {
-    /** Side of the cells whose pixels allocate samples to each other. */
-    private static final int CELL = 4;
-
     /** The share of samples that are the same for all pixels. */
     private static final double EVEN = 0.5;
 
@@ -20,21 +16,32 @@ final class PilotAllocation {
 
     /** Pixels of one colour in a cell, by the sum of their variances, and the root of the mean variance of the others. */
     private record Half(int pixels, double variance, double root) {
-        Half(double[] sums, int[] counts, int color) {
-            this(
-                    counts[color],
-                    sums[color],
-                    counts[1 - color] == 0 ? 0 : Math.sqrt(sums[1 - color] / counts[1 - color]));
+        static Half of(double[] variance, int[] mine, int[] others) {
+            double root = others.length == 0 ? 0 : Math.sqrt(sum(variance, others) / others.length);
+            return new Half(mine.length, sum(variance, mine), root);
+        }
+
+        private static double sum(double[] of, int[] pixels) {
+            double sum = 0;
+            for (int pixel : pixels) {
+                sum += of[pixel];
+            }
+            return sum;
         }
     }
 
     /**
      * The mean variance of pixels after allocation of as many samples.
      *
-     * @param variance of one sample of each pixel, block by block
+     * @param variance of one sample of each pixel
+     * @param cells whose pixels allocate samples to each other, all of the picture
      */
-    static double mean(double[] variance, List<RenderSettings.Crop> blocks) {
-        List<Half> halves = halves(variance, blocks);
+    static double mean(double[] variance, List<PilotCell> cells) {
+        List<Half> halves = new ArrayList<>();
+        for (PilotCell cell : cells) {
+            halves.add(Half.of(variance, cell.even(), cell.odd()));
+            halves.add(Half.of(variance, cell.odd(), cell.even()));
+        }
         double roots = halves.stream().mapToDouble(h -> h.pixels * h.root).sum();
         if (!(roots > 0)) {
             return 0;
@@ -44,34 +51,5 @@ final class PilotAllocation {
                         .mapToDouble(h -> h.variance / (EVEN + (1 - EVEN) * h.root / mean))
                         .sum()
                 / variance.length;
-    }
-
-    private static List<Half> halves(double[] variance, List<RenderSettings.Crop> blocks) {
-        List<Half> halves = new ArrayList<>();
-        int first = 0;
-        for (RenderSettings.Crop block : blocks) {
-            for (int top = 0; top < block.height(); top += CELL) {
-                for (int left = 0; left < block.width(); left += CELL) {
-                    addCell(variance, first, block, left, top, halves);
-                }
-            }
-            first += block.width() * block.height();
-        }
-        return halves;
-    }
-
-    private static void addCell(
-            double[] variance, int first, RenderSettings.Crop block, int left, int top, List<Half> halves) {
-        double[] sums = new double[2];
-        int[] counts = new int[2];
-        for (int y = top; y < Math.min(top + CELL, block.height()); y++) {
-            for (int x = left; x < Math.min(left + CELL, block.width()); x++) {
-                int color = (x ^ y) & 1;
-                sums[color] += variance[first + block.width() * y + x];
-                counts[color]++;
-            }
-        }
-        halves.add(new Half(sums, counts, 0));
-        halves.add(new Half(sums, counts, 1));
     }
 }

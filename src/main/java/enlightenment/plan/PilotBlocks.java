@@ -34,6 +34,7 @@ final class PilotBlocks {
     private final int side;
 
     private final List<RenderSettings.Crop> blocks = new ArrayList<>();
+    private final List<PilotCell> cells;
 
     /** By method, its pictures of the blocks. */
     private final Map<BuiltInMethod, List<PilotPicture>> pictures = new EnumMap<>(BuiltInMethod.class);
@@ -58,6 +59,7 @@ final class PilotBlocks {
             blocks.add(new RenderSettings.Crop(place[0] * side, place[1] * side, side, side)
                     .intersection(settings.region()));
         }
+        cells = PilotCell.of(blocks);
     }
 
     /** The number of pixels in a block that the picture does not cut. */
@@ -83,11 +85,10 @@ final class PilotBlocks {
         if (cancelled.getAsBoolean()) {
             throw new CancellationException("stopped before a method was chosen");
         }
-        List<PilotPicture> all = Arrays.asList(made);
-        scale = PilotSpread.scale(PilotSpread.mean(all));
         for (int m = 0; m < methods.size(); m++) {
-            pictures.put(methods.get(m), all.subList(m * count, (m + 1) * count));
+            pictures.put(methods.get(m), Arrays.asList(made).subList(m * count, (m + 1) * count));
         }
+        scale = PilotScale.of(pictures.values(), cells);
     }
 
     private RenderPlan plan(BuiltInMethod method) {
@@ -105,7 +106,7 @@ final class PilotBlocks {
         if (method == BuiltInMethod.RAYTRACE) {
             return PilotSpread.relative(variance, scale) * samples;
         }
-        return PilotAllocation.mean(PilotSpread.ofPixels(variance, scale), blocks) * samples;
+        return PilotAllocation.mean(PilotSpread.ofPixels(variance, scale), cells) * samples;
     }
 
     /** The nanoseconds of one camera sample of a method that has rendered the blocks. */

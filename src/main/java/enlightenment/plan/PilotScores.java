@@ -1,6 +1,7 @@
 package enlightenment.plan;
 
 import enlightenment.scene.BuiltInMethod;
+import enlightenment.scene.RenderSettings;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -10,9 +11,6 @@ import java.util.Map;
  * of paths so rare that it found none: so a method is charged for light that the guard found and it did not.
  */
 final class PilotScores {
-    /** Side of the blocks of pixels in which the light of two methods is compared. */
-    private static final int BLOCK = 4;
-
     /** Standard deviations within which a difference may be chance. */
     private static final double CHANCE = 3;
 
@@ -26,6 +24,7 @@ final class PilotScores {
     /** Of the guard. */
     private final List<PilotPicture> guard;
 
+    private final List<PilotCell> cells;
     private final double[] scale;
 
     /**
@@ -39,8 +38,8 @@ final class PilotScores {
         this.samples = samples;
         this.pictures = pictures;
         this.guard = pictures.get(guard);
-        scale = PilotSpread.scale(PilotSpread.mean(
-                pictures.values().stream().flatMap(List::stream).toList()));
+        cells = PilotCell.of(List.of(new RenderSettings.Crop(0, 0, width, height)));
+        scale = PilotScale.of(pictures.values(), cells);
     }
 
     /** The score of a method that has pictures. */
@@ -77,7 +76,7 @@ final class PilotScores {
     }
 
     /**
-     * A lower bound of the variance of a sample that light which was not found brings: paths that bring m to the mean of a block, and of
+     * A lower bound of the variance of a sample that light which was not found brings: paths that bring m to the mean of a cell, and of
      * which N samples had none, have a probability of about 1/N at most, and a second moment of at least m² N.
      */
     private double missed(List<PilotPicture> mine) {
@@ -86,25 +85,20 @@ final class PilotScores {
         double[] myVariance = variance(mine);
         double[] itsVariance = variance(guard);
         double sum = 0;
-        for (int row = 0; row < height; row += BLOCK) {
-            for (int column = 0; column < width; column += BLOCK) {
-                for (int band = 0; band < 3; band++) {
-                    Difference d = new Difference();
-                    for (int y = row; y < Math.min(row + BLOCK, height); y++) {
-                        for (int x = column; x < Math.min(column + BLOCK, width); x++) {
-                            int i = 3 * (y * width + x) + band;
-                            double ofMeans = myVariance[i] / mine.size() + itsVariance[i] / guard.size();
-                            d.add(there[i] - found[i], ofMeans, PilotSpread.ratio(1, scale[i]));
-                        }
-                    }
-                    sum += d.secondMoment() * samples * mine.size();
+        for (PilotCell cell : cells) {
+            for (int band = 0; band < 3; band++) {
+                Difference d = new Difference();
+                for (int i : cell.entries(band)) {
+                    double ofMeans = myVariance[i] / mine.size() + itsVariance[i] / guard.size();
+                    d.add(there[i] - found[i], ofMeans, PilotSpread.ratio(1, scale[i]));
                 }
+                sum += d.secondMoment() * samples * mine.size();
             }
         }
         return sum / scale.length;
     }
 
-    /** By how much the light of a method is less than that of the guard, in the pixels of a block. */
+    /** By how much the light of a method is less than that of the guard, in the pixels of a cell. */
     private static final class Difference {
         private int pixels;
         private double light;

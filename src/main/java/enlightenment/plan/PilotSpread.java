@@ -7,9 +7,6 @@ import java.util.function.Function;
 
 /** Means and variances over pictures of the same pixels with different seeds. All arrays have three bands of each pixel. */
 final class PilotSpread {
-    /** The share of the picture's mean below which pixels count as equally dark. */
-    private static final double DARK = 0.05;
-
     private PilotSpread() {}
 
     /** The mean of several pictures. */
@@ -48,17 +45,6 @@ final class PilotSpread {
             }
         }
         return variance;
-    }
-
-    /** What squares of errors are divided by in each pixel and band: m² + (0.05 M)², with the pixel's mean m and the picture's M. */
-    static double[] scale(double[] mean) {
-        double[] whole = new double[3];
-        for (int i = 0; i < mean.length; i++) {
-            whole[i % 3] += 3 * mean[i] / mean.length;
-        }
-        double[] scale = new double[mean.length];
-        Arrays.setAll(scale, i -> mean[i] * mean[i] + DARK * DARK * whole[i % 3] * whole[i % 3]);
-        return scale;
     }
 
     /** The mean of relative variances over pixels and bands; black pixels count as exact. */

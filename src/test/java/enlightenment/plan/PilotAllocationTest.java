@@ -12,14 +12,15 @@ import org.junit.jupiter.api.Test;
 class PilotAllocationTest {
     private static final int SIDE = 16;
 
-    private static final List<RenderSettings.Crop> BLOCK = List.of(new RenderSettings.Crop(32, 48, SIDE, SIDE));
+    private static final RenderSettings.Crop BLOCK = new RenderSettings.Crop(32, 48, SIDE, SIDE);
+    private static final List<PilotCell> CELLS = PilotCell.of(List.of(BLOCK));
 
     @Test
     void nothingIsGainedWhereAllPixelsVaryAlike() {
         double[] variance = new double[SIDE * SIDE];
         Arrays.fill(variance, 0.25);
-        assertEquals(0.25, PilotAllocation.mean(variance, BLOCK), 1e-12);
-        assertEquals(0, PilotAllocation.mean(new double[SIDE * SIDE], BLOCK));
+        assertEquals(0.25, PilotAllocation.mean(variance, CELLS), 1e-12);
+        assertEquals(0, PilotAllocation.mean(new double[SIDE * SIDE], CELLS));
     }
 
     /** A quarter of the pixels has all of the variance v: they have 1/2 + 1/2 · √v / (√v / 4) = 2.5 times the samples. */
@@ -29,7 +30,7 @@ class PilotAllocationTest {
         for (int i = 0; i < variance.length; i++) {
             variance[i] = i % SIDE < 8 && i / SIDE < 8 ? 3 : 0;
         }
-        assertEquals(3.0 / 4 / 2.5, PilotAllocation.mean(variance, BLOCK), 1e-12);
+        assertEquals(3.0 / 4 / 2.5, PilotAllocation.mean(variance, CELLS), 1e-12);
     }
 
     /** The samples go to the other colour of its cell, and half of them are left for it. */
@@ -37,19 +38,19 @@ class PilotAllocationTest {
     void aSingleBrightPixelGainsNothingByHavingBeenSeen() {
         double[] variance = new double[SIDE * SIDE];
         variance[5 * SIDE + 6] = 7;
-        assertEquals(2 * 7.0 / (SIDE * SIDE), PilotAllocation.mean(variance, BLOCK), 1e-12);
+        assertEquals(2 * 7.0 / (SIDE * SIDE), PilotAllocation.mean(variance, CELLS), 1e-12);
     }
 
     /** Two blocks, the second cut by the edge of the picture to a column of five pixels: its last pixel is alone in its cell. */
     @Test
     void blocksThatThePictureCutsCountAllTheirPixels() {
-        List<RenderSettings.Crop> blocks = List.of(BLOCK.get(0), new RenderSettings.Crop(64, 48, 1, 5));
+        List<RenderSettings.Crop> blocks = List.of(BLOCK, new RenderSettings.Crop(64, 48, 1, 5));
         double[] variance = new double[SIDE * SIDE + 5];
         Arrays.fill(variance, SIDE * SIDE, SIDE * SIDE + 4, 2);
         double pixels = variance.length;
         // Four of the pixels vary, all in one cell.
         double samples = 0.5 + 0.5 / (4 / pixels);
-        assertEquals(2 * 4 / pixels / samples, PilotAllocation.mean(variance, blocks), 1e-12);
+        assertEquals(2 * 4 / pixels / samples, PilotAllocation.mean(variance, PilotCell.of(blocks)), 1e-12);
     }
 
     @Test
@@ -60,7 +61,7 @@ class PilotAllocationTest {
             variance[i] = 1 + i / (4 * SIDE) + i % SIDE / 4;
             sum += variance[i];
         }
-        double allocated = PilotAllocation.mean(variance, BLOCK);
+        double allocated = PilotAllocation.mean(variance, CELLS);
         assertTrue(allocated < sum / variance.length);
         // With all samples by the roots of variances there would be the square of their mean.
         double root = Arrays.stream(variance).map(Math::sqrt).sum() / variance.length;

@@ -53,6 +53,23 @@ class PilotScoresTest {
         assertEquals(expected * Math.sqrt(2.0 / (3 * SIDE * SIDE)), score.uncertain(), 0.2 * score.uncertain());
     }
 
+    /** Of 1 path in 200, which is 200 times as bright: the variance is 199. No square of a pixel's own mean of four is more than 4 times it. */
+    @Test
+    void noiseDoesNotHideItself() {
+        Random random = new Random(5);
+        List<PilotPicture> rare = Arrays.asList(new PilotPicture[4]).stream()
+                .map(unused -> {
+                    double[] light = new double[3 * SIDE * SIDE];
+                    Arrays.setAll(light, i -> random.nextInt(200) == 0 ? 200 : 0);
+                    return picture(light);
+                })
+                .toList();
+        PilotScore score = scores(rare.subList(0, 2), rare.subList(2, 4)).of(BuiltInMethod.RAYTRACE);
+        double expected = SAMPLES * 199 / (1 + 0.05 * 0.05);
+        // Some 120 such paths: a standard deviation of 9 %, of which 4, and as much of the square of the mean.
+        assertEquals(expected, score.variance(), 0.4 * expected);
+    }
+
     @Test
     void lightThatOnlyTheGuardFoundCountsAsTheSecondMomentOfPathsThatWereNotFound() {
         // All light of one block is missing.

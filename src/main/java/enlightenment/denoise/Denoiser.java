@@ -1,6 +1,7 @@
 package enlightenment.denoise;
 
 import enlightenment.work.Workers;
+import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
@@ -8,7 +9,8 @@ import java.util.function.BooleanSupplier;
  * Takes the grain out of a picture of linear light.
  *
  * <p>Each pixel becomes a weighted mean of its window ({@link WindowFilter}), for three widths; per pixel the width is chosen of which
- * the two halves of the samples say that its squared error is least. A pure function of the picture: the same bits on any number of
+ * the two halves of the samples say that its squared error is least. What noise is left then is nearly the same in all of a window: the
+ * result is filtered once more, by windows as many times as wide as their pixels are apart. A pure function of the picture: the same bits on any number of
  * threads and any machine.
  */
 public final class Denoiser {
@@ -29,16 +31,30 @@ public final class Denoiser {
      */
     public static float[] denoise(NoisyPicture picture, int threads, BooleanSupplier cancelled) {
         Guide guide = new Guide(picture, WindowFilter.MARGIN);
-        FilteredLight[] filtered = new FilteredLight[WindowFilter.WIDTHS.length];
-        for (int k = 0; k < filtered.length; k++) {
-            filtered[k] = new FilteredLight(guide.grid);
-        }
+        Guide once = new Guide(guide, once(guide, threads, cancelled));
+        FilteredLight[] again = filter(once, WindowFilter.STEP, WindowFilter.WIDTH_AGAIN, threads, cancelled);
+        return output(picture, guide, again[0]);
+    }
+
+    private static FilteredLight once(Guide guide, int threads, BooleanSupplier cancelled) {
+        FilteredLight[] filtered = filter(guide, 1, WindowFilter.WIDTHS, threads, cancelled);
+        return FilteredLight.blend(guide.grid, filtered, shares(guide, filtered));
+    }
+
+    /** Filters light by windows of some widths. */
+    private static FilteredLight[] filter(
+            Guide guide, int step, float[] widths, int threads, BooleanSupplier cancelled) {
+        FilteredLight[] filtered = new FilteredLight[widths.length];
+        Arrays.setAll(filtered, k -> new FilteredLight(guide.grid));
         Workers.run(
-                threads, WindowFilter.strips(guide.grid), cancelled, () -> new WindowFilter(guide, filtered)::filter);
+                threads,
+                WindowFilter.strips(guide.grid),
+                cancelled,
+                () -> new WindowFilter(guide, step, widths, filtered)::filter);
         if (cancelled.getAsBoolean()) {
             throw new CancellationException("stopped while grain was removed");
         }
-        return output(picture, guide, filtered, shares(guide, filtered));
+        return filtered;
     }
 
     /** How much each width has of each pixel; they add up to 1. */
@@ -83,20 +99,14 @@ public final class Denoiser {
         return errors;
     }
 
-    private static float[] output(NoisyPicture picture, Guide guide, FilteredLight[] filtered, float[][] shares) {
+    private static float[] output(NoisyPicture picture, Guide guide, FilteredLight filtered) {
         float[] rgb = picture.light().clone();
         for (int y = 0; y < picture.height(); y++) {
             for (int x = 0; x < picture.width(); x++) {
                 int i = guide.grid.index(x, y);
                 int to = 3 * (y * picture.width() + x);
                 for (int c = 0; c < 3 && guide.mask[i] > 0; c++) {
-                    double sum = 0;
-                    double all = 0;
-                    for (int k = 0; k < shares.length; k++) {
-                        sum += (double) shares[k][i] * filtered[k].light[c][i];
-                        all += shares[k][i];
-                    }
-                    rgb[to + c] = (float) (sum / all * guide.scale(c, i));
+                    rgb[to + c] = (float) (filtered.light[c][i] * guide.scale(c, i));
                 }
             }
         }

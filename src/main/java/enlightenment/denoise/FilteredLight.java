@@ -1,14 +1,21 @@
 package enlightenment.denoise;
 
-/** The light that windows of one width make of a picture: its mean, and half of the difference of what the halves of the samples make. */
+/** The light that windows make of a picture, weighted means of its pixels. */
 final class FilteredLight {
+    /** Of each band. */
     final float[][] light = new float[3][];
+
+    /** Half of the difference of what the two halves of the samples become. */
     final float[][] difference = new float[3][];
+
+    /** The variance of the light, were pixels independent. */
+    final float[][] variance = new float[3][];
 
     FilteredLight(Grid grid) {
         for (int c = 0; c < 3; c++) {
             light[c] = new float[grid.size()];
             difference[c] = new float[grid.size()];
+            variance[c] = new float[grid.size()];
         }
     }
 
@@ -17,6 +24,7 @@ final class FilteredLight {
         for (int c = 0; c < 3; c++) {
             add(guide.light[c], light[c], first, offset, count, weights);
             add(guide.difference[c], difference[c], first, offset, count, weights);
+            addSquared(guide.noise[c], variance[c], first, offset, count, weights);
         }
     }
 
@@ -24,6 +32,13 @@ final class FilteredLight {
         int other = first + offset;
         for (int i = 0; i < count; i++) {
             to[first + i] += weights[i] * from[other + i];
+        }
+    }
+
+    private static void addSquared(float[] from, float[] to, int first, int offset, int count, float[] weights) {
+        int other = first + offset;
+        for (int i = 0; i < count; i++) {
+            to[first + i] += weights[i] * weights[i] * from[other + i];
         }
     }
 
@@ -35,7 +50,27 @@ final class FilteredLight {
             for (int c = 0; c < 3; c++) {
                 light[c][first + i] *= share;
                 difference[c][first + i] *= share;
+                variance[c][first + i] *= share * share;
             }
         }
+    }
+
+    /**
+     * Blends light that was filtered in several ways; the variance as if their errors were the same.
+     *
+     * @param shares of each in each pixel, which add up to 1
+     */
+    static FilteredLight blend(Grid grid, FilteredLight[] filtered, float[][] shares) {
+        FilteredLight blend = new FilteredLight(grid);
+        for (int k = 0; k < filtered.length; k++) {
+            for (int c = 0; c < 3; c++) {
+                for (int i = 0; i < grid.size(); i++) {
+                    blend.light[c][i] += shares[k][i] * filtered[k].light[c][i];
+                    blend.difference[c][i] += shares[k][i] * filtered[k].difference[c][i];
+                    blend.variance[c][i] += shares[k][i] * filtered[k].variance[c][i];
+                }
+            }
+        }
+        return blend;
     }
 }

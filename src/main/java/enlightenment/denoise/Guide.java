@@ -19,6 +19,9 @@ final class Guide {
     /** Relative deviation that counts as rounding. */
     private static final float ROUNDING = 1f / (1 << 20);
 
+    /** No pixel counts for more than this excess. */
+    private static final double MOST_EXCESS = 100;
+
     final Grid grid;
 
     /** Light of each band, and half of the difference of the two halves of the samples. */
@@ -26,7 +29,9 @@ final class Guide {
 
     final float[][] difference = new float[3][];
 
-    /** Variance of the light of each band, smoothed; and the same with what rounding makes. */
+    /** Variance of the light of each band, of each pixel by itself; smoothed; and that with what rounding makes. */
+    final float[][] noise = new float[3][];
+
     final float[][] variance = new float[3][];
 
     final float[][] deviation = new float[3][];
@@ -64,11 +69,62 @@ final class Guide {
             }
         }
         new Fireflies(this).limit();
+        finish(1);
+    }
+
+    /** Surfaces of another guide, with light that was filtered. */
+    Guide(Guide of, FilteredLight filtered) {
+        grid = of.grid;
+        mask = of.mask;
+        mean = of.mean;
+        tolerated = new float[grid.size()];
+        precision = new float[grid.size()];
+        float excess = (float) of.excess(filtered);
+        for (int c = 0; c < 3; c++) {
+            light[c] = filtered.light[c];
+            difference[c] = filtered.difference[c];
+            variance[c] = filtered.variance[c];
+            albedo[c] = of.albedo[c];
+            normal[c] = of.normal[c];
+            position[c] = of.position[c];
+            for (int i = 0; i < grid.size(); i++) {
+                variance[c][i] *= excess;
+            }
+        }
+        finish(0);
+    }
+
+    /**
+     * By how much the squared differences of halves exceed the variance of independent pixels: methods that share paths make pixels err
+     * together.
+     */
+    private double excess(FilteredLight filtered) {
+        double sum = 0;
+        long count = 0;
+        for (int i = 0; i < grid.size(); i++) {
+            double squares = 0;
+            double variances = 0;
+            for (int c = 0; c < 3; c++) {
+                squares += (double) filtered.difference[c][i] * filtered.difference[c][i];
+                variances += filtered.variance[c][i];
+            }
+            if (mask[i] > 0 && variances > 0) {
+                sum += Math.min(squares / variances, MOST_EXCESS);
+                count++;
+            }
+        }
+        return count > 0 ? sum / count : 1;
+    }
+
+    /** Prepares what compares pixels, with variances that are smoothed over squares of this radius. */
+    private void finish(int radius) {
         limitNoise();
         for (int c = 0; c < 3; c++) {
             grid.extend(light[c]);
             grid.extend(difference[c]);
-            grid.blur(variance[c], 1);
+            noise[c] = radius == 0 ? variance[c] : variance[c].clone();
+            grid.extend(noise[c]);
+            grid.blur(variance[c], radius);
             deviation[c] = new float[grid.size()];
             for (int i = 0; i < deviation[c].length; i++) {
                 deviation[c][i] = variance[c][i] + ROUNDING * light[c][i] * (ROUNDING * light[c][i]) + Float.MIN_NORMAL;

@@ -10,7 +10,7 @@ import java.util.Arrays;
  * relative to their variance and joint weights; the kernel is (1 − d/4)⁴ in place of exp(−d), so that no transcendental function decides.
  */
 final class WindowFilter {
-    /** Columns and rows on each side of a window. */
+    /** Columns and rows of a window on each side of its pixel. */
     static final int RADIUS = 6;
 
     /** Within this distance from the middle a window has all pixels. */
@@ -19,13 +19,19 @@ final class WindowFilter {
     /** Pixels on each side of a patch. */
     static final int PATCH = 2;
 
-    /** Margin that windows of patches need. */
-    static final int MARGIN = RADIUS + PATCH;
+    /** Pixels from one column or row to the next in windows of light that has been filtered: nearly as many as such windows had before. */
+    static final int STEP = 5;
+
+    /** The margin that windows of patches need. */
+    static final int MARGIN = RADIUS * STEP + PATCH;
 
     /** Rows that are filtered together: what they need stays in the cache. */
     static final int ROWS = 16;
 
-    /** How far light may differ, in squared standard deviations of its noise; from narrow to wide. */
+    /** How far light that has been filtered may differ. */
+    static final float[] WIDTH_AGAIN = {2f};
+
+    /** How far the picture's light may differ, in squared standard deviations of its noise; from narrow to wide. */
     static final float[] WIDTHS = {0.5f, 2f, 16f};
 
     /** Squared difference of unit normals that weighs as much as one unit of distance. */
@@ -39,6 +45,11 @@ final class WindowFilter {
 
     private final Guide guide;
     private final Grid grid;
+
+    /** Pixels from one column or row of a window to the next. */
+    private final int step;
+
+    private final float[] widths;
     private final FilteredLight[] out;
 
     /** Of the rows of this strip, with those that patches need. */
@@ -48,12 +59,18 @@ final class WindowFilter {
     private final float[] sums;
     private final float[] surfaces;
     private final float[] weights;
-    private final float[][] totals = new float[WIDTHS.length][];
+    private final float[][] totals;
 
-    /** @param out gets the light for each of the widths */
-    WindowFilter(Guide guide, FilteredLight[] out) {
+    /**
+     * @param step pixels from one column or row of a window to the next
+     * @param out gets the light for each of the widths
+     */
+    WindowFilter(Guide guide, int step, float[] widths, FilteredLight[] out) {
         this.guide = guide;
+        this.step = step;
+        this.widths = widths;
         this.out = out;
+        totals = new float[widths.length][];
         grid = guide.grid;
         ratios = new float[grid.stride() * (ROWS + 2 * PATCH)];
         columns = new float[ratios.length];
@@ -80,12 +97,12 @@ final class WindowFilter {
         for (int dy = -RADIUS; dy <= RADIUS; dy++) {
             for (int dx = -RADIUS; dx <= RADIUS; dx++) {
                 if (isInWindow(dx, dy)) {
-                    add(top, rows, dy * grid.stride() + dx);
+                    add(top, rows, step * (dy * grid.stride() + dx));
                 }
             }
         }
         for (int y = 0; y < rows; y++) {
-            for (int k = 0; k < WIDTHS.length; k++) {
+            for (int k = 0; k < widths.length; k++) {
                 out[k].divide(grid.index(0, top + y), grid.width(), totals[k], y * grid.stride());
             }
         }
@@ -111,8 +128,8 @@ final class WindowFilter {
             int first = grid.index(0, top + y);
             sumRows(y);
             compareSurfaces(first, offset);
-            for (int k = 0; k < WIDTHS.length; k++) {
-                weigh(1 / WIDTHS[k], first, offset, totals[k], y * grid.stride());
+            for (int k = 0; k < widths.length; k++) {
+                weigh(1 / widths[k], first, offset, totals[k], y * grid.stride());
                 out[k].add(guide, first, offset, grid.width(), weights);
             }
         }

@@ -18,7 +18,7 @@ final class Denoising {
             Set.of(RenderResult.Auxiliary.ALBEDO, RenderResult.Auxiliary.NORMAL, RenderResult.Auxiliary.POSITION);
 
     /** Pictures of floats that it takes in memory. */
-    static final int IMAGES = 20;
+    static final int IMAGES = 26;
 
     private Denoising() {}
 

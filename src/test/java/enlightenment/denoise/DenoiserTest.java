@@ -77,6 +77,37 @@ class DenoiserTest {
         assertEquals(2, sum / picture.light().length, 0.02, "a picture is not darkened");
     }
 
+    /** The first windows have 81 pixels: their means alone would leave no less than 1/81 of the squared error. */
+    @Test
+    void whatTheFirstWindowsLeaveIsFilteredAgain() {
+        Pixel two = (x, y) -> 2;
+        NoisyPicture picture = wall(128, 128, two, (x, y) -> 0.5, 0.4);
+        double before = meanSquare(picture.light(), two, 128);
+        double after = meanSquare(denoised(picture), two, 128);
+        assertTrue(after < before / 162, before + " became " + after);
+    }
+
+    /** All pixels of a square of 8 × 8 have the same error: the squares' borders fade, and so do the errors. */
+    @Test
+    void errorsThatPixelsShareAreFiltered() {
+        int side = 128;
+        Pixel two = (x, y) -> 2;
+        NoisyPicture squares = wall(side / 8, side / 8, two, (x, y) -> 0.5, 0.1);
+        NoisyPicture grain = wall(side, side, two, (x, y) -> 0.5, 0.4);
+        for (int i = 0; i < side * side; i++) {
+            int square = i / side / 8 * (side / 8) + i % side / 8;
+            for (int c = 0; c < 12; c++) {
+                grain.quarters()[12 * i + c] += squares.quarters()[12 * square + c] - 2;
+            }
+            for (int c = 0; c < 3; c++) {
+                grain.light()[3 * i + c] += squares.light()[3 * square + c] - 2;
+            }
+        }
+        double shared = meanSquare(squares.light(), two, side / 8);
+        double after = meanSquare(denoised(grain), two, side);
+        assertTrue(after < shared / 3, shared + " became " + after);
+    }
+
     @Test
     void aBorderOfTwoColoursStays() {
         Pixel albedo = (x, y) -> x < 32 ? 0.2 : 0.8;
@@ -162,8 +193,8 @@ class DenoiserTest {
         int width = 30;
         int period = 5;
         NoisyPicture one = wall(width, period, (x, y) -> 1, (x, y) -> 0.5, 0.5);
-        NoisyPicture tall = wall(width, 20 * period, (x, y) -> 1, (x, y) -> 0.5, 0);
-        for (int i = 0; i < width * 20 * period; i++) {
+        NoisyPicture tall = wall(width, 30 * period, (x, y) -> 1, (x, y) -> 0.5, 0);
+        for (int i = 0; i < width * 30 * period; i++) {
             int from = i % (width * period);
             System.arraycopy(one.light(), 3 * from, tall.light(), 3 * i, 3);
             System.arraycopy(one.quarters(), 12 * from, tall.quarters(), 12 * i, 12);
@@ -171,7 +202,7 @@ class DenoiserTest {
         float[] rgb = denoised(tall);
         int length = 3 * width * period;
         // Whole periods that are too far from top and bottom to see them.
-        for (int k = 5 * length; k < 14 * length; k++) {
+        for (int k = 10 * length; k < 19 * length; k++) {
             assertEquals(rgb[k], rgb[k + length], 1e-6, "component " + k);
         }
     }

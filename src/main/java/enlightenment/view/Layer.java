@@ -4,14 +4,14 @@ import enlightenment.render.RenderResult;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** The layers of a view that a page can show. */
 enum Layer {
     /** The picture itself. */
-    PICTURE(null),
+    PICTURE,
 
     /** Reflectance of the first surface that is neither mirror nor glass; physical shading only. */
     ALBEDO(RenderResult.Auxiliary.ALBEDO),
@@ -29,23 +29,26 @@ enum Layer {
     MATERIAL(RenderResult.Auxiliary.OBJECT),
 
     /** Standard error of the displayed colour, estimated from the spread of the passes. */
-    ERROR(null),
+    ERROR,
 
     /** Number of samples. */
-    SAMPLES(null),
+    SAMPLES,
 
     /** Root mean square of the components' displayed difference from the picture that was kept. */
-    DIFFERENCE(null);
+    DIFFERENCE,
 
-    private final RenderResult.Auxiliary source;
+    /** The picture without grain; physical shading only. */
+    DENOISED(RenderResult.Auxiliary.ALBEDO, RenderResult.Auxiliary.NORMAL, RenderResult.Auxiliary.POSITION);
 
-    Layer(RenderResult.Auxiliary source) {
-        this.source = source;
+    private final List<RenderResult.Auxiliary> sources;
+
+    Layer(RenderResult.Auxiliary... sources) {
+        this.sources = List.of(sources);
     }
 
-    /** The auxiliary image that the layer is made from; empty where the picture and its passes suffice. */
-    Optional<RenderResult.Auxiliary> source() {
-        return Optional.ofNullable(source);
+    /** The auxiliary images that the layer is made from; empty where the picture and its passes suffice. */
+    List<RenderResult.Auxiliary> sources() {
+        return sources;
     }
 
     /** The name of the layer in lower case, as in requests. */
@@ -55,7 +58,12 @@ enum Layer {
 
     /** Whether the layer is defined for a scene. */
     boolean isOf(Scene scene) {
-        return this != ALBEDO || scene.shading() instanceof Shading.Physical;
+        return this != ALBEDO && this != DENOISED || scene.shading() instanceof Shading.Physical;
+    }
+
+    /** The number of components of a pixel that tell it: 1 where all are equal. */
+    int components() {
+        return this == ALBEDO || this == NORMAL || this == DENOISED ? 3 : 1;
     }
 
     /** @throws BadParameter if no layer has this name */

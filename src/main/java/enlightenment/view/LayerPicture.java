@@ -41,6 +41,10 @@ record LayerPicture(
         Missing(String message) {
             super(message);
         }
+
+        static Missing yet(Layer layer) {
+            return new Missing(layer.word() + " is not there yet");
+        }
     }
 
     /** Whether {@link #of} returns the layer; also true for the picture itself, if there is one. */
@@ -48,8 +52,9 @@ record LayerPicture(
         Frame frame = view.frame();
         return switch (layer) {
             case PICTURE, SAMPLES -> frame != null;
+            case DENOISED -> DenoisedPicture.exists(view);
             case ALBEDO, NORMAL, DEPTH, OBJECT, MATERIAL ->
-                view.layers().of(layer.source().orElseThrow()).isPresent();
+                view.layers().of(source(layer)).isPresent();
             case ERROR -> frame != null && frame.detail().noise().isPresent();
             case DIFFERENCE ->
                 frame != null && view.kept() != null && view.kept().isComparable(frame.image());
@@ -59,17 +64,17 @@ record LayerPicture(
     /**
      * Makes the picture of a layer from the last render of it.
      *
-     * @param layer any but the picture itself
+     * @param layer any in false colours
      * @param materials materials of the layers' scene; used for {@link Layer#MATERIAL} alone
      * @throws Missing if the layer is not available, or not yet
      */
     static LayerPicture of(Layer layer, Snapshot view, MaterialIndex materials) throws Missing {
         if (!exists(layer, view)) {
-            throw new Missing(layer.word() + " is not there yet");
+            throw Missing.yet(layer);
         }
         return switch (layer) {
-            case PICTURE -> throw new IllegalArgumentException("the picture is no layer of itself");
-            case ALBEDO, NORMAL, DEPTH -> plain(layer.source().orElseThrow(), numbers(layer, view));
+            case PICTURE, DENOISED -> throw new IllegalArgumentException(layer + " is not in false colours");
+            case ALBEDO, NORMAL, DEPTH -> plain(source(layer), numbers(layer, view));
             case OBJECT -> {
                 Scene scene = view.layers()
                         .of(RenderResult.Auxiliary.OBJECT)
@@ -87,7 +92,24 @@ record LayerPicture(
     }
 
     private static Image numbers(Layer layer, Snapshot view) {
-        return view.layers().of(layer.source().orElseThrow()).orElseThrow().image();
+        return view.layers().of(source(layer)).orElseThrow().image();
+    }
+
+    private static RenderResult.Auxiliary source(Layer layer) {
+        return layer.sources().get(0);
+    }
+
+    /** The picture without grain, as displayed. */
+    static LayerPicture denoised(Image image) {
+        return new LayerPicture(
+                image,
+                image,
+                "the picture without grain, for looking: nothing is known of its error",
+                List.of(),
+                null,
+                Legend.NONE,
+                OptionalDouble.empty(),
+                OptionalDouble.empty());
     }
 
     private static LayerPicture plain(RenderResult.Auxiliary kind, Image numbers) {

@@ -22,7 +22,7 @@ final class LayerWishes {
 
     /** Requests a layer, or renews the request for it. */
     synchronized void add(Layer layer) {
-        layer.source().ifPresent(source -> since.put(source, clock.getAsLong()));
+        layer.sources().forEach(source -> since.put(source, clock.getAsLong()));
     }
 
     /** The auxiliary images of all requests that have not expired. */

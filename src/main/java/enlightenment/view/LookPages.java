@@ -25,6 +25,8 @@ final class LookPages {
     /** Number of the picture that the layers in {@link #made} belong to. */
     private long madeOf;
 
+    private final DenoisedPicture denoised = new DenoisedPicture();
+
     private Kept comparedWith;
 
     private MaterialIndex materials;
@@ -99,10 +101,17 @@ final class LookPages {
         }
         LayerPicture picture = made.get(layer);
         if (picture == null) {
-            picture = LayerPicture.of(layer, now, materials);
+            picture = layer == Layer.DENOISED ? denoised(now) : LayerPicture.of(layer, now, materials);
             made.put(layer, picture);
         }
         return picture;
+    }
+
+    private LayerPicture denoised(Snapshot now) throws LayerPicture.Missing {
+        if (!LayerPicture.exists(Layer.DENOISED, now)) {
+            throw LayerPicture.Missing.yet(Layer.DENOISED);
+        }
+        return denoised.at(now, () -> !session.isCurrent(now.frame().generation()));
     }
 
     private void index(Scene scene) {
@@ -126,8 +135,7 @@ final class LookPages {
             return SmallHttp.Answer.json(
                     LookJson.name(number < 0 ? "nothing" : picture.names().apply(number)));
         }
-        return SmallHttp.Answer.json(
-                LookJson.values(numbers, layer == Layer.ALBEDO || layer == Layer.NORMAL ? 3 : 1, column, row));
+        return SmallHttp.Answer.json(LookJson.values(numbers, layer.components(), column, row));
     }
 
     private SmallHttp.Answer kept() throws IOException, LayerPicture.Missing {

@@ -31,6 +31,7 @@ const isThere = layer => Boolean(state) && state.layers.includes(layer);
 
 const REASONS = {
   picture: "",
+  denoised: "Grain is removed from the second pass at full resolution on.",
   error: "The error is known from the second pass at full resolution on.",
   difference: "Pictures of one size are compared: the picture of now is smaller or larger than A.",
 };
@@ -66,6 +67,7 @@ export function update(s) {
   state = s;
   const option = name => [...at("layer").options].find(o => o.value === name);
   option("albedo").disabled = !s.albedo;
+  option("denoised").disabled = !s.albedo;
   option("difference").disabled = !s.kept;
   if (at("layer").selectedOptions[0].disabled) {
     choose("picture");
@@ -201,7 +203,8 @@ export function start(addressOf, onChange) {
     }
   });
   at("stage").addEventListener("keydown", event => {
-    const option = /^[1-9]$/.test(event.key) ? at("layer").options[event.key - 1] : null;
+    const options = at("layer").options;
+    const option = /^[1-9]$/.test(event.key) ? options[event.key - 1] : event.key.toLowerCase() === "g" ? options.namedItem("denoised") : null;
     if (option && !event.ctrlKey && !event.metaKey && !event.altKey) {
       choose(option.value);
       event.preventDefault();

@@ -222,7 +222,7 @@ class ArchitectureTest {
                     "net",
                     "store")
             .whereLayer("denoise")
-            .mayOnlyBeAccessedByLayers("render")
+            .mayOnlyBeAccessedByLayers("render", "view")
             .whereLayer("bsdf")
             .mayOnlyBeAccessedByLayers("device", "classic shading", "probe", "classic cluster", "world", "transport")
             .whereLayer("emitter")

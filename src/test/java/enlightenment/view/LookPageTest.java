@@ -1,6 +1,7 @@
 package enlightenment.view;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import enlightenment.browser.Browser;
@@ -80,6 +81,9 @@ class LookPageTest {
         }
         // One object of one material: these two are alike.
         assertEquals(layers.length, all.size());
+        press("#stage", "g");
+        untilShown("denoised");
+        assertFalse(all.contains(ViewedPage.pixels(browser)));
         press("#stage", "1");
         browser.until("document.querySelector('#picture').src.includes('picture.png')");
         assertEquals(List.of(), browser.problems());

@@ -284,10 +284,41 @@ class LookTest {
     }
 
     @Test
+    void thePictureWithoutGrainIsNearerToThatOfManySamples() throws Exception {
+        client.awaitLayer(Layer.DENOISED);
+        assertEquals(3, value(Layer.DENOISED, MIDDLE).get("values").size());
+        assertEquals(0, value(Layer.DENOISED, CORNER).get("values").get(2).asDouble());
+        view(Path.of("scenes/cornell-box.json"), 256);
+        int[] many = client.rgb("picture.png", "");
+        view(Path.of("scenes/cornell-box.json"), 8);
+        client.awaitLayer(Layer.DENOISED);
+        double noisy = squares(client.rgb("picture.png", ""), many);
+        double denoised = squares(rgb(Layer.DENOISED), many);
+        assertTrue(denoised < noisy / 2, denoised + " of " + noisy);
+    }
+
+    private void view(Path scene, int samples) throws Exception {
+        client.close();
+        client = new ServedView(scene, samples);
+        client.act("action=size&x=64&y=64");
+        client.await("", s -> s.get("finished").asBoolean() && s.get("width").asInt() == 64);
+    }
+
+    private static double squares(int[] a, int[] b) {
+        double sum = 0;
+        for (int i = 0; i < a.length; i++) {
+            double off = (a[i] >> 16 & 0xff) - (b[i] >> 16 & 0xff);
+            sum += off * off;
+        }
+        return sum;
+    }
+
+    @Test
     void classicShadingHasNoAlbedo() throws Exception {
         client.close();
         begin(SCENE.replace("\"shading\": { \"model\": \"physical\" },", "").replace(", \"power\": 100", ""));
         assertEquals(404, client.get("layer.png", "layer=albedo").code());
+        assertEquals(404, client.get("layer.png", "layer=denoised").code());
         assertNotEquals(0, client.awaitLayer(Layer.NORMAL).get("width").asInt());
     }
 

@@ -11,6 +11,7 @@ import java.util.Optional;
 public final class FrameBuilder {
     private final long generation;
     private final PictureSum sum = new PictureSum();
+    private final PassQuarters quarters = new PassQuarters();
     private float[] samples;
     private int shrink;
     private List<ErrorPoint> errors = List.of();
@@ -34,12 +35,15 @@ public final class FrameBuilder {
             samples = null;
         }
         Image counts = count(result.auxiliary().get(RenderResult.Auxiliary.SAMPLES));
+        if (shrink == 1) {
+            quarters.add(result.image(), pass.samples());
+        }
         Image image = shrink > 1 ? result.image() : sum.add(result.image(), pass.samples());
         Optional<PictureNoise> noise = shrink > 1 ? Optional.empty() : sum.noise();
         int all = pass.before() + pass.samples();
         noise.ifPresent(n -> errors =
                 ErrorPoint.with(errors, new ErrorPoint(seconds, all, n.rmse(curve(image, exposure)), exposure)));
-        FrameDetail detail = new FrameDetail(counts, noise, errors, seconds);
+        FrameDetail detail = new FrameDetail(counts, noise, errors, seconds, quarters.means());
         return new Frame(generation, image, all, shrink, isFinal, detail);
     }
 

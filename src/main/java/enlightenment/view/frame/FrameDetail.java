@@ -11,9 +11,12 @@ import java.util.Optional;
  * @param noise estimated standard errors; empty before the second pass at full resolution
  * @param errors estimated errors after earlier passes and this one, by time
  * @param seconds time since the change of the view that the picture shows
+ * @param quarters the means of four shares of the samples, as of {@link PassQuarters#means}; empty before the second pass at full resolution
  */
-public record FrameDetail(Image samples, Optional<PictureNoise> noise, List<ErrorPoint> errors, double seconds) {
+public record FrameDetail(
+        Image samples, Optional<PictureNoise> noise, List<ErrorPoint> errors, double seconds, List<Image> quarters) {
     public FrameDetail {
         errors = List.copyOf(errors);
+        quarters = List.copyOf(quarters);
     }
 }

@@ -39,6 +39,7 @@ exact fire-and-ice-physical scenes/fire-and-ice-physical.json --size 1280x640 --
 # A part of a picture of 2560 x 1440 pixels, with the ship in its middle.
 if [ -d "${SCENES:-}" ]; then
     clean spaceship "$SCENES/spaceship/scene.xml" raytrace 48 --exposure 1.1 --size 2560x1440 --crop 600,260,1280,720
+    clean ajar "$SCENES/veach-ajar/scene.xml" cluster 200 --exposure -0.6 --size 1280x720
 fi
 
 film() {

@@ -51,11 +51,11 @@ final class PilotScale {
 
     private void fill(int band, List<PilotCell> cells, double[] scale) {
         List<int[]> entries = cells.stream().map(cell -> cell.entries(band)).toList();
+        List<Means> pixels = entries.stream().map(of -> Means.of(this, of)).toList();
         Means ofCells = new Means(new double[cells.size()], new double[cells.size()]);
         for (int c = 0; c < entries.size(); c++) {
-            Means pixels = Means.of(this, entries.get(c));
-            ofCells.mean[c] = pixels.ofAll();
-            ofCells.variance[c] = Arrays.stream(pixels.variance).sum() / Math.pow(pixels.mean.length, 2);
+            ofCells.mean[c] = pixels.get(c).ofAll();
+            ofCells.variance[c] = pixels.get(c).varianceOfAll();
         }
         double whole = 3
                 * IntStream.range(0, mean.length / 3)
@@ -65,7 +65,7 @@ final class PilotScale {
         double dark = DARK * whole;
         double[] shrunk = ofCells.shrunk(whole);
         for (int c = 0; c < entries.size(); c++) {
-            double[] m = Means.of(this, entries.get(c)).shrunk(shrunk[c]);
+            double[] m = pixels.get(c).shrunk(shrunk[c]);
             for (int k = 0; k < m.length; k++) {
                 scale[entries.get(c)[k]] = m[k] * m[k] + dark * dark;
             }
@@ -82,6 +82,11 @@ final class PilotScale {
 
         double ofAll() {
             return Arrays.stream(mean).sum() / mean.length;
+        }
+
+        /** The variance of {@link #ofAll}, as of independent estimates. */
+        double varianceOfAll() {
+            return Arrays.stream(variance).sum() / ((double) mean.length * mean.length);
         }
 
         /** The means, each the nearer to this one the larger its variance is beside the differences that no variance explains. */

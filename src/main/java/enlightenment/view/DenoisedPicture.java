@@ -9,7 +9,6 @@ import enlightenment.view.frame.FrameBuilder;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import java.util.function.BooleanSupplier;
 
 /**
  * The picture of a view without grain. It takes longer than a pass, so that it is made again only when there are half as many samples more, or
@@ -43,15 +42,21 @@ final class DenoisedPicture {
     /**
      * The picture without grain at the exposure of the view.
      *
-     * @param view for which it {@link #exists}
-     * @param cancelled whether the view has changed
-     * @throws LayerPicture.Missing if it was cancelled
+     * @param view of the session
+     * @param session tells when the view has changed
+     * @throws LayerPicture.Missing if it does not {@link #exists exist} yet, or the view changes meanwhile
      */
-    LayerPicture at(Snapshot view, BooleanSupplier cancelled) throws LayerPicture.Missing {
+    LayerPicture at(Snapshot view, ViewSession session) throws LayerPicture.Missing {
+        if (!exists(view)) {
+            throw LayerPicture.Missing.yet(Layer.DENOISED);
+        }
         Frame frame = view.frame();
         if (!isRecent(frame)) {
             try {
-                float[] rgb = Denoiser.denoise(noisy(view), Runtime.getRuntime().availableProcessors(), cancelled);
+                float[] rgb = Denoiser.denoise(
+                        noisy(view),
+                        Runtime.getRuntime().availableProcessors(),
+                        () -> !session.isCurrent(frame.generation()));
                 last = new Image(
                         frame.image().width(),
                         frame.image().height(),

@@ -101,17 +101,10 @@ final class LookPages {
         }
         LayerPicture picture = made.get(layer);
         if (picture == null) {
-            picture = layer == Layer.DENOISED ? denoised(now) : LayerPicture.of(layer, now, materials);
+            picture = layer == Layer.DENOISED ? denoised.at(now, session) : LayerPicture.of(layer, now, materials);
             made.put(layer, picture);
         }
         return picture;
-    }
-
-    private LayerPicture denoised(Snapshot now) throws LayerPicture.Missing {
-        if (!LayerPicture.exists(Layer.DENOISED, now)) {
-            throw LayerPicture.Missing.yet(Layer.DENOISED);
-        }
-        return denoised.at(now, () -> !session.isCurrent(now.frame().generation()));
     }
 
     private void index(Scene scene) {

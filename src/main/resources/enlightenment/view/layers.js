@@ -203,10 +203,10 @@ export function start(addressOf, onChange) {
     }
   });
   at("stage").addEventListener("keydown", event => {
-    const options = at("layer").options;
-    const option = /^[1-9]$/.test(event.key) ? options[event.key - 1] : event.key.toLowerCase() === "g" ? options.namedItem("denoised") : null;
-    if (option && !event.ctrlKey && !event.metaKey && !event.altKey) {
-      choose(option.value);
+    const numbered = /^[1-9]$/.test(event.key) ? at("layer").options[event.key - 1].value : "";
+    const layer = event.key.toLowerCase() === "g" ? "denoised" : numbered;
+    if (layer && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      choose(layer);
       event.preventDefault();
     }
   });

@@ -10,8 +10,9 @@ import java.util.function.BooleanSupplier;
  *
  * <p>Each pixel becomes a weighted mean of its window ({@link WindowFilter}), for three widths; per pixel the width is chosen of which
  * the two halves of the samples say that its squared error is least. What noise is left then is nearly the same in all of a window: the
- * result is filtered once more, by windows as many times as wide as their pixels are apart. A pure function of the picture: the same bits on any number of
- * threads and any machine.
+ * result is filtered once more, by windows as many times as wide as their pixels are apart.
+ *
+ * <p>A pure function of the picture: the same bits on any number of threads and any machine.
  */
 public final class Denoiser {
     /** Over squares of this radius estimates of errors are averaged. */

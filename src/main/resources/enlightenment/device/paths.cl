@@ -13,11 +13,14 @@
 
 typedef struct {
     Sampler sampler;
-    // The surfaces left behind, scattering events, surfaces passed straight since the last; the address of the next random numbers.
+    // The surfaces left behind, bounces, surfaces passed straight since the last; events, those of them that are not specular, and those that
+    // count for roulette after the last (transport.state.PathState); the address of the next random numbers.
     int surfaces;
     int bounces;
     int straight;
     int events;
+    int scatterings;
+    int eventsForRoulette;
     int address;
     // The first event, and the first that was none in a single direction.
     int first;
@@ -55,7 +58,7 @@ void filterPath(Path *path, double r, double g, double b) {
 bool survives(Path *path, Vec weight) {
     filterPath(path, weight.x, weight.y, weight.z);
     double left = larger(fabs(path->throughput.x), larger(fabs(path->throughput.y), fabs(path->throughput.z)));
-    if (path->events + 1 < ROULETTE_FROM && left >= FAINT) {
+    if (path->eventsForRoulette < ROULETTE_FROM && left >= FAINT) {
         return true;
     }
     if (!(left > 0)) {
@@ -81,6 +84,10 @@ void appendEvent(Path *path, int event) {
     if (path->first == NO_EVENT) {
         path->first = event;
     }
+    if (event != SPECULAR_EVENT) {
+        path->scatterings++;
+    }
+    path->eventsForRoulette = event == SPECULAR_EVENT ? path->events + 1 : path->scatterings;
     if (event != SPECULAR_EVENT && path->firstScattering == NO_EVENT) {
         path->firstScattering = event;
     }
@@ -344,6 +351,7 @@ bool follow(Scene *s, Path *path) {
 
 void beginPath(Path *path) {
     path->events = 0;
+    path->scatterings = 0;
     path->address = 0;
     path->first = NO_EVENT;
     path->firstScattering = NO_EVENT;

@@ -366,7 +366,7 @@ abstract class LightWalker extends LightPathTracer {
 
     /** Whether the path continues without Russian roulette. */
     private boolean isSafe() {
-        return state.events < PathValue.ROULETTE_FROM && !carried.isFaint();
+        return state.eventsForRoulette() < PathValue.ROULETTE_FROM && !carried.isFaint();
     }
 
     private void extend(PathEvent event, Scattering sampled) {

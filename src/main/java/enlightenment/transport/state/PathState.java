@@ -37,6 +37,9 @@ public final class PathState {
     /** The id of the mirror at which the last event happened; -1 if it was no reflection at a mirror. */
     public int mirror;
 
+    /** The number of events but those at mirrors and at interfaces of glass. */
+    private int scatterings;
+
     private PathEvent first;
     private PathEvent firstScattering;
     private PathEvent last;
@@ -46,6 +49,7 @@ public final class PathState {
     /** Begins a path at the eye or at a light: no events yet. */
     public void begin() {
         events = 0;
+        scatterings = 0;
         address = 0;
         hasDirect = false;
         nextIsCoincident = false;
@@ -113,7 +117,8 @@ public final class PathState {
         if (first == null) {
             first = event;
         }
-        boolean scatters = event != PathEvent.SPECULAR && event != PathEvent.ROUGH_INTERFACE;
+        boolean scatters = scatters(event);
+        scatterings += scatters ? 1 : 0;
         if (scatters && firstScattering == null) {
             firstScattering = event;
         }
@@ -123,6 +128,18 @@ public final class PathState {
     /** The event before the last; null if there is none. */
     public PathEvent beforeLast() {
         return beforeLast;
+    }
+
+    private static boolean scatters(PathEvent event) {
+        return event != PathEvent.SPECULAR && event != PathEvent.ROUGH_INTERFACE;
+    }
+
+    /**
+     * The number of events that count for Russian roulette after the last one. Mirrors and interfaces of glass take little of a path, and
+     * only what is behind them tells what it is worth: at them all events count, elsewhere those at them do not.
+     */
+    public int eventsForRoulette() {
+        return scatters(last) ? scatterings : events;
     }
 
     /** Whether anything but mirrors and interfaces of glass has scattered the path: light that it finds from then on is indirect. */

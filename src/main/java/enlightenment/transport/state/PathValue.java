@@ -12,7 +12,7 @@ import java.util.Arrays;
  * per thread.
  */
 public final class PathValue {
-    /** Russian roulette may end a path from this scattering event on. */
+    /** Russian roulette may end a path from this event on, {@linkplain PathState#eventsForRoulette of those that count}. */
     public static final int ROULETTE_FROM = 5;
 
     /** Russian roulette may end a path before {@link #ROULETTE_FROM} if its throughput is less than this. */
@@ -354,7 +354,7 @@ public final class PathValue {
 
     /** Whether the path continues after its last event without Russian roulette. */
     public boolean isSafe(PathState state) {
-        return state.events < ROULETTE_FROM && throughput.most() >= FAINT;
+        return state.eventsForRoulette() < ROULETTE_FROM && throughput.most() >= FAINT;
     }
 
     /**

@@ -5,6 +5,7 @@ import enlightenment.frame.Bounds;
 import enlightenment.math.Vec3;
 import enlightenment.mesh.data.MeshData;
 import enlightenment.mesh.data.VertexArrays;
+import java.util.Optional;
 
 /**
  * A triangle mesh: triangles that share vertices, in coordinates of their own (object space). A triangle's geometric normal, (b − a) × (c − a),
@@ -233,12 +234,26 @@ public final class TriangleMesh extends MeshStore {
 
     /** The number of edges that keep the mesh from being closed, see {@link #isClosed}. */
     public long openEdges() {
+        return open().count;
+    }
+
+    private OpenEdges open() {
         OpenEdges edges = openEdges;
         if (edges == null) {
             edges = new OpenEdges(this);
             openEdges = edges;
         }
-        return edges.count;
+        return edges;
+    }
+
+    /**
+     * This mesh with its holes closed by triangles over their rims, which are edges; empty if they would have more than a share of its area, if rims
+     * have a vertex in common, or if it has no holes.
+     *
+     * @param share of the area of the mesh, 0..1
+     */
+    public Optional<TriangleMesh> withoutHoles(double share) {
+        return Holes.closed(this, open(), share);
     }
 
     /**

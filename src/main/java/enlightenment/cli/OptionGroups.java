@@ -47,7 +47,7 @@ final class OptionGroups {
                         "--dump-chains"));
         RENDER.put(
                 "Files of other programs",
-                List.of("--camera", "--view", "--up", "--background", "--fps", "--animation"));
+                List.of("--camera", "--view", "--up", "--background", "--fps", "--animation", "--assets"));
         RENDER.put("Watching", List.of("--serve", "--window", "--progress"));
         RENDER.put(
                 "Keeping",

@@ -6,10 +6,14 @@ import enlightenment.math.InvalidValueException;
 import enlightenment.scene.Animation;
 import enlightenment.scene.Scene;
 import enlightenment.scene.Shading;
+import java.util.List;
 import java.util.Optional;
 
 /** Makes a scene of a draft: adds the view and the light that the file lacks, or that the options replace. */
 final class DraftFinish {
+    /** The number of notes that say why there is nothing to be seen. */
+    private static final int MOST_REASONS = 3;
+
     private final ImportDraft draft;
     private final SceneImporter.Options options;
     private final SceneImporter.Options.Up up;
@@ -27,7 +31,7 @@ final class DraftFinish {
      */
     Scene scene(String name) {
         if (draft.objects().isEmpty()) {
-            throw new InvalidValueException("objects", "there is nothing to be seen in the file");
+            throw new InvalidValueException("objects", "there is nothing to be seen in the file" + leftOut());
         }
         int width = draft.width() == 0 ? Studio.WIDTH : draft.width();
         int height = draft.height() == 0 ? Studio.HEIGHT : draft.height();
@@ -51,6 +55,17 @@ final class DraftFinish {
         draft.objects().forEach(scene::object);
         animation(own.isPresent()).ifPresent(scene::animation);
         return scene.build();
+    }
+
+    /** What may be why: the first things that were left out. */
+    private String leftOut() {
+        List<String> notes = draft.notes().list();
+        if (notes.isEmpty()) {
+            return "";
+        }
+        int more = notes.size() - MOST_REASONS;
+        return ": " + String.join("; ", notes.subList(0, Math.min(notes.size(), MOST_REASONS)))
+                + (more > 0 ? "; and " + more + " more" : "");
     }
 
     /** How objects move; not the camera, if that is not the file's. */

@@ -12,6 +12,7 @@ import enlightenment.importer.pbrt.PbrtReader;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
+import enlightenment.importer.support.InputFolder;
 import enlightenment.importer.support.NamedChoice;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
@@ -36,7 +37,8 @@ import java.util.TreeSet;
  * <p>A file without a camera is seen from three quarters, a file without light stands in a studio: on a ground that catches its shadow, under a
  * soft light. That lights a file, too, whose lights are all left out; a note says so.
  *
- * <p>Files are not trusted: files that they name must lie in their folder or below it, and what is broken is refused with its place.
+ * <p>Files are not trusted: files that they name must lie in or below their folder, or one that the options name, and what is broken is refused with
+ * its place.
  *
  * <p>All methods may be called by several threads at once.
  */
@@ -118,10 +120,11 @@ public final class SceneImporter {
     }
 
     private static ImportDraft draft(Path file, Format format, Options options) throws IOException {
+        InputFolder folder = new InputFolder(file, options.assets());
         return switch (format) {
             case GLTF ->
                 GltfReader.read(
-                        file,
+                        folder,
                         options.extracted(),
                         NamedChoice.camera(options.camera()),
                         NamedChoice.animation(options.animation()),
@@ -130,10 +133,10 @@ public final class SceneImporter {
                 withoutAnimation(
                         file,
                         MitsubaReader.read(
-                                file, new ExtractedFiles(options.extracted()), NamedChoice.camera(options.camera())),
+                                folder, new ExtractedFiles(options.extracted()), NamedChoice.camera(options.camera())),
                         options);
-            case PBRT -> withOneCamera(file, PbrtReader.read(file, new ExtractedFiles(options.extracted())), options);
-            default -> withOneCamera(file, ModelReader.read(file), options);
+            case PBRT -> withOneCamera(file, PbrtReader.read(folder, new ExtractedFiles(options.extracted())), options);
+            default -> withOneCamera(file, ModelReader.read(folder), options);
         };
     }
 
@@ -214,6 +217,7 @@ public final class SceneImporter {
      * @param framesPerSecond how many frames a second of a file's animation has, greater than 0 and finite; 24 as a film
      * @param animation the animation of the file: its number in the file's order, from 0, or its name, of which the first counts; empty for the first
      *     animation
+     * @param assets a folder that files which the file names may lie in or below, beside its own; empty for none
      */
     public record Options(
             Optional<Path> extracted,
@@ -222,7 +226,8 @@ public final class SceneImporter {
             Optional<Orbit> orbit,
             Optional<Backdrop> backdrop,
             double framesPerSecond,
-            Optional<String> animation) {
+            Optional<String> animation,
+            Optional<Path> assets) {
         /** The usual choices. */
         public static final Options DEFAULT = new Options(
                 Optional.empty(),
@@ -231,6 +236,7 @@ public final class SceneImporter {
                 Optional.empty(),
                 Optional.empty(),
                 24,
+                Optional.empty(),
                 Optional.empty());
 
         /** An axis that points upwards, with the front of a model that stands on it. */
@@ -292,41 +298,48 @@ public final class SceneImporter {
             Objects.requireNonNull(orbit, "orbit");
             Objects.requireNonNull(backdrop, "backdrop");
             Objects.requireNonNull(animation, "animation");
+            Objects.requireNonNull(assets, "assets");
         }
 
         /** These choices with a folder for pictures. */
         public Options withExtracted(Path folder) {
-            return new Options(Optional.of(folder), up, camera, orbit, backdrop, framesPerSecond, animation);
+            return new Options(Optional.of(folder), up, camera, orbit, backdrop, framesPerSecond, animation, assets);
         }
 
         /** These choices with an axis upwards. */
         public Options withUp(Up value) {
-            return new Options(extracted, Optional.of(value), camera, orbit, backdrop, framesPerSecond, animation);
+            return new Options(
+                    extracted, Optional.of(value), camera, orbit, backdrop, framesPerSecond, animation, assets);
         }
 
         /** These choices with a camera of the file, by its number or name. */
         public Options withCamera(String value) {
-            return new Options(extracted, up, Optional.of(value), orbit, backdrop, framesPerSecond, animation);
+            return new Options(extracted, up, Optional.of(value), orbit, backdrop, framesPerSecond, animation, assets);
         }
 
         /** These choices with a view from outside. */
         public Options withOrbit(Orbit value) {
-            return new Options(extracted, up, camera, Optional.of(value), backdrop, framesPerSecond, animation);
+            return new Options(extracted, up, camera, Optional.of(value), backdrop, framesPerSecond, animation, assets);
         }
 
         /** These choices with other surroundings. */
         public Options withBackdrop(Backdrop value) {
-            return new Options(extracted, up, camera, orbit, Optional.of(value), framesPerSecond, animation);
+            return new Options(extracted, up, camera, orbit, Optional.of(value), framesPerSecond, animation, assets);
         }
 
         /** These choices with another number of frames in a second. */
         public Options withFramesPerSecond(double value) {
-            return new Options(extracted, up, camera, orbit, backdrop, value, animation);
+            return new Options(extracted, up, camera, orbit, backdrop, value, animation, assets);
         }
 
         /** These choices with an animation of the file, by its number or name. */
         public Options withAnimation(String value) {
-            return new Options(extracted, up, camera, orbit, backdrop, framesPerSecond, Optional.of(value));
+            return new Options(extracted, up, camera, orbit, backdrop, framesPerSecond, Optional.of(value), assets);
+        }
+
+        /** These choices with a folder of files that the file may name. */
+        public Options withAssets(Path folder) {
+            return new Options(extracted, up, camera, orbit, backdrop, framesPerSecond, animation, Optional.of(folder));
         }
 
         /** The surroundings that replace those of a file, or stand in for them where it has none. */

@@ -97,17 +97,17 @@ public final class MeshFiles {
         }
         String name = source.name.toLowerCase(Locale.ROOT);
         if (SerializedReader.isSerialized(start) || name.endsWith(".serialized")) {
-            return new Contents(SerializedReader.read(source, maxTriangles), List.of());
+            return new Contents(SerializedReader.read(source, maxTriangles), List.of(), false);
         }
         if (text.matches("(?is)ply[\n\r].*") || name.endsWith(".ply")) {
-            return single(source, () -> PlyReader.read(source, maxTriangles));
+            return single(source, () -> PlyReader.read(source, maxTriangles), PlyReader.hasColors(source));
         }
         if (name.endsWith(".obj")) {
             return ObjReader.read(source, maxTriangles);
         }
         boolean isSolid = text.strip().toLowerCase(Locale.ROOT).startsWith("solid");
         if (isSolid || StlReader.isBinary(source, start)) {
-            return single(source, () -> StlReader.read(source, start, maxTriangles));
+            return single(source, () -> StlReader.read(source, start, maxTriangles), false);
         }
         throw source.failure(
                 name.endsWith(".stl")
@@ -116,9 +116,9 @@ public final class MeshFiles {
                                 + Plain.quoted(text.substring(0, Math.min(16, text.length()))));
     }
 
-    private static Contents single(MeshSource source, MeshMaking making) throws IOException {
+    private static Contents single(MeshSource source, MeshMaking making, boolean hasColors) throws IOException {
         TriangleMesh mesh = making.withArea(source).orElseThrow(() -> source.failure("has no triangle with an area"));
-        return new Contents(List.of(new Part("", mesh)), List.of());
+        return new Contents(List.of(new Part("", mesh)), List.of(), hasColors);
     }
 
     /**
@@ -134,8 +134,9 @@ public final class MeshFiles {
      *
      * @param parts at least one
      * @param materialLibraries the names of MTL files as an OBJ file has them, which are relative to its folder; else none
+     * @param hasColors whether vertices have colours, which meshes do not
      */
-    public record Contents(List<MeshFiles.Part> parts, List<String> materialLibraries) {
+    public record Contents(List<MeshFiles.Part> parts, List<String> materialLibraries, boolean hasColors) {
         /** Copies the lists. */
         public Contents {
             parts = List.copyOf(parts);

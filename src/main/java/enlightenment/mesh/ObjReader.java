@@ -68,6 +68,7 @@ final class ObjReader {
     private final MeshSource source;
     private final long maxTriangles;
     private final Attribute positions = new Attribute("vertex", 3);
+    private boolean hasColors;
     private final Attribute uv = new Attribute("texture vertex", 2);
     private final Attribute normals = new Attribute("normal", 3);
     private final Map<String, ObjPart> parts = new LinkedHashMap<>();
@@ -111,17 +112,27 @@ final class ObjReader {
                             ? "has " + positions.count() + " vertices and no faces (f); nothing else makes a mesh"
                             : "has no triangle with an area");
         }
-        return new MeshFiles.Contents(read, List.copyOf(libraries));
+        return new MeshFiles.Contents(read, List.copyOf(libraries), hasColors);
     }
 
     private void readLine(TextInput in) throws IOException {
         switch (in.shortWord()) {
-            case V -> readNumbers(in, 3, positions.values);
+            case V -> readVertex(in);
             case VT -> readTextureVertex(in);
             case VN -> readNumbers(in, 3, normals.values);
             case F -> readFace(in);
             case 0 -> readNames(in);
             default -> {}
+        }
+    }
+
+    /** The first vertex tells whether there are colours: red, green and blue behind the coordinates. */
+    private void readVertex(TextInput in) throws IOException {
+        boolean isFirst = positions.count() == 0;
+        readNumbers(in, 3, positions.values);
+        if (isFirst) {
+            in.blanks();
+            hasColors = in.rest().matches("[^#\\s]+[ \t]+[^#\\s]+[ \t]+[^#\\s].*");
         }
     }
 

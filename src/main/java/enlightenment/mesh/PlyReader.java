@@ -51,6 +51,12 @@ final class PlyReader {
         return new PlyReader(source, maxTriangles).mesh();
     }
 
+    /** Whether the header names colours of vertices. */
+    static boolean hasColors(MeshSource source) throws IOException {
+        return new PlyHeader(source)
+                .elements.stream().anyMatch(e -> e.name().equals("vertex") && e.find("red", false) >= 0);
+    }
+
     private TriangleMesh mesh() throws IOException {
         vertices = count("vertex");
         int faces = count("face");

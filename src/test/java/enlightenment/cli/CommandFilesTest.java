@@ -54,7 +54,7 @@ class CommandFilesTest {
 
     /** Such options of all commands that read files of other programs. */
     private static final Set<String> OF_FOREIGN_FILES =
-            Set.of("--camera", "--view", "--up", "--background", "--fps", "--animation");
+            Set.of("--camera", "--view", "--up", "--background", "--fps", "--animation", "--assets");
 
     /** What is read only, by commands that write nothing, or in a place where nothing is written but files that were not there; {@code view} writes into the scene itself, where asked to. */
     private static final Set<String> READ_ONLY = Set.of(

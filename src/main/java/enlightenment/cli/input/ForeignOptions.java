@@ -9,6 +9,7 @@ import enlightenment.color.Rgb;
 import enlightenment.importer.SceneImporter;
 import enlightenment.importer.SceneImporter.Options.Orbit;
 import enlightenment.importer.SceneImporter.Options.Up;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -63,6 +64,12 @@ public final class ForeignOptions {
             description = "file of another program: the animation of this name or number, counted from 0")
     private String animation;
 
+    @Option(
+            names = "--assets",
+            paramLabel = "DIR",
+            description = "file of another program: a folder that the files which it names may lie in, beside its own")
+    private Path assets;
+
     /** Options that were not given. */
     public ForeignOptions() {}
 
@@ -83,7 +90,8 @@ public final class ForeignOptions {
                 Optional.ofNullable(view),
                 Optional.ofNullable(background),
                 framesPerSecond == null ? usual.framesPerSecond() : framesPerSecond,
-                Optional.ofNullable(animation));
+                Optional.ofNullable(animation),
+                Optional.ofNullable(assets));
     }
 
     /** Fails if one is given for a file that is none of another program. */
@@ -115,6 +123,9 @@ public final class ForeignOptions {
         }
         if (animation != null) {
             given.add("--animation");
+        }
+        if (assets != null) {
+            given.add("--assets");
         }
         return given;
     }

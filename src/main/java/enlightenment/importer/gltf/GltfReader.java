@@ -87,17 +87,17 @@ public final class GltfReader {
      * @throws IOException if a file cannot be read or written
      */
     public static ImportDraft read(
-            Path file, Optional<Path> extracted, NamedChoice camera, NamedChoice animation, double framesPerSecond)
+            InputFolder folder,
+            Optional<Path> extracted,
+            NamedChoice camera,
+            NamedChoice animation,
+            double framesPerSecond)
             throws IOException {
+        Path file = folder.imported();
         try {
             GltfContainer container = GltfContainer.read(file);
             GltfReader reader = new GltfReader(
-                    container,
-                    new InputFolder(file),
-                    new ExtractedFiles(extracted),
-                    camera,
-                    animation,
-                    framesPerSecond);
+                    container, folder, new ExtractedFiles(extracted), camera, animation, framesPerSecond);
             reader.readNodes();
             reader.cameras.requireChosen();
             reader.addAnimation();

@@ -39,6 +39,7 @@ final class MeshShapes {
             file = scene.file(p.text("filename", ""));
         } catch (IOException problem) {
             scene.note(p.element(), "a shape is left out: " + problem.getMessage());
+            p.ignoreAll();
             return Optional.empty();
         }
         String type = p.element().type();
@@ -60,7 +61,7 @@ final class MeshShapes {
     }
 
     /**
-     * Whether the shading normals of a mesh point to the side from which its triangles, once they are placed, wind clockwise.
+     * Whether the normals of a mesh point to the side from which its triangles, once they are placed, wind clockwise.
      *
      * @param isMirrored whether the map that places it mirrors
      */
@@ -69,7 +70,9 @@ final class MeshShapes {
         String type = p.element().type();
         String part = type.equals("serialized") ? Integer.toString(p.whole("shape_index", 0)) : "";
         if (normals(p, file, part) != MeshFiles.Origin.Normals.FILE) {
-            return false;
+            // Mitsuba makes them of the triangles as to_world places them; what is around that mirrors triangle and
+            // normal.
+            return isMirrored != p.transform("to_world").determinant() < 0;
         }
         TriangleMesh mesh = placed.triangles();
         double sum = 0;

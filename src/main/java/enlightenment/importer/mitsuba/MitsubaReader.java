@@ -4,6 +4,7 @@ import enlightenment.importer.support.Affine;
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.importer.support.ImportFailure;
+import enlightenment.importer.support.InputFolder;
 import enlightenment.importer.support.NamedChoice;
 import enlightenment.scene.Shading;
 import enlightenment.text.Plain;
@@ -47,13 +48,15 @@ public final class MitsubaReader {
     /**
      * Reads a scene.
      *
+     * @param folder of its file
      * @param made where pictures go that are made of the scene's own
      * @param camera which sensor, by its number or its id
      * @throws enlightenment.scene.SceneException for what is no such scene, with file, line and what was expected
      * @throws IOException if a file cannot be read, or a mesh is broken
      */
-    public static ImportDraft read(Path file, ExtractedFiles made, NamedChoice camera) throws IOException {
-        XmlElement root = XmlFile.read(file);
+    public static ImportDraft read(InputFolder folder, ExtractedFiles made, NamedChoice camera) throws IOException {
+        Path file = folder.imported();
+        XmlElement root = XmlFile.read(folder);
         if (!root.tag().equals("scene")) {
             throw ImportFailure.at(
                     file, 1, "is no scene of Mitsuba: its root is " + Plain.quoted(root.tag()) + ", not \"scene\"");
@@ -63,7 +66,7 @@ public final class MitsubaReader {
                 root.children().stream().filter(e -> e.tag().equals("sensor")).toList();
         int wanted = chosen(file, sensors, camera);
         XmlElement sensor = sensors.isEmpty() ? null : sensors.get(wanted);
-        new MitsubaReader(new SceneIndex(root, file, draft, made), root.children(), sensor).addAll();
+        new MitsubaReader(new SceneIndex(root, folder, draft, made), root.children(), sensor).addAll();
         return draft;
     }
 
@@ -82,7 +85,12 @@ public final class MitsubaReader {
         for (XmlElement e : elements) {
             switch (e.tag()) {
                 case "shape" -> shapes.add(e);
-                case "emitter" -> emitters.add(e);
+                case "emitter" -> {
+                    // One of an area shines where a shape refers to it.
+                    if (!e.type().equals("area") || !e.has("id")) {
+                        emitters.add(e);
+                    }
+                }
                 case "integrator" -> integrator(e);
                 case "sensor" -> {
                     if (e == sensor) {

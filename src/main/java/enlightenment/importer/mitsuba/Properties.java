@@ -52,13 +52,16 @@ final class Properties {
         known.addAll(List.of(names));
     }
 
-    /** The names of properties that nothing asked for. */
-    Stream<String> unused() {
+    /** Marks all properties as known: the plugin is left out. */
+    void ignoreAll() {
+        element.children().forEach(c -> known.add(c.name()));
+    }
+
+    /** The properties with names that nothing asked for. */
+    Stream<XmlElement> unused() {
         return element.children().stream()
                 .filter(c -> VALUES.contains(c.tag()))
-                .map(XmlElement::name)
-                .filter(n -> !n.isEmpty() && !known.contains(n))
-                .distinct();
+                .filter(c -> !c.name().isEmpty() && !known.contains(c.name()));
     }
 
     double number(String name, double otherwise) {

@@ -26,13 +26,13 @@ final class SceneIndex {
     /**
      * The index of a scene.
      *
-     * @param file the scene's own file, whose folder and those below are the only ones that are read
+     * @param folder of the scene's own file
      * @param made where pictures go that are made of its own
      */
-    SceneIndex(XmlElement root, Path file, ImportDraft draft, ExtractedFiles made) {
+    SceneIndex(XmlElement root, InputFolder folder, ImportDraft draft, ExtractedFiles made) {
         this.draft = draft;
         pictures = new DerivedPictures(made);
-        folder = new InputFolder(file);
+        this.folder = folder;
         isOld = root.attribute("version").startsWith("0.");
         Deque<XmlElement> open = new ArrayDeque<>(List.of(root));
         List<XmlElement> aliases = new ArrayList<>();
@@ -73,9 +73,14 @@ final class SceneIndex {
         notes().add(e.place(), message);
     }
 
-    /** Notes the properties of a plugin that nothing asked for. */
+    /** Notes the properties of a plugin that nothing asked for; whatever their names, plugins inside of it are found by their kind. */
     void noteUnused(Properties p) {
-        p.unused().forEach(name -> note(p.element(), p.element().described() + ": " + name + " is left out"));
+        p.unused()
+                .filter(value ->
+                        !value.tag().equals("ref") || target(value).tag().equals("texture"))
+                .map(XmlElement::name)
+                .distinct()
+                .forEach(name -> note(p.element(), p.element().described() + ": " + name + " is left out"));
     }
 
     /** The element itself, or what a reference means. */
@@ -109,14 +114,14 @@ final class SceneIndex {
      * @throws IOException whose message is fit to be shown
      */
     Path file(String name) throws IOException {
-        IOException first = null;
+        List<String> problems = new ArrayList<>();
         for (String prefix : prefixes) {
             try {
                 return folder.file(prefix + name);
             } catch (IOException e) {
-                first = first == null ? e : first;
+                problems.add(e.getMessage());
             }
         }
-        throw first;
+        throw new IOException(String.join(", and ", problems));
     }
 }

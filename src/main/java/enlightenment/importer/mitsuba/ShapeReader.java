@@ -4,6 +4,7 @@ import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Rectangle;
 import enlightenment.geometry.Shape;
 import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.Fillings;
 import enlightenment.importer.support.PlacedShapes;
 import enlightenment.importer.support.UvMap;
 import enlightenment.material.Glass;
@@ -107,7 +108,8 @@ final class ShapeReader {
             List<Shape> shapes = shapes(p, map, surface);
             scene.noteUnused(p);
             for (Shape shape : shapes) {
-                scene.draft().object(e.attribute("id"), shape, fitting(p, surface, shape));
+                Shape whole = whole(p, surface, shape);
+                scene.draft().object(e.attribute("id"), whole, fitting(p, surface, whole));
             }
         }
     }
@@ -165,6 +167,14 @@ final class ShapeReader {
             return new Mesh(uv.mapped(m.triangles(), false), Optional.empty(), m.transform());
         }
         return shape instanceof Rectangle r ? Mesh.of(TexturedRectangle.mesh(r, uv)) : shape;
+    }
+
+    /** The shape, without holes where a dielectric fills it. */
+    private Shape whole(Properties p, Surface surface, Shape shape) {
+        boolean isFilled = surface.material().orElseThrow() instanceof Glass && !surface.isThin();
+        Optional<Shape> closed = isFilled ? Fillings.closed(shape) : Optional.empty();
+        closed.ifPresent(s -> scene.note(p.element(), "small holes of a mesh that a dielectric fills are closed"));
+        return closed.orElse(shape);
     }
 
     /** The material as it can stand on a shape. */

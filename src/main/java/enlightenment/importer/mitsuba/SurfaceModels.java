@@ -31,7 +31,11 @@ final class SurfaceModels {
             case "roughdiffuse" -> roughDiffuse(p);
             case "dielectric", "thindielectric", "roughdielectric" -> dielectric(p);
             case "conductor", "roughconductor" -> conductor(p);
-            case "plastic", "roughplastic" -> plastic(p);
+            case "plastic" -> plastic(p);
+            case "roughplastic" -> {
+                note(p, "roughplastic keeps the light that its roughness loses in Mitsuba, and is brighter");
+                yield plastic(p);
+            }
             case "principled", "principledthin" -> new PrincipledReader(scene, textures).material(p);
             case "phong" -> phong(p);
             case "ward" -> ward(p);

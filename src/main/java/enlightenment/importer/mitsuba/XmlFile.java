@@ -38,8 +38,8 @@ final class XmlFile {
 
     private int elements;
 
-    private XmlFile(Path file) {
-        folder = new InputFolder(file);
+    private XmlFile(InputFolder folder) {
+        this.folder = folder;
     }
 
     /**
@@ -47,8 +47,8 @@ final class XmlFile {
      *
      * @throws SceneException for what is no XML, or beyond the limits
      */
-    static XmlElement read(Path file) throws IOException {
-        return new XmlFile(file).root(file);
+    static XmlElement read(InputFolder folder) throws IOException {
+        return new XmlFile(folder).root(folder.imported());
     }
 
     private XmlElement root(Path file) throws IOException {

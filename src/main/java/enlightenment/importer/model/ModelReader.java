@@ -30,13 +30,17 @@ public final class ModelReader {
      *
      * @throws IOException naming the file and the place for what is no such file
      */
-    public static ImportDraft read(Path file) throws IOException {
+    public static ImportDraft read(InputFolder folder) throws IOException {
+        Path file = folder.imported();
         ImportDraft draft = new ImportDraft();
         MeshFiles.Contents meshes = MeshFiles.readFile(file, MeshFiles.MAX_TRIANGLES);
         if (file.toString().toLowerCase(Locale.ROOT).endsWith(".stl")) {
             draft.upIsZ();
         }
-        Map<String, Material> materials = materials(file, meshes.materialLibraries(), draft);
+        if (meshes.hasColors()) {
+            draft.notes().add("", "colours of vertices are left out");
+        }
+        Map<String, Material> materials = materials(folder, meshes.materialLibraries(), draft);
         List<MeshFiles.Part> parts = meshes.parts();
         for (int i = 0; i < parts.size(); i++) {
             MeshFiles.Part part = parts.get(i);
@@ -52,8 +56,7 @@ public final class ModelReader {
         return draft;
     }
 
-    private static Map<String, Material> materials(Path file, List<String> libraries, ImportDraft draft) {
-        InputFolder folder = new InputFolder(file);
+    private static Map<String, Material> materials(InputFolder folder, List<String> libraries, ImportDraft draft) {
         Map<String, Material> materials = new HashMap<>();
         for (String library : libraries) {
             try {

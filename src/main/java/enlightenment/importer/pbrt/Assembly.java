@@ -3,6 +3,7 @@ package enlightenment.importer.pbrt;
 import enlightenment.color.Rgb;
 import enlightenment.geometry.Shape;
 import enlightenment.importer.support.Affine;
+import enlightenment.importer.support.Fillings;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.material.Composite;
 import enlightenment.material.Glass;
@@ -48,7 +49,7 @@ final class Assembly {
             if (p.surface().isInterface() && p.medium().isEmpty() && !isLamp) {
                 return;
             }
-            Shape placed = forms.place(p.form(), map, place);
+            Shape placed = whole(shape, p, forms.place(p.form(), map, place));
             Surface surface = fitted(shape, p, placed.enclosesVolume());
             if (isLamp) {
                 lamps.add(shape, p.form(), map, placed, surface, p.lamp());
@@ -58,6 +59,18 @@ final class Assembly {
         } catch (IllegalArgumentException e) {
             throw place.failure(e.getMessage());
         }
+    }
+
+    /** The shape, without holes where glass or a medium fills it. */
+    private Shape whole(ShapeDefinition shape, Prepared p, Shape placed) {
+        Surface surface = p.surface();
+        boolean isFilled = surface.isInterface()
+                ? p.medium().isPresent()
+                : surface.material() instanceof Material.Scattering
+                        || surface.material() instanceof Glass && !surface.isThinGlass();
+        Optional<Shape> closed = isFilled ? Fillings.closed(placed) : Optional.empty();
+        closed.ifPresent(s -> note(shape, "small holes of a mesh that is filled are closed"));
+        return closed.orElse(placed);
     }
 
     private Prepared prepare(ShapeDefinition shape) {

@@ -2,9 +2,9 @@ package enlightenment.importer.pbrt;
 
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
+import enlightenment.importer.support.InputFolder;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
-import java.nio.file.Path;
 
 /** Reads scenes of pbrt-v4. */
 public final class PbrtReader {
@@ -17,9 +17,9 @@ public final class PbrtReader {
      * @throws SceneException naming file and line for what is no scene of pbrt-v4
      * @throws IOException if a file cannot be read
      */
-    public static ImportDraft read(Path file, ExtractedFiles extracted) throws IOException {
+    public static ImportDraft read(InputFolder folder, ExtractedFiles extracted) throws IOException {
         ImportDraft draft = new ImportDraft();
-        try (TokenSource in = new TokenSource(file)) {
+        try (TokenSource in = new TokenSource(folder)) {
             new Directives(in, draft, extracted).read();
         }
         return draft;

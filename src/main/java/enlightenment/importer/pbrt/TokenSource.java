@@ -31,8 +31,9 @@ final class TokenSource implements Closeable {
     private Place last;
     private long closedCharacters;
 
-    TokenSource(Path file) throws IOException {
-        folder = new InputFolder(file);
+    TokenSource(InputFolder folder) throws IOException {
+        Path file = folder.imported();
+        this.folder = folder;
         open.push(new Lexer(file, true));
         last = new Place(file, 1, true);
     }

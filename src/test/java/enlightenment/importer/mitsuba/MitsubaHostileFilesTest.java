@@ -1,8 +1,13 @@
 package enlightenment.importer.mitsuba;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.geometry.Rectangle;
+import enlightenment.importer.SceneImporter;
+import enlightenment.scene.Scene;
+import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -47,6 +52,32 @@ class MitsubaHostileFilesTest {
                     "leads out of the folder");
         }
         assertRefused("<scene version=\"3.0.0\"><include filename=\"http://example.org/a.xml\"/></scene>", "is a URL");
+    }
+
+    @Test
+    void filesElsewhereAreReadFromTheFolderOfAssetsOnly() throws IOException {
+        Path scene = Files.createDirectories(folder.resolve("a/scene")).resolve("scene.xml");
+        Path shared = Files.createDirectories(folder.resolve("a/shared"));
+        Files.writeString(shared.resolve("part.xml"), "<scene version=\"3.0.0\"><shape type=\"sphere\"/></scene>");
+        Files.writeString(shared.resolve("part.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        String mesh = "<path value=\"../shared\"/>"
+                + "<shape type=\"obj\"><string name=\"filename\" value=\"part.obj\"/></shape>";
+        for (String inside : new String[] {"<include filename=\"../shared/part.xml\"/>", mesh}) {
+            Files.writeString(scene, "<scene version=\"3.0.0\">" + inside + "</scene>");
+            for (Path allowed : new Path[] {shared, folder, shared.resolve("../shared")}) {
+                assertTrue(hasObjects(scene, SceneImporter.Options.DEFAULT.withAssets(allowed)));
+            }
+            SceneImporter.Options others = SceneImporter.Options.DEFAULT.withAssets(shared.resolve("below"));
+            for (SceneImporter.Options refused : new SceneImporter.Options[] {SceneImporter.Options.DEFAULT, others}) {
+                SceneException e = assertThrows(SceneException.class, () -> hasObjects(scene, refused));
+                assertTrue(e.getMessage().contains("leads out of the folder of the scene"), e.getMessage());
+            }
+        }
+    }
+
+    private static boolean hasObjects(Path scene, SceneImporter.Options options) throws IOException {
+        Scene read = SceneImporter.read(scene, options).scene();
+        return read.objects().stream().anyMatch(o -> !(o.shape() instanceof Rectangle));
     }
 
     @Test

@@ -52,6 +52,12 @@ class MitsubaLampsTest {
                 + "<emitter type=\"area\"><rgb name=\"radiance\" value=\"3\"/></emitter></shape>");
     }
 
+    /** The same in a scene that is mirrored as a whole, as those of parallel views are, at the plane x = 0. */
+    private ImportDraft mirrored(String type, String inside) throws IOException {
+        return scenes.read("<sensor type=\"orthographic\"/><shape type=\"" + type + "\">" + inside
+                + "<emitter type=\"area\"><rgb name=\"radiance\" value=\"3\"/></emitter></shape>");
+    }
+
     private static String scaled(String axis) {
         return axis.isEmpty() ? "" : "<transform name=\"to_world\"><scale " + axis + "=\"-1\"/></transform>";
     }
@@ -81,6 +87,8 @@ class MitsubaLampsTest {
             assertEquals(-1, front(lamp(type, bsdf + FLIP + scaled("x"))).z());
             assertEquals(-1, front(lamp(type, bsdf + scaled("z"))).z());
             assertEquals(1, front(lamp(type, bsdf + FLIP + scaled("z"))).z());
+            assertEquals(1, front(mirrored(type, bsdf)).z());
+            assertEquals(-1, front(mirrored(type, bsdf + scaled("z"))).z());
         }
     }
 
@@ -119,6 +127,8 @@ class MitsubaLampsTest {
             for (String bsdf : new String[] {"", BLACK}) {
                 assertEquals(side, front(lamp("obj", inside + bsdf)).z());
                 assertEquals(-side, front(lamp("obj", inside + bsdf + FLIP)).z());
+                assertEquals(side, front(mirrored("obj", inside + bsdf)).z());
+                assertEquals(-side, front(mirrored("obj", inside + bsdf + FLIP)).z());
             }
         }
     }

@@ -2,6 +2,7 @@ package enlightenment.importer.mitsuba;
 
 import enlightenment.importer.support.ExtractedFiles;
 import enlightenment.importer.support.ImportDraft;
+import enlightenment.importer.support.InputFolder;
 import enlightenment.importer.support.NamedChoice;
 import enlightenment.material.Material;
 import enlightenment.scene.SceneException;
@@ -27,7 +28,9 @@ record MitsubaScenes(Path folder) {
 
     private ImportDraft read(Path file) throws IOException {
         return MitsubaReader.read(
-                file, new ExtractedFiles(Optional.of(folder.resolve("made"))), NamedChoice.camera(Optional.empty()));
+                new InputFolder(file),
+                new ExtractedFiles(Optional.of(folder.resolve("made"))),
+                NamedChoice.camera(Optional.empty()));
     }
 
     /** The material of a sphere with this bsdf. */

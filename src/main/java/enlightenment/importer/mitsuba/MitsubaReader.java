@@ -99,7 +99,16 @@ public final class MitsubaReader {
                         scene.note(e, "one sensor counts: this one is left out");
                     }
                 }
-                case "bsdf", "texture", "alias", "path", "sampler", "film", "phase", "rfilter", "spectrum" -> {
+                case "bsdf",
+                        "texture",
+                        "medium",
+                        "alias",
+                        "path",
+                        "sampler",
+                        "film",
+                        "phase",
+                        "rfilter",
+                        "spectrum" -> {
                     // Counts where it is referred to, or not at all.
                 }
                 default -> scene.note(e, e.described() + " is left out");

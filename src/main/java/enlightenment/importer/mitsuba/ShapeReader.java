@@ -9,6 +9,7 @@ import enlightenment.importer.support.PlacedShapes;
 import enlightenment.importer.support.UvMap;
 import enlightenment.material.Glass;
 import enlightenment.material.Material;
+import enlightenment.material.Medium;
 import enlightenment.math.InvalidValueException;
 import enlightenment.math.Vec3;
 import java.io.IOException;
@@ -29,6 +30,7 @@ final class ShapeReader {
     private final MeshShapes meshes;
     private final PlacedShapes placed;
     private final LampShapes lamps;
+    private final MediumReader media;
     private int count;
 
     /** @param world from the coordinates of the file to those of the scene */
@@ -40,6 +42,7 @@ final class ShapeReader {
         meshes = new MeshShapes(scene);
         placed = new PlacedShapes(scene.notes(), true);
         lamps = new LampShapes(scene, meshes, placed);
+        media = new MediumReader(scene);
     }
 
     /** Adds a shape of the scene to it. */
@@ -89,28 +92,60 @@ final class ShapeReader {
         Affine map = outer.after(p.transform("to_world"));
         Surface surface =
                 scene.inside(e, "bsdf").stream().findFirst().map(bsdfs::surface).orElse(BsdfReader.usual());
-        for (String inside : List.of("medium", "volume")) {
-            if (!scene.inside(e, inside).isEmpty()) {
-                scene.note(e, "a " + inside + " inside of a shape is left out");
-            }
-        }
+        Surface filled = filled(e, surface);
         p.ignore("id", "interior", "exterior");
         Optional<AreaEmission> emission = emissions.area(e, surface);
-        if (surface.material().isEmpty() && emission.isEmpty()) {
+        if (filled.material().isEmpty() && emission.isEmpty()) {
             return;
         }
         p.ignore("flip_normals");
         if (emission.isPresent()) {
+            if (!filled.equals(surface)) {
+                scene.note(e, "a medium inside of a shape that emits is left out");
+            }
             Surface glowing = lamps.glowing(e, surface, emission.get());
             lamps.add(p, shapes(p, map, glowing), map, glowing);
             scene.noteUnused(p);
         } else {
-            List<Shape> shapes = shapes(p, map, surface);
+            List<Shape> shapes = shapes(p, map, filled);
             scene.noteUnused(p);
             for (Shape shape : shapes) {
-                Shape whole = whole(p, surface, shape);
-                scene.draft().object(e.attribute("id"), whole, fitting(p, surface, whole));
+                addSolid(p, shape, surface, filled);
             }
+        }
+    }
+
+    /** The surface with the medium inside of a shape; the surface itself where that has no part in what is seen. */
+    private Surface filled(XmlElement e, Surface surface) {
+        boolean isOpen = surface.material().isEmpty() || surface.material().get() instanceof Glass;
+        Optional<Medium.Coefficients> medium = isOpen ? media.interior(e) : Optional.empty();
+        if (medium.isEmpty()) {
+            return surface;
+        }
+        if (surface.isThin()) {
+            scene.note(e, "what a thin dielectric around a medium reflects is left out");
+        }
+        if (surface.isThin() || surface.material().isEmpty()) {
+            return new Surface(Optional.of(Material.Scattering.of(medium.get())), surface.map(), false);
+        }
+        Glass glass = (Glass) surface.material().get();
+        if (Fillings.losesTexture(glass, medium.get())) {
+            scene.note(
+                    e, "the texture of the roughness around a medium that scatters is left out: the border is smooth");
+        }
+        return new Surface(Optional.of(Fillings.filled(glass, medium.get())), surface.map(), false);
+    }
+
+    /** Adds a shape with its filling, or without if it encloses no volume. */
+    private void addSolid(Properties p, Shape shape, Surface surface, Surface filled) {
+        Shape whole = whole(p, filled, shape);
+        boolean isEmpty = !filled.equals(surface) && !whole.enclosesVolume();
+        if (isEmpty) {
+            scene.note(p.element(), "a medium in a shape that encloses no volume is left out");
+        }
+        Surface fit = isEmpty ? surface : filled;
+        if (fit.material().isPresent()) {
+            scene.draft().object(p.element().attribute("id"), whole, fitting(p, fit, whole));
         }
     }
 
@@ -171,9 +206,9 @@ final class ShapeReader {
 
     /** The shape, without holes where a dielectric fills it. */
     private Shape whole(Properties p, Surface surface, Shape shape) {
-        boolean isFilled = surface.material().orElseThrow() instanceof Glass && !surface.isThin();
+        boolean isFilled = surface.fillsSolid() && !surface.isThin();
         Optional<Shape> closed = isFilled ? Fillings.closed(shape) : Optional.empty();
-        closed.ifPresent(s -> scene.note(p.element(), "small holes of a mesh that a dielectric fills are closed"));
+        closed.ifPresent(s -> scene.note(p.element(), "small holes of a mesh that is filled are closed"));
         return closed.orElse(shape);
     }
 

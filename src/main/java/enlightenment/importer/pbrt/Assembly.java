@@ -133,15 +133,10 @@ final class Assembly {
         if (medium.isEmpty()) {
             return glass;
         }
-        Medium.Coefficients inside = medium.get();
-        if (inside.scattering().max() == 0) {
-            return glass.withAbsorption(inside.absorption());
+        if (Fillings.losesTexture(glass, medium.get())) {
+            note(shape, "the texture of the roughness around a medium that scatters is left out: the border is smooth");
         }
-        if (glass.roughness() instanceof Texture.Amount.Constant roughness) {
-            return new Material.Scattering(inside, glass.indexOfRefraction(), roughness.value(), 0);
-        }
-        note(shape, "the texture of the roughness around a medium that scatters is left out: the border is smooth");
-        return new Material.Scattering(inside, glass.indexOfRefraction(), 0, 0);
+        return Fillings.filled(glass, medium.get());
     }
 
     private Material pane(ShapeDefinition shape, Surface surface, Glass glass) {

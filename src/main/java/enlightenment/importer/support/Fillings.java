@@ -2,11 +2,15 @@ package enlightenment.importer.support;
 
 import enlightenment.geometry.Mesh;
 import enlightenment.geometry.Shape;
+import enlightenment.material.Glass;
+import enlightenment.material.Material;
+import enlightenment.material.Medium;
+import enlightenment.material.Texture;
 import enlightenment.mesh.TriangleMesh;
 import java.util.Optional;
 
 /**
- * Shapes that glass or a medium is to fill. Renderers that tell the inside by the side of a surface that light meets fill meshes with holes, too; here
+ * What glass and media fill. Renderers that tell the inside by the side of a surface that light meets fill meshes with holes, too; here
  * only what is closed has an inside, and so small holes are closed.
  */
 public final class Fillings {
@@ -14,6 +18,20 @@ public final class Fillings {
     private static final double SMALL = 0x1p-4;
 
     private Fillings() {}
+
+    /** Whether {@link #filled} loses the texture of the glass's roughness: its border becomes smooth. */
+    public static boolean losesTexture(Glass glass, Medium.Coefficients inside) {
+        return inside.scattering().max() > 0 && !(glass.roughness() instanceof Texture.Amount.Constant);
+    }
+
+    /** Glass that a medium fills: it absorbs, or is a solid that light is scattered in. */
+    public static Material filled(Glass glass, Medium.Coefficients inside) {
+        if (inside.scattering().max() == 0) {
+            return glass.withAbsorption(inside.absorption());
+        }
+        double roughness = glass.roughness() instanceof Texture.Amount.Constant constant ? constant.value() : 0;
+        return new Material.Scattering(inside, glass.indexOfRefraction(), roughness, 0);
+    }
 
     /** The shape with its holes closed, without the name of its file; empty if it is closed, is no mesh, or has larger holes. */
     public static Optional<Shape> closed(Shape shape) {

@@ -9,6 +9,8 @@ import enlightenment.color.Rgb;
 import enlightenment.importer.SceneImporter;
 import enlightenment.importer.SceneImporter.Options.Orbit;
 import enlightenment.importer.SceneImporter.Options.Up;
+import enlightenment.text.Plain;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -80,8 +82,11 @@ public final class ForeignOptions {
         }
     }
 
-    /** The choices for the importer. */
+    /** The choices for the importer; fails if the folder of assets is none. */
     public SceneImporter.Options options() {
+        if (assets != null && !Files.isDirectory(assets)) {
+            throw CliException.wrongUsage("--assets: there is no folder " + Plain.quoted(assets.toString()));
+        }
         SceneImporter.Options usual = SceneImporter.Options.DEFAULT;
         return new SceneImporter.Options(
                 usual.extracted(),

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import enlightenment.cli.CliRun;
 import enlightenment.geometry.Rectangle;
 import enlightenment.importer.SceneImporter;
 import enlightenment.scene.Scene;
@@ -72,6 +73,16 @@ class MitsubaHostileFilesTest {
                 SceneException e = assertThrows(SceneException.class, () -> hasObjects(scene, refused));
                 assertTrue(e.getMessage().contains("leads out of the folder of the scene"), e.getMessage());
             }
+        }
+    }
+
+    @Test
+    void aFolderOfAssetsThatIsNoneIsRefused() throws IOException {
+        Path scene = scenes.write("scene.xml", "<scene version=\"3.0.0\"><shape type=\"sphere\"/></scene>");
+        for (Path wrong : new Path[] {folder.resolve("nowhere"), scene}) {
+            CliRun run = CliRun.of("convert", scene, folder.resolve("scene.json"), "--assets", wrong);
+            assertEquals(2, run.code());
+            assertTrue(run.err().contains("--assets: there is no folder"), run.err());
         }
     }
 

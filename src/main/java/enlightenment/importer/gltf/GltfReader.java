@@ -207,14 +207,15 @@ public final class GltfReader {
         String name = Plain.excerpt(place.node.text("name", mesh.text("name", "")));
         GltfElement instancing = place.node.extension(INSTANCING);
         for (GltfElement primitive : mesh.items("primitives")) {
-            Optional<TriangleMesh> triangles = primitives.mesh(primitive, materials.frame(primitive));
-            if (triangles.isEmpty()) {
+            Optional<TriangleMesh> read = primitives.mesh(primitive, materials.frame(primitive));
+            if (read.isEmpty()) {
                 continue;
             }
+            TriangleMesh triangles = materials.whole(primitive, read.get());
             if (instancing.isPresent()) {
-                readInstances(place, instancing.get("attributes"), name, primitive, triangles.get());
+                readInstances(place, instancing.get("attributes"), name, primitive, triangles);
             } else {
-                place(place, name, primitive, triangles.get(), Affine.IDENTITY);
+                place(place, name, primitive, triangles, Affine.IDENTITY);
             }
         }
     }

@@ -166,6 +166,12 @@ final class MaterialReader {
         }
     }
 
+    /** Whether what the material is on is filled: it transmits light and has a thickness. */
+    boolean fillsVolume() throws IOException {
+        return material.extension("KHR_materials_transmission").isPresent()
+                && material.extension("KHR_materials_volume").number("thicknessFactor", 0) > 0;
+    }
+
     /** The share that is transmitted: metal lets nothing through. */
     private double transmitted() throws IOException {
         GltfElement transmission = material.extension("KHR_materials_transmission");

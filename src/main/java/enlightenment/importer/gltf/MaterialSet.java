@@ -1,5 +1,6 @@
 package enlightenment.importer.gltf;
 
+import enlightenment.importer.support.Fillings;
 import enlightenment.importer.support.ImportDraft;
 import enlightenment.material.Material;
 import enlightenment.mesh.TriangleMesh;
@@ -49,6 +50,16 @@ final class MaterialSet {
             frames.put(index, reader(index).frame());
         }
         return frames.get(index);
+    }
+
+    /** The mesh of a primitive, without small holes where its material fills it. */
+    TriangleMesh whole(GltfElement primitive, TriangleMesh mesh) throws IOException {
+        Optional<TriangleMesh> closed =
+                reader(index(primitive)).fillsVolume() ? Fillings.closed(mesh) : Optional.empty();
+        if (closed.isPresent()) {
+            draft.notes().add(primitive.place(), "small holes of a mesh that is filled are closed");
+        }
+        return closed.orElse(mesh);
     }
 
     /** The material of a primitive that has become a mesh. */

@@ -33,12 +33,16 @@ public final class Fillings {
         return new Material.Scattering(inside, glass.indexOfRefraction(), roughness, 0);
     }
 
+    /** The mesh with its holes closed; empty if it is closed, or has larger holes. */
+    public static Optional<TriangleMesh> closed(TriangleMesh mesh) {
+        return mesh.withoutHoles(SMALL);
+    }
+
     /** The shape with its holes closed, without the name of its file; empty if it is closed, is no mesh, or has larger holes. */
     public static Optional<Shape> closed(Shape shape) {
         if (!(shape instanceof Mesh m) || m.enclosesVolume()) {
             return Optional.empty();
         }
-        Optional<TriangleMesh> whole = m.triangles().withoutHoles(SMALL);
-        return whole.map(triangles -> new Mesh(triangles, Optional.empty(), m.transform()));
+        return closed(m.triangles()).map(triangles -> new Mesh(triangles, Optional.empty(), m.transform()));
     }
 }

@@ -200,6 +200,28 @@ class GltfMaterialTest {
         assertEquals(List.of(), imported.notes());
     }
 
+    @Test
+    void whatIsFilledHasNoSmallHoles() throws IOException {
+        for (double thickness : new double[] {0, 1}) {
+            GltfFile file = new GltfFile();
+            file.add(
+                    "materials",
+                    "{'pbrMetallicRoughness':{'metallicFactor':0,'roughnessFactor':0},'extensions':{"
+                            + "'KHR_materials_transmission':{'transmissionFactor':1},"
+                            + "'KHR_materials_volume':{'thicknessFactor':" + thickness + "}}}");
+            // A spike of height 30 without its base, which has a 60th of the area.
+            int p = file.floats("VEC3", 3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 30);
+            int i = file.indices(0, 1, 3, 0, 3, 2, 1, 2, 3);
+            file.add(
+                    "meshes",
+                    "{'primitives':[{'attributes':{'POSITION':" + p + "},'indices':" + i + ",'material':0}]}");
+            file.add("nodes", "{'mesh':0}");
+            Mesh spike = (Mesh) file.read(folder).scene().objects().get(0).shape();
+            assertEquals(thickness > 0, spike.enclosesVolume());
+            assertEquals(thickness > 0 ? 4 : 3, spike.triangles().triangles());
+        }
+    }
+
     /** Four triangles around a volume, of a material. */
     private static GltfFile tetrahedron(String material) {
         GltfFile file = new GltfFile();

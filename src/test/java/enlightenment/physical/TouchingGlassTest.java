@@ -106,8 +106,8 @@ class TouchingGlassTest {
     @CsvSource({"0.5, 0.9, -1", "0.5, 0.9, 1", "0, 0.7, -1"})
     void roughInterfacesOfTouchingSlabsAreReciprocal(double lower, double upper, int priority) {
         Scene scene = rough(0, lower, upper, priority);
-        Statistics eye = means(BuiltInMethod.RAYTRACE, rough(OVERLAP, lower, upper, priority), 24)[0];
-        GreyFloor.assertSame("raytrace", means(BuiltInMethod.RAYTRACE, scene, 24)[0], eye, 0.015);
+        Statistics eye = means(BuiltInMethod.RAYTRACE, rough(OVERLAP, lower, upper, priority), 28)[0];
+        GreyFloor.assertSame("raytrace", means(BuiltInMethod.RAYTRACE, scene, 28)[0], eye, 0.015);
         GreyFloor.assertSame("bidirectional", means(BuiltInMethod.BIDIRECTIONAL, scene, 24)[0], eye, 0.015);
         GreyFloor.assertSame("light", means(BuiltInMethod.LIGHT, scene, 55)[0], eye, 0.015);
     }

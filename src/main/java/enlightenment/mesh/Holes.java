@@ -82,28 +82,9 @@ final class Holes {
     }
 
     private TriangleMesh closed() {
-        int[] source = sources();
-        int[] indices = indices();
-        TriangleMesh made;
-        if (mesh.isOfFloats()) {
-            float[] positions = new float[3 * source.length];
-            for (int i = 0; i < positions.length; i++) {
-                positions[i] = (float) mesh.coordinate(source[i / 3], i % 3);
-            }
-            made = TriangleMesh.of(positions, indices);
-        } else {
-            double[] positions = new double[3 * source.length];
-            Arrays.setAll(positions, i -> mesh.coordinate(source[i / 3], i % 3));
-            made = TriangleMesh.of(positions, indices);
-        }
-        if (mesh.hasUv()) {
-            float[] uv = new float[2 * source.length];
-            for (int i = 0; i < uv.length; i++) {
-                uv[i] = (float) mesh.uv(source[i / 2], i % 2);
-            }
-            made = made.withUv(uv);
-        }
-        return mesh.hasNormals() ? made.withNormals(normals(source.length)) : made;
+        int[] sources = sources();
+        float[] normals = mesh.hasNormals() ? normals(sources.length) : null;
+        return new TriangleMesh(mesh.data().vertices.copies(sources, normals), indices());
     }
 
     /** By vertex, the vertex of the mesh that it is made of: all of these, and those of the rims once more. */
@@ -139,11 +120,8 @@ final class Holes {
 
     /** Those of the mesh; a fan has its own, so that its rim is an edge. */
     private float[] normals(int vertices) {
-        float[] normals = new float[3 * vertices];
-        int v = 0;
-        for (; v < mesh.vertices(); v++) {
-            put(normals, v, mesh.normal(v));
-        }
+        float[] normals = Arrays.copyOf(mesh.data().vertices.normals, 3 * vertices);
+        int v = mesh.vertices();
         for (int[] rim : rims) {
             Vec3 sum = new Vec3(0, 0, 0);
             for (int k = 1; k + 1 < rim.length; k++) {
@@ -151,15 +129,11 @@ final class Holes {
             }
             Vec3 unit = sum.maxAbs() > 0 ? sum.normalized() : sum;
             for (int k = 0; k < rim.length; k++) {
-                put(normals, v++, unit);
+                normals[3 * v] = (float) unit.x();
+                normals[3 * v + 1] = (float) unit.y();
+                normals[3 * v++ + 2] = (float) unit.z();
             }
         }
         return normals;
-    }
-
-    private static void put(float[] normals, int v, Vec3 n) {
-        normals[3 * v] = (float) n.x();
-        normals[3 * v + 1] = (float) n.y();
-        normals[3 * v + 2] = (float) n.z();
     }
 }

@@ -100,7 +100,8 @@ public final class MeshFiles {
             return new Contents(SerializedReader.read(source, maxTriangles), List.of(), false);
         }
         if (text.matches("(?is)ply[\n\r].*") || name.endsWith(".ply")) {
-            return single(source, () -> PlyReader.read(source, maxTriangles), PlyReader.hasColors(source));
+            PlyReader ply = new PlyReader(source, maxTriangles);
+            return single(source, ply::mesh, ply.hasColors());
         }
         if (name.endsWith(".obj")) {
             return ObjReader.read(source, maxTriangles);

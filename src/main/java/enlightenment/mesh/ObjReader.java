@@ -68,9 +68,12 @@ final class ObjReader {
     private final MeshSource source;
     private final long maxTriangles;
     private final Attribute positions = new Attribute("vertex", 3);
-    private boolean hasColors;
     private final Attribute uv = new Attribute("texture vertex", 2);
     private final Attribute normals = new Attribute("normal", 3);
+
+    /** Whether the first vertex has red, green and blue after its coordinates. */
+    private boolean hasColors;
+
     private final Map<String, ObjPart> parts = new LinkedHashMap<>();
     private final Set<String> libraries = new LinkedHashSet<>();
     private String material = "";
@@ -126,7 +129,6 @@ final class ObjReader {
         }
     }
 
-    /** The first vertex tells whether there are colours: red, green and blue behind the coordinates. */
     private void readVertex(TextInput in) throws IOException {
         boolean isFirst = positions.count() == 0;
         readNumbers(in, 3, positions.values);

@@ -2,7 +2,10 @@ package enlightenment.mesh;
 
 import java.util.Arrays;
 
-/** Counts the edges of a mesh along which not as many triangles run one way as the other way. Triangles without an area count: they close gaps. */
+/**
+ * The edges of a mesh along which not as many triangles run one way as the other way: their number and, of few, their ends. Triangles without an
+ * area count: they close gaps.
+ */
 final class OpenEdges {
     /** Of more open edges than this, or of one that two triangles lack, the ends are not kept. */
     private static final int MOST_KEPT = 4096;

@@ -41,23 +41,18 @@ final class PlyReader {
     private Ints indices;
     private int vertices;
 
-    private PlyReader(MeshSource source, long maxTriangles) throws IOException {
+    PlyReader(MeshSource source, long maxTriangles) throws IOException {
         this.source = source;
         this.maxTriangles = maxTriangles;
         header = new PlyHeader(source);
     }
 
-    static TriangleMesh read(MeshSource source, long maxTriangles) throws IOException {
-        return new PlyReader(source, maxTriangles).mesh();
-    }
-
     /** Whether the header names colours of vertices. */
-    static boolean hasColors(MeshSource source) throws IOException {
-        return new PlyHeader(source)
-                .elements.stream().anyMatch(e -> e.name().equals("vertex") && e.find("red", false) >= 0);
+    boolean hasColors() {
+        return header.elements.stream().anyMatch(e -> e.name().equals("vertex") && e.find("red", false) >= 0);
     }
 
-    private TriangleMesh mesh() throws IOException {
+    TriangleMesh mesh() throws IOException {
         vertices = count("vertex");
         int faces = count("face");
         if (vertices == 0 || faces == 0) {

@@ -54,12 +54,8 @@ final class MaterialSet {
 
     /** The mesh of a primitive, without small holes where its material fills it. */
     TriangleMesh whole(GltfElement primitive, TriangleMesh mesh) throws IOException {
-        Optional<TriangleMesh> closed =
-                reader(index(primitive)).fillsVolume() ? Fillings.closed(mesh) : Optional.empty();
-        if (closed.isPresent()) {
-            draft.notes().add(primitive.place(), "small holes of a mesh that is filled are closed");
-        }
-        return closed.orElse(mesh);
+        boolean isFilled = reader(index(primitive)).fillsVolume();
+        return isFilled ? Fillings.whole(mesh, draft.notes(), primitive.place()) : mesh;
     }
 
     /** The material of a primitive that has become a mesh. */

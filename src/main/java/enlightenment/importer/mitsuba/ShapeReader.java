@@ -128,12 +128,8 @@ final class ShapeReader {
         if (surface.isThin() || surface.material().isEmpty()) {
             return new Surface(Optional.of(Material.Scattering.of(medium.get())), surface.map(), false);
         }
-        Glass glass = (Glass) surface.material().get();
-        if (Fillings.losesTexture(glass, medium.get())) {
-            scene.note(
-                    e, "the texture of the roughness around a medium that scatters is left out: the border is smooth");
-        }
-        return new Surface(Optional.of(Fillings.filled(glass, medium.get())), surface.map(), false);
+        Material solid = Fillings.filled((Glass) surface.material().get(), medium.get(), scene.notes(), e.place());
+        return new Surface(Optional.of(solid), surface.map(), false);
     }
 
     /** Adds a shape with its filling, or without if it encloses no volume. */
@@ -207,9 +203,7 @@ final class ShapeReader {
     /** The shape, without holes where a dielectric fills it. */
     private Shape whole(Properties p, Surface surface, Shape shape) {
         boolean isFilled = surface.fillsSolid() && !surface.isThin();
-        Optional<Shape> closed = isFilled ? Fillings.closed(shape) : Optional.empty();
-        closed.ifPresent(s -> scene.note(p.element(), "small holes of a mesh that is filled are closed"));
-        return closed.orElse(shape);
+        return isFilled ? Fillings.whole(shape, scene.notes(), p.element().place()) : shape;
     }
 
     /** The material as it can stand on a shape. */

@@ -68,9 +68,10 @@ final class Assembly {
                 ? p.medium().isPresent()
                 : surface.material() instanceof Material.Scattering
                         || surface.material() instanceof Glass && !surface.isThinGlass();
-        Optional<Shape> closed = isFilled ? Fillings.closed(placed) : Optional.empty();
-        closed.ifPresent(s -> note(shape, "small holes of a mesh that is filled are closed"));
-        return closed.orElse(placed);
+        return isFilled
+                ? Fillings.whole(
+                        placed, draft.notes(), shape.parameters().place().shown())
+                : placed;
     }
 
     private Prepared prepare(ShapeDefinition shape) {
@@ -133,10 +134,8 @@ final class Assembly {
         if (medium.isEmpty()) {
             return glass;
         }
-        if (Fillings.losesTexture(glass, medium.get())) {
-            note(shape, "the texture of the roughness around a medium that scatters is left out: the border is smooth");
-        }
-        return Fillings.filled(glass, medium.get());
+        return Fillings.filled(
+                glass, medium.get(), draft.notes(), shape.parameters().place().shown());
     }
 
     private Material pane(ShapeDefinition shape, Surface surface, Glass glass) {

@@ -19,30 +19,44 @@ public final class Fillings {
 
     private Fillings() {}
 
-    /** Whether {@link #filled} loses the texture of the glass's roughness: its border becomes smooth. */
-    public static boolean losesTexture(Glass glass, Medium.Coefficients inside) {
-        return inside.scattering().max() > 0 && !(glass.roughness() instanceof Texture.Amount.Constant);
-    }
-
-    /** Glass that a medium fills: it absorbs, or is a solid that light is scattered in. */
-    public static Material filled(Glass glass, Medium.Coefficients inside) {
+    /**
+     * Glass that a medium fills: it absorbs, or is a solid that light is scattered in, whose border becomes smooth if the roughness has a texture.
+     *
+     * @param notes where that is noted
+     * @param place in the file
+     */
+    public static Material filled(Glass glass, Medium.Coefficients inside, ImportNotes notes, String place) {
         if (inside.scattering().max() == 0) {
             return glass.withAbsorption(inside.absorption());
         }
-        double roughness = glass.roughness() instanceof Texture.Amount.Constant constant ? constant.value() : 0;
-        return new Material.Scattering(inside, glass.indexOfRefraction(), roughness, 0);
-    }
-
-    /** The mesh with its holes closed; empty if it is closed, or has larger holes. */
-    public static Optional<TriangleMesh> closed(TriangleMesh mesh) {
-        return mesh.withoutHoles(SMALL);
-    }
-
-    /** The shape with its holes closed, without the name of its file; empty if it is closed, is no mesh, or has larger holes. */
-    public static Optional<Shape> closed(Shape shape) {
-        if (!(shape instanceof Mesh m) || m.enclosesVolume()) {
-            return Optional.empty();
+        if (glass.roughness() instanceof Texture.Amount.Constant roughness) {
+            return new Material.Scattering(inside, glass.indexOfRefraction(), roughness.value(), 0);
         }
-        return closed(m.triangles()).map(triangles -> new Mesh(triangles, Optional.empty(), m.transform()));
+        notes.add(
+                place, "the texture of the roughness around a medium that scatters is left out: the border is smooth");
+        return new Material.Scattering(inside, glass.indexOfRefraction(), 0, 0);
+    }
+
+    /**
+     * The mesh with its holes closed; the mesh itself if it is closed, or has larger holes.
+     *
+     * @param notes where that is noted
+     * @param place in the file
+     */
+    public static TriangleMesh whole(TriangleMesh mesh, ImportNotes notes, String place) {
+        Optional<TriangleMesh> closed = mesh.withoutHoles(SMALL);
+        if (closed.isPresent()) {
+            notes.add(place, "small holes of a mesh that is filled are closed");
+        }
+        return closed.orElse(mesh);
+    }
+
+    /** As {@link #whole(TriangleMesh, ImportNotes, String)}, for any shape; what is closed no longer has the name of its file. */
+    public static Shape whole(Shape shape, ImportNotes notes, String place) {
+        if (!(shape instanceof Mesh m)) {
+            return shape;
+        }
+        TriangleMesh whole = whole(m.triangles(), notes, place);
+        return whole == m.triangles() ? shape : new Mesh(whole, Optional.empty(), m.transform());
     }
 }

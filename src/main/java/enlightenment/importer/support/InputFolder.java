@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 
@@ -18,8 +19,8 @@ public final class InputFolder {
     private final Path imported;
     private final Path folder;
 
-    /** The other folder; null for none. */
-    private final Path assets;
+    /** That of the file first. */
+    private final List<Path> allowed;
 
     /** @param file the imported file, whose folder is the only one */
     public InputFolder(Path file) {
@@ -36,7 +37,8 @@ public final class InputFolder {
         imported = file;
         Path parent = file.toAbsolutePath().normalize().getParent();
         folder = parent == null ? file.toAbsolutePath() : parent;
-        this.assets = assets.map(other -> other.toAbsolutePath().normalize()).orElse(null);
+        allowed = assets.map(other -> List.of(folder, other.toAbsolutePath().normalize()))
+                .orElse(List.of(folder));
     }
 
     /** The imported file. */
@@ -61,20 +63,28 @@ public final class InputFolder {
         } catch (InvalidPathException e) {
             throw new IOException(shown + " is no name of a file", e);
         }
-        if (!path.startsWith(folder) && (assets == null || !path.startsWith(assets))) {
-            throw new IOException(shown + " leads out of " + allowed());
+        if (allowed.stream().noneMatch(path::startsWith)) {
+            throw new IOException(shown + " leads out of " + shownAllowed());
         }
         if (!Files.isRegularFile(path) || !Files.isReadable(path)) {
             throw new IOException("there is no file " + shown + " that can be read");
         }
-        Path real = path.toRealPath();
-        if (!real.startsWith(folder.toRealPath()) && (assets == null || !real.startsWith(assets.toRealPath()))) {
-            throw new IOException(shown + " is a link that leads out of " + allowed());
+        if (!isReallyAllowed(path.toRealPath())) {
+            throw new IOException(shown + " is a link that leads out of " + shownAllowed());
         }
         return path;
     }
 
-    private String allowed() {
-        return "the folder of the scene" + (assets == null ? "" : " and that of its assets");
+    private boolean isReallyAllowed(Path real) throws IOException {
+        for (Path each : allowed) {
+            if (Files.exists(each) && real.startsWith(each.toRealPath())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private String shownAllowed() {
+        return "the folder of the scene" + (allowed.size() == 1 ? "" : " and that of its assets");
     }
 }

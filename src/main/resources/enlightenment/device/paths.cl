@@ -84,11 +84,10 @@ void appendEvent(Path *path, int event) {
     if (path->first == NO_EVENT) {
         path->first = event;
     }
-    if (event != SPECULAR_EVENT) {
-        path->scatterings++;
-    }
-    path->eventsForRoulette = event == SPECULAR_EVENT ? path->events + 1 : path->scatterings;
-    if (event != SPECULAR_EVENT && path->firstScattering == NO_EVENT) {
+    bool scatters = event != SPECULAR_EVENT;
+    path->scatterings += scatters ? 1 : 0;
+    path->eventsForRoulette = scatters ? path->scatterings : path->events + 1;
+    if (scatters && path->firstScattering == NO_EVENT) {
         path->firstScattering = event;
     }
 }

@@ -14,8 +14,9 @@ import tempfile
 
 import mitsuba
 import numpy
+from physical_light import BLOCK, read_pfm
 
-LONGER, BLOCK, BRIGHTEST = 96, 8, 4
+LONGER, BRIGHTEST = 96, 4
 
 
 def theirs(file, samples):
@@ -39,13 +40,8 @@ def ours(arguments, file, shape, out):
     run = subprocess.run(command, capture_output=True, text=True)
     if run.returncode != 0:
         return None, run.stderr
-    with open(out, "rb") as f:
-        f.readline()
-        width, height = map(int, f.readline().split())
-        scale = float(f.readline())
-        data = numpy.frombuffer(f.read(), "<f4" if scale < 0 else ">f4")
     # Rows of PFM files run upwards.
-    return data.reshape(height, width, 3)[::-1].astype(float), run.stderr
+    return read_pfm(out)[::-1], run.stderr
 
 
 def blocks(picture):

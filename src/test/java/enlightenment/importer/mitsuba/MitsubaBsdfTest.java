@@ -17,24 +17,11 @@ import enlightenment.material.Material;
 import enlightenment.material.Principled;
 import enlightenment.material.Texture;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
-class MitsubaBsdfTest {
-    @TempDir
-    Path folder;
-
-    private MitsubaScenes scenes;
-
-    @BeforeEach
-    void scenes() {
-        scenes = new MitsubaScenes(folder);
-    }
-
+class MitsubaBsdfTest extends MitsubaSceneTest {
     private static String bsdf(String type, String inside) {
         return "<bsdf type=\"" + type + "\">" + inside + "</bsdf>";
     }

@@ -22,37 +22,24 @@ import enlightenment.math.Vec3;
 import enlightenment.mesh.TriangleMesh;
 import enlightenment.scene.SceneObject;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Shapes with area emitters. Which side emits was measured with Mitsuba 3.9, by rays from both sides. */
-class MitsubaLampsTest {
+class MitsubaLampsTest extends MitsubaSceneTest {
     private static final String BLACK = "<bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"0\"/></bsdf>";
 
     private static final String FLIP = "<boolean name=\"flip_normals\" value=\"true\"/>";
-
-    @TempDir
-    Path folder;
-
-    private MitsubaScenes scenes;
-
-    @BeforeEach
-    void prepare() {
-        scenes = new MitsubaScenes(folder);
-    }
 
     private ImportDraft lamp(String type, String inside) throws IOException {
         return scenes.read("<shape type=\"" + type + "\">" + inside
                 + "<emitter type=\"area\"><rgb name=\"radiance\" value=\"3\"/></emitter></shape>");
     }
 
-    /** The same in a scene that is mirrored as a whole, as those of parallel views are, at the plane x = 0. */
+    /** As {@link #lamp}, in a scene that is mirrored at the plane x = 0, as scenes with a parallel view are. */
     private ImportDraft mirrored(String type, String inside) throws IOException {
         return scenes.read("<sensor type=\"orthographic\"/><shape type=\"" + type + "\">" + inside
                 + "<emitter type=\"area\"><rgb name=\"radiance\" value=\"3\"/></emitter></shape>");

@@ -13,25 +13,12 @@ import enlightenment.math.ExactPoint;
 import enlightenment.math.Vec3;
 import enlightenment.scene.SceneException;
 import java.io.IOException;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Assertions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Lights that shine into a part of all directions, and lenses. */
-class MitsubaLightsTest {
+class MitsubaLightsTest extends MitsubaSceneTest {
     private static final String BALL = "<shape type=\"sphere\"/>";
-
-    @TempDir
-    Path folder;
-
-    private MitsubaScenes scenes;
-
-    @BeforeEach
-    void scenes() {
-        scenes = new MitsubaScenes(folder);
-    }
 
     private ImportDraft emitter(String type, String inside) throws IOException {
         return scenes.read("<emitter type=\"" + type + "\">" + inside + "</emitter>" + BALL);

@@ -17,22 +17,10 @@ import enlightenment.scene.SceneException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Parts of scenes that stand elsewhere, are lost, or have holes, and what fills them. Expected values follow from Mitsuba's documentation. */
-class MitsubaPartsTest {
-    @TempDir
-    Path folder;
-
-    private MitsubaScenes scenes;
-
-    @BeforeEach
-    void scenes() {
-        scenes = new MitsubaScenes(folder);
-    }
-
+class MitsubaPartsTest extends MitsubaSceneTest {
     @Test
     void lampsOfAreasThatAreDefinedApartShineWhereTheyAreReferredTo() throws IOException {
         ImportDraft draft = scenes.read(

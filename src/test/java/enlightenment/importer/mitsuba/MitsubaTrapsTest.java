@@ -23,23 +23,11 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Where importers go wrong. Expected values follow from Mitsuba's documentation. */
-class MitsubaTrapsTest {
+class MitsubaTrapsTest extends MitsubaSceneTest {
     private static final String BALL = "<shape type=\"sphere\"/>";
-
-    @TempDir
-    Path folder;
-
-    private MitsubaScenes scenes;
-
-    @BeforeEach
-    void scenes() {
-        scenes = new MitsubaScenes(folder);
-    }
 
     private Camera.Window view(String inside, int width, int height) throws IOException {
         return view("", inside, width, height);
